@@ -75,7 +75,7 @@ GatheredViews viewsOfFiles(const ViewOptions& options, const LayoutOf& layoutOf)
     ProgressLine line("reading views");
     std::set<std::pair<int, int>> sizes;
     for (const fs::path& file : chosen) {
-        if (!line.show(static_cast<double>(result.sources.size()) / static_cast<double>(chosen.size())))
+        if (!line.show(static_cast<double>(result.sources.names.size()) / static_cast<double>(chosen.size())))
             throw Failure(Blame::usage, "Reading the views was stopped; nothing was written.");
         std::vector<std::string> warnings;
         render::Image image =
@@ -83,10 +83,10 @@ GatheredViews viewsOfFiles(const ViewOptions& options, const LayoutOf& layoutOf)
         addNotes(result.notes, file, warnings);
         sizes.emplace(image.width, image.height);
         addNote(result.notes, printing::fittingNote(image, aspect, fittingOf(options)));
-        const int picture = static_cast<int>(numbers[result.sources.size()]) + 1;
+        const int picture = static_cast<int>(numbers[result.sources.names.size()]) + 1;
         result.views.add(
             printing::fitted(std::move(image), aspect, fittingOf(options), printing::placeOf(places, picture)));
-        result.sources.push_back(sourceOf(file.filename().string(), picture, places));
+        result.sources.names.push_back(sourceOf(file.filename().string(), picture, places));
     }
     if (sizes.size() > 1) result.notes.emplace_back("The views differ in size; each is scaled to the print.");
     return result;
@@ -125,7 +125,8 @@ GatheredViews viewsOfQuilt(const ViewOptions& options, const LayoutOf& layoutOf)
         const int picture = static_cast<int>(k) + 1;
         result.views.add(
             printing::fitted(std::move(view), aspect, fittingOf(options), printing::placeOf(places, picture)));
-        result.sources.push_back(sourceOf(file.filename().string() + ", view " + std::to_string(k), picture, places));
+        result.sources.names.push_back(
+            sourceOf(file.filename().string() + ", view " + std::to_string(k), picture, places));
     }
     return result;
 }

@@ -3,9 +3,8 @@
 #include "app/print/view_folder.h"
 #include "app/print/view_options.h"
 
-#include "exhibits/printing/print_layout.h"
+#include "exhibits/printing/print_json.h"
 #include "exhibits/printing/view_set.h"
-#include "render/files/strict_json.h"
 
 #include <functional>
 #include <memory>
@@ -17,9 +16,8 @@ namespace vitrine::app {
 /// The views of a print and where they came from.
 struct GatheredViews {
     printing::ViewSet views;
-    std::vector<std::string> sources;    ///< One for each view, for the print's description.
+    printing::PrintSources sources;      ///< For the print's description.
     std::string profile;                 ///< ICC profile of the pictures; empty when they have none.
-    render::Json scene;                  ///< What brings rendered views back; null for pictures.
     std::vector<std::string> notes;      ///< For standard error.
     std::vector<std::string> numbers;    ///< For standard output.
     std::string renderer;                ///< That drew them; empty where none were drawn.

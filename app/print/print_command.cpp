@@ -45,12 +45,11 @@ printing::PrintFile target(const PrintOptions& options)
 }
 
 printing::PrintFile printFile(const PrintOptions& options, const PrintLayout& layout,
-                              const std::vector<std::string>& sources, const render::Json& scene)
+                              const printing::PrintSources& sources)
 {
     printing::PrintFile file = target(options);
-    render::Json json = printing::printJson(layout, render::storedDpi(options.out, layout.settings().dpiX), sources);
-    if (!scene.is_null()) json["scene"] = scene;
-    file.json = render::writeJson(json);
+    file.json = render::writeJson(
+        printing::printJson(options.values, layout, render::storedDpi(options.out, layout.settings().dpiX), sources));
     return file;
 }
 
@@ -86,9 +85,10 @@ void checkTarget(const PrintOptions& options, const LayoutOf& layoutOf)
 int makeChart(const PrintOptions& options)
 {
     const printing::PrintTable& table = printing::printTable();
-    const PrintLayout layout(printSettings(options, options.views.count == 0 ? 12 : options.views.count));
+    const PrintLayout layout(
+        printing::printSettings(options.values, options.views.count == 0 ? 12 : options.views.count));
     const printing::Chart chart(layout, options.values[table.chart], options.values[table.chartSpan]);
-    const printing::PrintFile file = printFile(options, layout, {options.chart + " chart"}, nullptr);
+    const printing::PrintFile file = printFile(options, layout, {{options.chart + " chart"}});
     const std::vector<fs::path> written = printing::writeChart(layout, chart, file);
     for (const fs::path& path : written) std::printf("%s\n", path.c_str());
     return 0;
@@ -115,7 +115,7 @@ int makePrint(const PrintOptions& options)
     if (options.out.empty() && (options.views.saveViews.empty() || !options.chart.empty()))
         throw Failure(Blame::usage, "--out is missing: say where the print goes, to a name that ends in " +
                                         render::streamedExtensions() + '.');
-    const auto layoutOf = [&](int count) { return PrintLayout(printSettings(options, count)); };
+    const auto layoutOf = [&](int count) { return PrintLayout(printing::printSettings(options.values, count)); };
     if (!options.part.shard.empty()) return makePart(options, layoutOf);
     if (!options.chart.empty()) return makeChart(options);
     if (!options.out.empty()) checkTarget(options, layoutOf);
@@ -128,7 +128,7 @@ int makePrint(const PrintOptions& options)
     const PrintLayout layout = layoutOf(made.views.count());
     if (const std::string stretched = printing::stretchWarning(layout, made.views); !stretched.empty()) say(stretched);
     std::vector<fs::path> written;
-    printing::PrintFile file = printFile(options, layout, made.sources, made.scene);
+    printing::PrintFile file = printFile(options, layout, made.sources);
     if (!options.out.empty()) {
         file.profile = made.profile;
         if (layout.settings().compensate) {

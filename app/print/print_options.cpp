@@ -57,30 +57,24 @@ void addPrintOptions(CLI::App& command, PrintOptions& o)
 
 void readPrintOptions(const CLI::App& command, PrintOptions& o)
 {
-    jobs::GivenValues given(printTable());
+    const printing::PrintTable& t = printTable();
+    jobs::GivenValues given(t);
     o.typed.read(command, given);
     o.values = given.settled("vitrine print");
     if (!o.chart.empty()) {
         const std::optional<Value> chart = parseValue(chartRow(), o.chart);
-        if (chart) o.values.setRow(printTable().chart.row, *chart);
-        o.values.set(printTable().chartSpan, o.chartPercent / 100);
+        if (chart) o.values.setRow(t.chart.row, *chart);
+        o.values.set(t.chartSpan, o.chartPercent / 100);
     }
     refuseUselessOptions(command, o);
-    o.lpiGiven = command.get_option("--lpi")->count() > 0;
-    if (!o.lpiGiven && o.sheet.empty())
+    const bool lpiGiven = command.get_option("--lpi")->count() > 0;
+    if (!lpiGiven && o.sheet.empty())
         throw Failure(Blame::usage, "--lpi is missing: give the sheet's lenses per inch, or a --sheet.");
-}
-
-printing::PrintSettings printSettings(const PrintOptions& options, int views)
-{
-    printing::PrintSettings settings = printing::printSettings(options.values, views);
-    if (options.sheet.empty()) return settings;
-    const double measured = settings.sheet.effectiveLpi;
-    settings.sheet = printing::knownSheet(options.sheet);
-    if (options.lpiGiven) settings.sheet.effectiveLpi = options.values[printTable().lensesPerInch];
-    if (measured != 0) settings.sheet.effectiveLpi = measured;
-    printing::check(settings.sheet);
-    return settings;
+    if (o.sheet.empty()) return;
+    printing::Sheet sheet = printing::knownSheet(o.sheet);
+    if (lpiGiven) sheet.effectiveLpi = o.values[t.lensesPerInch];
+    if (o.values[t.measuredPerInch] != 0) sheet.effectiveLpi = o.values[t.measuredPerInch];
+    o.values = withSheet(o.values, sheet);
 }
 
 }  // namespace vitrine::app

@@ -20,18 +20,14 @@ struct PrintOptions {
     std::string chart;        ///< Name of a choice of `PrintTable::chart`; empty: a print of views.
     double chartPercent = 1;  ///< Span of a pitch chart, each way.
     std::string out, report, sheet;
-    bool lpiGiven = false;  ///< Beside a sheet, its LPI as measured.
     TypedParameters typed;
-    ParameterValues values{printing::printTable()};  ///< Of `typed` and chart, once they are read.
+    ParameterValues values{printing::printTable()};  ///< Of `typed`, chart and sheet, once they are read.
 };
 
 void addPrintOptions(CLI::App&, PrintOptions&);
 
 /// Reads what was typed. Throws Failure (Blame::usage) naming an option that is missing, cannot be, or changes nothing
-/// beside the others.
+/// beside the others. Beside a sheet, the LPI that is given is the measured one.
 void readPrintOptions(const CLI::App&, PrintOptions&);
-
-/// The settings that the options ask for, for `views` views. Throws Failure (Blame::usage) naming the option.
-[[nodiscard]] printing::PrintSettings printSettings(const PrintOptions&, int views);
 
 }  // namespace vitrine::app

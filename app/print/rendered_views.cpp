@@ -149,22 +149,12 @@ void describe(const ViewRig& rig, const DepthRange& depth, bool reverse, Gathere
         result.notes.emplace_back("With --reverse the depth of rendered views is inside out.");
 }
 
-/// What brings the views back.
-render::Json sceneJson(const Museum& museum, const ViewOptions& options, const RequestedPicture& picture,
-                       const ViewShot& base, const ViewRig& rig)
+/// Numbers of the cameras.
+render::Json rigJson(const ViewOptions& options, const RequestedPicture& picture, const ViewRig& rig)
 {
-    const glm::ivec2 size = picture.request.frame.raster.size;
-    return {{"exhibit", options.scene.subject},
-            {"preset",
-             render::Json::parse(pictureSettings(museum, picture.subject, base.sceneState, base.request, "View"))},
-            {"baseline", rig.baseline()},
-            {"baselineScale", rig.strength()},
-            {"convergence", rig.convergence()},
-            {"turnDegrees", options.turnDegrees},
-            {"sweeps", options.sweeps},
-            {"samples", picture.request.samples},
-            {"seed", picture.request.frame.seed},
-            {"viewSize", {size.x, size.y}}};
+    return {{"baseline", rig.baseline()},       {"baselineScale", rig.strength()},
+            {"convergence", rig.convergence()}, {"turnDegrees", options.turnDegrees},
+            {"sweeps", options.sweeps},         {"samples", picture.request.samples}};
 }
 
 std::string nameOfView(int k)
@@ -237,8 +227,10 @@ GatheredViews renderedViews(const ViewOptions& options, const LayoutOf& layoutOf
         takeCameras(shots, rig);
     }
     describe(rig, depth, layout.settings().reverse, result);
-    for (int k = 0; k < count; ++k) result.sources.push_back(scene.subject + ", view " + std::to_string(k));
-    result.scene = sceneJson(museum, options, picture, base, rig);
+    for (int k = 0; k < count; ++k) result.sources.names.push_back(scene.subject + ", view " + std::to_string(k));
+    result.sources.scene =
+        render::Json::parse(pictureSettings(museum, picture.subject, base.sceneState, base.request, "View"));
+    result.sources.rig = rigJson(options, picture, rig);
     const auto take = [&](int k, const render::Image& image) {
         result.views.add(image);
         if (result.folder)

@@ -9130,6 +9130,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Kein Preset passt zu diesen Wörtern und Tags.</translation>
     </message>
     <message>
+        <source>no print has these values ({1}); correct it there.</source>
+        <translation>kein Druck hat diese Werte ({=1}); korrigieren Sie es dort.</translation>
+    </message>
+    <message>
         <source>No ray grazes a shell along so many cells.</source>
         <translation>Kein Strahl streift eine Shell über so viele Zellen.</translation>
     </message>
@@ -14395,10 +14399,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>die Beleuchtung der Referenz hat keine</translation>
     </message>
     <message>
-        <source>the look</source>
-        <translation>das Aussehen</translation>
-    </message>
-    <message>
         <source>the main layer</source>
         <translation>die Hauptebene</translation>
     </message>
@@ -14681,6 +14681,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>The same with what is in the middle of the picture</source>
         <translation>Dasselbe mit dem, was in der Mitte des Bildes ist</translation>
+    </message>
+    <message>
+        <source>the scene</source>
+        <translation>die Szene</translation>
     </message>
     <message>
         <source>The scene asks for fewer mirror images of mirror images.</source>
@@ -15433,8 +15437,8 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>dieses Dokument ist nicht vom Auftrag {=1}; geben Sie eines an, das er geschrieben hat.</translation>
     </message>
     <message>
-        <source>this does not describe a lenticular print of version 1; give a print, or the JSON beside it.</source>
-        <translation>das beschreibt keinen Linsendruck der Version 1; geben Sie einen Druck an, oder das JSON daneben.</translation>
+        <source>this does not describe a lenticular print; give a print, or the JSON beside it.</source>
+        <translation>das beschreibt keinen Linsendruck; geben Sie einen Druck an, oder das JSON daneben.</translation>
     </message>
     <message>
         <source>This exhibit has no charts.</source>
@@ -15573,6 +15577,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>hier muss 1 bis {1} stehen</translation>
     </message>
     <message>
+        <source>this must be 1; use the Vitrine that wrote it.</source>
+        <translation>das muss 1 sein; nehmen Sie das Vitrine, das es schrieb.</translation>
+    </message>
+    <message>
         <source>this must be a file name; correct it there.</source>
         <translation>das muss ein Dateiname sein; berichtigen Sie das dort.</translation>
     </message>
@@ -15651,10 +15659,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>this must be an array; export the file again.</source>
         <translation>hier muss ein Array stehen; exportieren Sie die Datei neu.</translation>
-    </message>
-    <message>
-        <source>this must be an object with &quot;values&quot;; correct it there.</source>
-        <translation>hier muss ein Objekt mit „values“ stehen; korrigieren Sie es dort.</translation>
     </message>
     <message>
         <source>this must be an object; correct it there.</source>

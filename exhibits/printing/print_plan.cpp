@@ -18,13 +18,18 @@ PrintLayout layoutOf(const ParameterValues& values, const PrintViews* views)
     return PrintLayout(printSettings(values, views ? views->count() : values[printTable().views]));
 }
 
+/// Returns the values of a chart, which has its own border and views.
+ParameterValues chartValues(ParameterValues values)
+{
+    values.set(printTable().border, 0.0);
+    values.set(printTable().compensate, false);
+    return values;
+}
+
 /// Returns the layout of a chart, with the number of views that it tests.
 PrintLayout chartLayout(const ParameterValues& values)
 {
-    PrintSettings settings = printSettings(values, values[printTable().views]);
-    settings.border = 0;  // Charts have their own border.
-    settings.compensate = false;
-    return PrintLayout(settings);
+    return layoutOf(chartValues(values), nullptr);
 }
 
 Chart chartOf(const ParameterValues& values, const PrintLayout& layout)
@@ -93,11 +98,11 @@ std::vector<std::filesystem::path> exportPrint(const ParameterValues& values, co
     file.tileWidth = views ? tileWidth(values) : 0;
     file.threads = interlacingThreads();
     file.progress = progress;
-    render::Json json = printJson(layout, render::storedDpi(path, layout.settings().dpiX), sources);
-    json["desk"] = valuesJson(values, sources);
+    PrintSources from{sources, sources};
     if (views && !views->scenePreset().empty())
-        json["scene"] = {{"preset", render::parseJson(views->scenePreset(), "the look").root()}};
-    file.json = render::writeJson(json);
+        from.scene = render::parseJson(views->scenePreset(), "the scene").root();
+    file.json = render::writeJson(
+        printJson(views ? values : chartValues(values), layout, render::storedDpi(path, layout.settings().dpiX), from));
     if (!views) return writeChart(layout, chartOf(values, layout), file);
     file.profile = views->profile();
     if (layout.settings().compensate) {

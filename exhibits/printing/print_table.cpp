@@ -147,29 +147,4 @@ PrintSettings printSettings(const ParameterValues& values, int views)
     return s;
 }
 
-ParameterValues withSettings(ParameterValues values, const PrintSettings& s)
-{
-    const PrintTable& table = printTable();
-    values = withSheet(std::move(values), s.sheet);
-    values.set(table.dotsPerInch, s.dpiX);
-    values.set(table.dotsDown, s.dpiY == s.dpiX ? 0.0 : s.dpiY);
-    values.set(table.width, s.width / 1000);
-    values.set(table.height, s.height / 1000);
-    values.set(table.bleed, s.bleed / 1000);
-    values.set(table.distance, s.distance / 1000);
-    values.set(table.visualPerInch, s.visualLpi);
-    values.set(table.phase, s.phase);
-    values.set(table.direction, s.direction * radiansPerDegree);
-    values.set(table.reverse, s.reverse);
-    values.set(table.mirror, s.mirror);
-    values.set(table.views, s.views);
-    values.set(table.method, s.method);
-    values.set(table.guard, s.guard);
-    values.set(table.border, s.border / 1000);
-    values.set(table.inkSpread, s.inkSpread / 1000);
-    values.set(table.compensate, s.compensate);
-    values.set(table.dither, s.dither);
-    return values;
-}
-
 }  // namespace vitrine::printing

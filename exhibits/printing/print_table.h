@@ -164,7 +164,5 @@ struct PrintTable final : Parameters {
 
 /// Returns the settings of a print of `views` views. Throws like `sheetOf`; PrintLayout checks the rest.
 [[nodiscard]] PrintSettings printSettings(const ParameterValues&, int views);
-/// Returns the values with these settings; other values are unchanged.
-[[nodiscard]] ParameterValues withSettings(ParameterValues, const PrintSettings&);
 
 }  // namespace vitrine::printing

@@ -79,8 +79,8 @@ void writePicture(const std::filesystem::path&, const Image&, PictureFormat, con
 /// if the file cannot be read.
 [[nodiscard]] std::optional<std::string> embeddedPreset(const std::filesystem::path&);
 
-/// Returns the preset text in a picture's description: the description itself, or the part of a print's description
-/// about its views. Returns nothing if another program wrote the text.
+/// Returns the preset text in a picture's description: the description itself, or the scene in the settings document of
+/// a job. Returns nothing if another program wrote the text.
 [[nodiscard]] std::optional<std::string> settingsInDescription(const std::string&);
 
 /// Reads a picture as a texture: 8-bit values for 8-bit files (then `sRgb` says that they are sRGB-encoded), floats for

@@ -343,11 +343,11 @@ std::optional<std::string> settingsInDescription(const std::string& text)
     if (!text.starts_with('{')) return std::nullopt;
     try {
         const Json root = parseJson(text, "the description").root();
-        if (root.contains("format") && root["format"].is_string() &&
-            root["format"].get_ref<const std::string&>().starts_with("vitrine-"))
-            return text;
-        const Json::json_pointer ofPrint("/scene/preset");
-        if (root.contains("vitrinePrint") && root.contains(ofPrint)) return writeJson(root[ofPrint]);
+        if (!root.contains("format") || !root["format"].is_string()) return std::nullopt;
+        const auto& format = root["format"].get_ref<const std::string&>();
+        if (format == "vitrine-job")
+            return root.contains("scene") ? std::optional(writeJson(root["scene"])) : std::nullopt;
+        if (format.starts_with("vitrine-")) return text;
     } catch (const Failure&) {  // Text of another program that begins with a brace.
     }
     return std::nullopt;

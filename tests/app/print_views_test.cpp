@@ -98,13 +98,12 @@ TEST(PrintExhibit, CarriesWhatBringsItsViewsBack)
     ASSERT_EQ(ended.code, 0) << ended.err;
     EXPECT_EQ(test::withoutProgress(ended.err), "");  // A valid print prints no warning.
     const render::JsonDocument description = render::readJson(folder / "p.png.json");
-    const render::Json& scene = description.root().at("scene");
+    const render::Json &scene = description.root().at("scene"), &report = description.root().at("report");
     EXPECT_EQ(scene.at("exhibit"), "sdf_morph");
-    EXPECT_EQ(scene.at("preset").at("exhibit"), "sdf_morph");
-    EXPECT_GT(scene.at("baseline").get<double>(), 0.001);
-    EXPECT_EQ(scene.at("seed"), 5);
-    EXPECT_EQ(scene.at("sweeps").at(0), "morph=0..1");
-    EXPECT_EQ(description.root().at("sources").size(), 3U);
+    EXPECT_EQ(scene.at("picture").at("seed"), 5);
+    EXPECT_GT(report.at("rig").at("baseline").get<double>(), 0.001);
+    EXPECT_EQ(report.at("rig").at("sweeps").at(0), "morph=0..1");
+    EXPECT_EQ(report.at("sources").size(), 3U);
     for (int k = 0; k < 3; ++k) {
         const auto preset = render::embeddedPreset(folder / viewName(k));
         ASSERT_TRUE(preset);

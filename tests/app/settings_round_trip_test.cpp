@@ -207,7 +207,7 @@ TEST(SettingsRoundTrip, APrintBringsItsViewsBackFromItsFileAndTheDescriptionBesi
         const SceneState state = randomState(random);
         const PictureRequest request = randomRequest(subject, random);
         const render::Json preset = render::Json::parse(pictureSettings(museum(), subject, state, request, "View"));
-        const std::string json = render::writeJson({{"vitrinePrint", 1}, {"scene", {{"preset", preset}}}});
+        const std::string json = render::writeJson({{"format", "vitrine-job"}, {"job", "print"}, {"scene", preset}});
         render::PictureStream stream(folder / name,
                                      {.width = 16, .height = 16, .dpiX = 300, .dpiY = 300, .json = json});
         stream.write(rows.data(), 16);

@@ -113,9 +113,9 @@ bool readDescription(std::string_view bytes)
     return accepts([&] {
         const printing::SavedSettings saved = printing::savedSettings(std::string(bytes), "fuzz.tif.json");
         requireLegal(saved.values);
-        (void)printing::settingsText(saved.values, saved.sources);
+        (void)printing::settingsText(saved.values, saved.files);
         const render::JsonDocument document = render::parseJson(std::string(bytes), "fuzz.tif.json");
-        if (!document.root().contains("print")) return;
+        if (!document.root().contains("views")) return;
         const printing::PrintLayout layout(printing::settingsFromJson(document));
         require(layout.width() > 0 && layout.height() > 0 && std::isfinite(layout.printPitch()) &&
                     std::isfinite(layout.lensAt(0, 0)),

@@ -93,7 +93,7 @@ QStringList PrintSetup::load(const std::string& text, const std::string& fileNam
 {
     const printing::SavedSettings settings = printing::savedSettings(text, fileName);
     PrintState loaded{settings.values, {}, state_.sheet};
-    for (const std::string& file : settings.sources) loaded.files << QString::fromStdString(file);
+    for (const std::string& file : settings.files) loaded.files << QString::fromStdString(file);
     change(tr("Load settings"), std::move(loaded));
     QStringList notes;
     for (const std::string& note : settings.notes) notes << said(note);

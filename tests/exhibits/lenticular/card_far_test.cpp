@@ -7,6 +7,7 @@
 #include "exhibits/printing/sheet.h"
 #include "render/image/image_io.h"
 #include "tests/exhibits/lenticular/card_shot.h"
+#include "tests/exhibits/printing/values_of.h"
 
 #include <gtest/gtest.h>
 
@@ -142,7 +143,7 @@ TEST_F(CardFar, ThePrintedRasterLooksAsItsViewsDo)
         const printing::PrintLayout layout(settings);
         const printing::ViewSet& made = set;
         printing::PrintFile file{folder / ("print" + std::to_string(static_cast<int>(direction)) + ".tif")};
-        file.json = printing::printJson(layout, 400, {}).dump();
+        file.json = printing::printJson(printing::test::valuesOf(settings), layout, 400, {}).dump();
         printing::writePrint(layout, made, file);
         for (const double angle : {-0.15, 0.0, 0.08}) {
             CardShot shot;

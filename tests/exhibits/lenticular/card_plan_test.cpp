@@ -7,6 +7,7 @@
 #include "exhibits/printing/print_json.h"
 #include "exhibits/printing/sheet.h"
 #include "shaders/lib/bindings.glsl"
+#include "tests/exhibits/printing/values_of.h"
 #include "tests/support/failures.h"
 #include "tests/support/museum_on_paper.h"
 #include "tests/support/planned.h"
@@ -175,7 +176,8 @@ TEST(CardPlan, ADescriptionBesideAPrintThatIsNotItsOwnIsNamed)
         settings.distance = 400;
         settings.views = 2;
         const printing::PrintLayout layout(settings);
-        return std::pair(layout, render::writeJson(printing::printJson(layout, 600, {"two views"})));
+        const ParameterValues values = printing::test::valuesOf(settings);
+        return std::pair(layout, render::writeJson(printing::printJson(values, layout, 600, {{"two views"}})));
     };
     const auto [layout, own] = described(60);
     printing::ViewSet views;

@@ -291,7 +291,7 @@ TEST(PrintRaster, AProofOfTheFileIsTheProofOfTheRasterInMemory)
         PrintRaster print = readPrint(folder / "a.tif");
         for (const Eye& eye : {Eye{.angle = 0.2}, Eye{.angle = -0.1, .angleAlong = 0.6, .distance = 120}}) {
             const render::Image fromFile = lookThrough(print, eye, 32);
-            EXPECT_EQ(fromFile.pixels, lookThrough(layout, readPrint(folder / "a.tif").image(), eye, 32).pixels)
+            EXPECT_EQ(fromFile.pixels, lookThrough(print.layout(), readPrint(folder / "a.tif").image(), eye, 32).pixels)
                 << direction;
         }
     }

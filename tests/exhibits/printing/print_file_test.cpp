@@ -167,9 +167,26 @@ TEST(PrintFile, LeavesNothingBehindWhenStoppedOrRefused)
 
 TEST(PrintFile, ADescriptionThatIsNoneIsRefusedWithItsKey)
 {
-    EXPECT_FAILURE(settingsFromJson(render::parseJson("[]", "x.json")), "missing");
-    EXPECT_FAILURE(settingsFromJson(render::parseJson("{\"sheet\": {\"name\": 1, \"nominalLpi\": \"a\"}}", "x.json")),
-                   "sheet.nominalLpi");
+    const auto expectRefused = [](const std::string& text, const char* part) {
+        EXPECT_FAILURE(settingsFromJson(render::parseJson(text, "x.json")), part);
+    };
+    expectRefused("[]", "does not describe a lenticular print");
+    const PrintLayout layout(settingsFor(40, 600, 2, 100, 20));
+    const render::Json good = render::Json::parse(test::descriptionOf(layout));
+    const auto expectBroken = [&](const char* pointer, const render::Json& value, const char* part) {
+        render::Json broken = good;
+        broken[render::Json::json_pointer(pointer)] = value;
+        expectRefused(render::writeJson(broken), part);
+    };
+    expectBroken("/job", "sprite", "does not describe a lenticular print");
+    expectBroken("/version", 2, "version: this must be 1");
+    expectBroken("/values/lensesPerInch", "a", "values.lensesPerInch");
+    expectBroken("/values/lensesPerInch", 1e6, "lensesPerInch");
+    expectBroken("/values/velvet", 1, "velvet");
+    expectBroken("/views", 257, "views: this must be 1 to 256");
+    render::Json without = good;
+    without["values"].erase("width");
+    expectRefused(render::writeJson(without), "\"width\" is missing");
 }
 
 /// Runs the program. Returns its exit code.

@@ -36,44 +36,48 @@ TEST_F(SettingsText, EverySettingSurvivesItsTextWhateverItIs)
         if (printPlan(values, nullptr, false, "p.tif").refusal.empty()) ++possible;
         const std::vector<std::string> files{"/a/view 1.png", "ü.png"};
         const SavedSettings back = savedSettings(settingsText(values, files), "kept.json");
-        EXPECT_EQ(back.sources, files);
+        EXPECT_EQ(back.files, files);
         for (std::size_t i = 0; i < values.rows().size(); ++i)
             EXPECT_EQ(back.values.row(i), values.row(i)) << values.rows()[i].name;
     }
     EXPECT_GT(possible, 3);  // Control: not all settings were refused.
 }
 
-TEST_F(SettingsText, APrintOfTheCommandLineBringsItsSettingsBack)
+TEST_F(SettingsText, APrintIsLaidOutAgainFromItsDocument)
 {
-    PrintSettings s;
-    s.sheet = knownSheet("75-measured");
-    s.dpiX = 720;
-    s.dpiY = 360;
-    s.width = 70;
-    s.height = 41.5;
-    s.direction = 90;
-    s.reverse = true;
-    s.views = 7;
-    s.method = Method::guard;
-    const std::string text = render::writeJson(printJson(PrintLayout(s), 720, {"one.png"}));
-    const SavedSettings back = savedSettings(text, "print.tif.json");
-    EXPECT_TRUE(back.sources.empty());
-    const PrintSettings read = printSettings(back.values, 7);
-    EXPECT_EQ(printJson(PrintLayout(read), 720, {})["print"], printJson(PrintLayout(s), 720, {})["print"]);
-    EXPECT_NEAR(read.sheet.radius, s.sheet.radius, 1e-12);
-    EXPECT_NEAR(read.sheet.thickness, s.sheet.thickness, 1e-12);
-    EXPECT_EQ(sheets_.nameOf(sheetOf(back.values)), "75-measured");
-    EXPECT_TRUE(std::isinf(back.values[table_.distance]));
+    for (const char* sheet : {"75-measured", "60-3d", "20-flip"}) {
+        ParameterValues values = withSheet(table_.initial(), knownSheet(sheet));
+        values.set(table_.dotsDown, 360.0);
+        values.set(table_.width, 0.07);
+        values.set(table_.height, 0.0415);
+        values.set(table_.distance, 0.4);
+        values.set(table_.direction, degree * 90);
+        values.set(table_.reverse, true);
+        values.set(table_.method, Method::guard);
+        const PrintLayout layout(printSettings(values, 7));
+        const std::string text = render::writeJson(printJson(values, layout, 720, {{"one.png"}}));
+        const SavedSettings back = savedSettings(text, "print.tif.json");
+        EXPECT_TRUE(back.files.empty());
+        EXPECT_EQ(back.values, values);
+        EXPECT_EQ(sheets_.nameOf(sheetOf(back.values)), sheet);
+        const PrintLayout again(settingsFromJson(render::parseJson(text, "print.tif.json")));
+        EXPECT_EQ(again.settings().views, 7);
+        EXPECT_EQ(again.width(), layout.width());
+        EXPECT_EQ(again.height(), layout.height());
+        EXPECT_EQ(again.printPitch(), layout.printPitch());
+        for (const double x : {0.0, 17.5, 400.25}) EXPECT_EQ(again.lensAt(x, 3 * x), layout.lensAt(x, 3 * x));
+    }
 }
 
 TEST_F(SettingsText, BrokenSettingsNameFileAndKey)
 {
     for (const auto& [text, word] : std::vector<std::pair<std::string, std::string>>{
-             {"{}", "vitrinePrint"},
-             {R"({"vitrinePrint": 2})", "vitrinePrint"},
-             {R"({"vitrinePrint": 1, "desk": {"values": {"width": "wide"}}})", "width"},
-             {R"({"vitrinePrint": 1, "desk": {"values": {}, "files": [3]}})", "desk.files"},
-             {R"({"vitrinePrint": 1, "print": {}})", "sheet"}}) {
+             {"{}", "lenticular print"},
+             {R"({"format": "vitrine-job", "version": 1, "job": "sprite", "values": {}})", "lenticular print"},
+             {R"({"format": "vitrine-job", "version": 2, "job": "print", "values": {}})", "version"},
+             {R"({"format": "vitrine-job", "version": 1, "job": "print"})", "values"},
+             {R"({"format": "vitrine-job", "version": 1, "job": "print", "values": {"width": "wide"}})", "width"},
+             {R"({"format": "vitrine-job", "version": 1, "job": "print", "values": {}, "files": [3]})", "files"}}) {
         try {
             static_cast<void>(savedSettings(text, "kept.json"));
             ADD_FAILURE() << text;
@@ -82,8 +86,9 @@ TEST_F(SettingsText, BrokenSettingsNameFileAndKey)
             EXPECT_NE(std::string(failure.what()).find(word), std::string::npos) << failure.what();
         }
     }
-    const SavedSettings odd =
-        savedSettings(R"({"vitrinePrint": 1, "desk": {"values": {"velvet": 1, "views": 9999}}})", "kept.json");
+    const SavedSettings odd = savedSettings(
+        R"({"format": "vitrine-job", "version": 1, "job": "print", "values": {"velvet": 1, "views": 9999}})",
+        "kept.json");
     EXPECT_EQ(odd.notes.size(), 2U);
     EXPECT_EQ(odd.values[table_.views], mostViews);
 }
@@ -98,7 +103,7 @@ TEST_F(SettingsText, TheWrittenPrintCarriesItsSettingsAndComesBack)
     EXPECT_EQ(folder_.files(), (std::vector<std::string>{"print.tif", "print.tif.json"}));
     const SavedSettings beside = savedSettings(settingsIn(file), file.string());
     EXPECT_TRUE(beside.values == values_);
-    EXPECT_EQ(beside.sources, (std::vector<std::string>{"a.png", "b.png"}));
+    EXPECT_EQ(beside.files, (std::vector<std::string>{"a.png", "b.png"}));
     fs::remove(file.string() + ".json");
     EXPECT_TRUE(savedSettings(settingsIn(file), file.string()).values == values_);  // From inside the file.
 }

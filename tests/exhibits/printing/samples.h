@@ -5,6 +5,7 @@
 #include "render/files/strict_json.h"
 #include "render/image/image.h"
 #include "render/image/srgb.h"
+#include "tests/exhibits/printing/values_of.h"
 
 #include <random>
 
@@ -53,7 +54,7 @@ inline std::vector<std::uint8_t> printOf(const PrintLayout& layout, const ViewSe
 /// Returns the description of a print as its file has it.
 inline std::string descriptionOf(const PrintLayout& layout)
 {
-    return render::writeJson(printJson(layout, layout.settings().dpiX, {"a.png"}));
+    return render::writeJson(printJson(valuesOf(layout.settings()), layout, layout.settings().dpiX, {{"a.png"}}));
 }
 
 inline render::Image linearImage(const PrintLayout& layout, const std::vector<std::uint8_t>& codes)

@@ -168,7 +168,7 @@ private slots:
         QVERIFY(dialog_->values() == first);
         QFile other(home_->filePath("other.json"));
         QVERIFY(other.open(QIODevice::WriteOnly));
-        other.write("{\"vitrinePrint\": 7}");
+        other.write("{\"format\": \"vitrine-job\", \"job\": \"sprite\"}");
         other.close();
         dialog_->open({other.fileName()});
         QVERIFY2(said().contains("other.json"), qPrintable(said()));
