@@ -37,12 +37,6 @@ void addNotes(std::vector<std::string>& notes, const fs::path& file, const std::
     for (const std::string& sentence : sentences) notes.push_back(file.filename().string() + ": " + sentence);
 }
 
-printing::Fitting fittingOf(const ViewOptions& options)
-{
-    if (options.fit == "fit") return printing::Fitting::fit;
-    return options.fit == "stretch" ? printing::Fitting::stretch : printing::Fitting::crop;
-}
-
 /// Parses the values of `--place`. Throws Failure (Blame::usage) if one is malformed or names a missing picture.
 printing::ViewPlaces placesOf(const ViewOptions& options, std::size_t pictures)
 {
@@ -60,7 +54,7 @@ std::string sourceOf(const std::string& name, int picture, const printing::ViewP
     return place == printing::ViewPlace{} ? name : name + ", placed by " + printing::textOf({{picture, place}});
 }
 
-GatheredViews viewsOfFiles(const ViewOptions& options, const LayoutOf& layoutOf)
+GatheredViews viewsOfFiles(const ViewOptions& options)
 {
     GatheredViews result;
     const std::vector<fs::path> files = printing::viewFiles(options.files, &result.notes);
@@ -68,7 +62,7 @@ GatheredViews viewsOfFiles(const ViewOptions& options, const LayoutOf& layoutOf)
     const std::vector<std::size_t> numbers = printing::chosenViews(files.size(), sequenceOf(options));
     std::vector<fs::path> chosen;
     for (const std::size_t i : numbers) chosen.push_back(files[i]);
-    const double aspect = printing::aspectOf(layoutOf(static_cast<int>(chosen.size())).settings());
+    const double aspect = printing::aspectOf(layoutOf(options, static_cast<int>(chosen.size())).settings());
     const printing::ViewColors colors = printing::viewColors(chosen);
     result.profile = colors.profile;
     addNote(result.notes, colors.note);
@@ -82,10 +76,10 @@ GatheredViews viewsOfFiles(const ViewOptions& options, const LayoutOf& layoutOf)
             render::readColor(file, {.keepColors = colors.keep, .canceled = StopSignal::stopped}, &warnings);
         addNotes(result.notes, file, warnings);
         sizes.emplace(image.width, image.height);
-        addNote(result.notes, printing::fittingNote(image, aspect, fittingOf(options)));
+        addNote(result.notes, printing::fittingNote(image, aspect, options.values[printing::printTable().fitting]));
         const int picture = static_cast<int>(numbers[result.sources.names.size()]) + 1;
-        result.views.add(
-            printing::fitted(std::move(image), aspect, fittingOf(options), printing::placeOf(places, picture)));
+        result.views.add(printing::fitted(std::move(image), aspect, options.values[printing::printTable().fitting],
+                                          printing::placeOf(places, picture)));
         result.sources.names.push_back(sourceOf(file.filename().string(), picture, places));
     }
     if (sizes.size() > 1) result.notes.emplace_back("The views differ in size; each is scaled to the print.");
@@ -101,12 +95,12 @@ glm::ivec2 gridOf(const std::string& text)
                                     "--quilt 8x6 quilt.png.");
 }
 
-GatheredViews viewsOfQuilt(const ViewOptions& options, const LayoutOf& layoutOf)
+GatheredViews viewsOfQuilt(const ViewOptions& options)
 {
     const glm::ivec2 grid = gridOf(options.quilt[0]);
     const std::vector<std::size_t> chosen =
         printing::chosenViews(static_cast<std::size_t>(grid.x * grid.y), sequenceOf(options));
-    const double aspect = printing::aspectOf(layoutOf(static_cast<int>(chosen.size())).settings());
+    const double aspect = printing::aspectOf(layoutOf(options, static_cast<int>(chosen.size())).settings());
     const fs::path file = options.quilt[1];
     const printing::ViewColors colors = printing::viewColors({file});
     GatheredViews result;
@@ -121,10 +115,10 @@ GatheredViews viewsOfQuilt(const ViewOptions& options, const LayoutOf& layoutOf)
     const printing::ViewPlaces places = placesOf(options, static_cast<std::size_t>(grid.x * grid.y));
     for (const std::size_t k : chosen) {
         render::Image view = printing::viewOfQuilt(quilt, grid.x, grid.y, static_cast<int>(k), order);
-        addNote(result.notes, printing::fittingNote(view, aspect, fittingOf(options)));
+        addNote(result.notes, printing::fittingNote(view, aspect, options.values[printing::printTable().fitting]));
         const int picture = static_cast<int>(k) + 1;
-        result.views.add(
-            printing::fitted(std::move(view), aspect, fittingOf(options), printing::placeOf(places, picture)));
+        result.views.add(printing::fitted(std::move(view), aspect, options.values[printing::printTable().fitting],
+                                          printing::placeOf(places, picture)));
         result.sources.names.push_back(
             sourceOf(file.filename().string() + ", view " + std::to_string(k), picture, places));
     }
@@ -133,7 +127,12 @@ GatheredViews viewsOfQuilt(const ViewOptions& options, const LayoutOf& layoutOf)
 
 }  // namespace
 
-GatheredViews gatherViews(const ViewOptions& options, const LayoutOf& layoutOf)
+printing::PrintLayout layoutOf(const ViewOptions& options, int views)
+{
+    return printing::PrintLayout(printing::printSettings(options.values, views));
+}
+
+GatheredViews gatherViews(const ViewOptions& options)
 {
     const int ways = static_cast<int>(!options.files.empty()) + static_cast<int>(!options.quilt.empty()) +
                      static_cast<int>(!options.scene.subject.empty());
@@ -141,8 +140,8 @@ GatheredViews gatherViews(const ViewOptions& options, const LayoutOf& layoutOf)
         throw Failure(Blame::usage, "There are no views; give pictures with --views or --quilt, or an --exhibit.");
     if (ways > 1)
         throw Failure(Blame::usage, "The views come from one place: give only one of --views, --quilt and --exhibit.");
-    if (!options.scene.subject.empty()) return renderedViews(options, layoutOf);
-    return options.quilt.empty() ? viewsOfFiles(options, layoutOf) : viewsOfQuilt(options, layoutOf);
+    if (!options.scene.subject.empty()) return renderedViews(options);
+    return options.quilt.empty() ? viewsOfFiles(options) : viewsOfQuilt(options);
 }
 
 }  // namespace vitrine::app

@@ -6,7 +6,6 @@
 #include "exhibits/printing/print_json.h"
 #include "exhibits/printing/view_set.h"
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,11 +23,11 @@ struct GatheredViews {
     std::unique_ptr<ViewFolder> folder;  ///< Of --save-views, not yet published.
 };
 
-/// The layout of a print of so many views. Throws Failure when it cannot be made.
-using LayoutOf = std::function<printing::PrintLayout(int views)>;
+/// Returns the layout of a print of so many views. Throws Failure if it is impossible.
+[[nodiscard]] printing::PrintLayout layoutOf(const ViewOptions&, int views);
 
 /// Reads or renders the views that the options ask for; everything that can be refused without reading or
 /// rendering is refused first. Throws Failure naming the option or file; also when stopped (StopSignal).
-[[nodiscard]] GatheredViews gatherViews(const ViewOptions&, const LayoutOf&);
+[[nodiscard]] GatheredViews gatherViews(const ViewOptions&);
 
 }  // namespace vitrine::app

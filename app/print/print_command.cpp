@@ -5,6 +5,7 @@
 #include "app/queue/parts.h"
 #include "app/say.h"
 
+#include "exhibits/framework/value_text.h"
 #include "exhibits/printing/chart.h"
 #include "exhibits/printing/print_file.h"
 #include "exhibits/printing/print_json.h"
@@ -37,9 +38,9 @@ printing::PrintFile target(const PrintOptions& options)
     file.path = options.out;
     file.report = options.report;
     const printing::PrintTable& table = printing::printTable();
-    file.bits = printing::bitsOf(options.values);
-    file.compression = options.values[table.compression];
-    file.tileWidth = options.values[table.tileWidth] * 1000;
+    file.bits = printing::bitsOf(options.views.values);
+    file.compression = options.views.values[table.compression];
+    file.tileWidth = options.views.values[table.tileWidth] * 1000;
     file.threads = printing::interlacingThreads();
     return file;
 }
@@ -48,8 +49,8 @@ printing::PrintFile printFile(const PrintOptions& options, const PrintLayout& la
                               const printing::PrintSources& sources)
 {
     printing::PrintFile file = target(options);
-    file.json = render::writeJson(
-        printing::printJson(options.values, layout, render::storedDpi(options.out, layout.settings().dpiX), sources));
+    file.json = render::writeJson(printing::printJson(options.views.values, layout,
+                                                      render::storedDpi(options.out, layout.settings().dpiX), sources));
     return file;
 }
 
@@ -69,7 +70,7 @@ void describe(const PrintLayout& layout, const PrintOptions& options, const std:
 }
 
 /// Rendering views takes minutes: a print that cannot be written is refused before.
-void checkTarget(const PrintOptions& options, const LayoutOf& layoutOf)
+void checkTarget(const PrintOptions& options)
 {
     const std::string& out = options.out;
     const render::PictureFileFormat* format = render::formatNamed(out);
@@ -79,32 +80,33 @@ void checkTarget(const PrintOptions& options, const LayoutOf& layoutOf)
     const fs::path folder = render::PartFile(out).target().parent_path();
     if (::access(folder.empty() ? "." : folder.c_str(), W_OK) != 0)
         throw Failure(Blame::file, "Cannot write " + out + ": " + std::strerror(errno) + "; choose another folder.");
-    printing::requireRoom(layoutOf(1), target(options));
+    printing::requireRoom(layoutOf(options.views, 1), target(options));
 }
 
 int makeChart(const PrintOptions& options)
 {
     const printing::PrintTable& table = printing::printTable();
-    const PrintLayout layout(
-        printing::printSettings(options.values, options.views.count == 0 ? 12 : options.views.count));
-    const printing::Chart chart(layout, options.values[table.chart], options.values[table.chartSpan]);
-    const printing::PrintFile file = printFile(options, layout, {{options.chart + " chart"}});
+    const ParameterValues& values = options.views.values;
+    const PrintLayout layout = layoutOf(options.views, options.views.count == 0 ? 12 : options.views.count);
+    const printing::Chart chart(layout, values[table.chart], values[table.chartSpan]);
+    const std::string kind = formatValue(values.rows()[table.chart.row], values.row(table.chart.row));
+    const printing::PrintFile file = printFile(options, layout, {{kind + " chart"}});
     const std::vector<fs::path> written = printing::writeChart(layout, chart, file);
     for (const fs::path& path : written) std::printf("%s\n", path.c_str());
     return 0;
 }
 
-int makePart(const PrintOptions& options, const LayoutOf& layoutOf)
+int makePart(const PrintOptions& options)
 {
     if (options.views.scene.subject.empty() || options.out.empty())
         throw Failure(Blame::usage,
                       "--shard " + options.part.shard +
                           ": only views that are rendered are made in parts; give an --exhibit and --out.");
-    checkTarget(options, layoutOf);
+    checkTarget(options);
     return runPart(options.out, parseShard(options.part.shard), [&](Parts& parts) -> std::optional<std::string> {
         ViewOptions views = options.views;
         views.makes = &parts;
-        const GatheredViews made = gatherViews(views, layoutOf);
+        const GatheredViews made = gatherViews(views);
         for (const std::string& note : made.notes) say(note);
         return made.renderer;
     });
@@ -112,20 +114,19 @@ int makePart(const PrintOptions& options, const LayoutOf& layoutOf)
 
 int makePrint(const PrintOptions& options)
 {
-    if (options.out.empty() && (options.views.saveViews.empty() || !options.chart.empty()))
+    if (options.out.empty() && (options.views.saveViews.empty() || options.isChart))
         throw Failure(Blame::usage, "--out is missing: say where the print goes, to a name that ends in " +
                                         render::streamedExtensions() + '.');
-    const auto layoutOf = [&](int count) { return PrintLayout(printing::printSettings(options.values, count)); };
-    if (!options.part.shard.empty()) return makePart(options, layoutOf);
-    if (!options.chart.empty()) return makeChart(options);
-    if (!options.out.empty()) checkTarget(options, layoutOf);
+    if (!options.part.shard.empty()) return makePart(options);
+    if (options.isChart) return makeChart(options);
+    if (!options.out.empty()) checkTarget(options);
     std::optional<Parts> parts;
     if (options.part.fromParts) parts.emplace(fs::path(options.out));
     ViewOptions views = options.views;
     views.made = parts ? &*parts : nullptr;
-    GatheredViews made = gatherViews(views, layoutOf);
+    GatheredViews made = gatherViews(views);
     for (const std::string& note : made.notes) say(note);
-    const PrintLayout layout = layoutOf(made.views.count());
+    const PrintLayout layout = layoutOf(views, made.views.count());
     if (const std::string stretched = printing::stretchWarning(layout, made.views); !stretched.empty()) say(stretched);
     std::vector<fs::path> written;
     printing::PrintFile file = printFile(options, layout, made.sources);

@@ -3,7 +3,6 @@
 #include "app/jobs/typed_parameters.h"
 #include "app/print/view_options.h"
 #include "app/queue/shard.h"
-#include "exhibits/printing/print_table.h"
 
 #include <string>
 
@@ -13,15 +12,13 @@ class App;
 
 namespace vitrine::app {
 
-/// What `print` can be told, as typed. Sheet, print and output are parameters of the print table.
+/// What `print` can be told. Parameters of the print table are `typed`, and `views.values` once they are read.
 struct PrintOptions {
     ViewOptions views;
     PartOptions part;
-    std::string chart;        ///< Name of a choice of `PrintTable::chart`; empty: a print of views.
-    double chartPercent = 1;  ///< Span of a pitch chart, each way.
+    bool isChart = false;  ///< A chart, in place of a print of views.
     std::string out, report, sheet;
     TypedParameters typed;
-    ParameterValues values{printing::printTable()};  ///< Of `typed`, chart and sheet, once they are read.
 };
 
 void addPrintOptions(CLI::App&, PrintOptions&);

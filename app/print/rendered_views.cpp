@@ -38,10 +38,10 @@ template <typename... Args> std::string text(const char* format, Args... args)
     return line.data();
 }
 
-int countFor(const ViewOptions& options, const LayoutOf& layoutOf)
+int countFor(const ViewOptions& options)
 {
     if (options.count != 0) return options.count;
-    return std::clamp(static_cast<int>(layoutOf(1).pixelsPerLens()), 2, mostOfItself);
+    return std::clamp(static_cast<int>(layoutOf(options, 1).pixelsPerLens()), 2, mostOfItself);
 }
 
 /// Of the print's shape, no finer than the print.
@@ -197,19 +197,20 @@ void takeViews(const Museum& museum, render::RenderBackend& renderer, const std:
 
 }  // namespace
 
-GatheredViews renderedViews(const ViewOptions& options, const LayoutOf& layoutOf)
+GatheredViews renderedViews(const ViewOptions& options)
 {
     const std::optional<double> strength = strengthOf(options);
     checkOptions(options);
-    const int count = countFor(options, layoutOf);
-    const PrintLayout layout = layoutOf(count);
+    const int count = countFor(options);
+    const PrintLayout layout = layoutOf(options, count);
     const PictureOptions scene = sceneOptions(options, layout);
     const render::gl::HeadlessContext context;
     const Museum museum{allExhibits()};
     const RequestedPicture picture = requestedPicture(museum, scene);
     const ViewShot base{picture.sceneState, picture.request};
     const auto rigOf = [&](double s) {
-        return ViewRig(layout, picture.sceneState.camera, picture.request.frame.raster.size, {s, options.convergence});
+        return ViewRig(layout, picture.sceneState.camera, picture.request.frame.raster.size,
+                       {s, options.values[printing::printTable().convergence]});
     };
     ViewRig rig = rigOf(strength.value_or(1));
     std::vector<ViewShot> shots = shotsOf(rig, base);

@@ -5,6 +5,6 @@
 namespace vitrine::app {
 
 /// Renders the views that --exhibit asks for. Throws as `gatherViews`.
-[[nodiscard]] GatheredViews renderedViews(const ViewOptions&, const LayoutOf&);
+[[nodiscard]] GatheredViews renderedViews(const ViewOptions&);
 
 }  // namespace vitrine::app

@@ -13,6 +13,7 @@ namespace {
 void addPictureViews(CLI::App& command, ViewOptions& o)
 {
     const char* pictures = "Views from pictures";
+    command.get_option("--fit")->group(pictures);
     command
         .add_option("--views", o.files,
                     "A folder of pictures, or the pictures, in the order seen from left to right; two or more of "
@@ -28,11 +29,6 @@ void addPictureViews(CLI::App& command, ViewOptions& o)
               "have it) or top-left (then rightwards and down)")
         ->capture_default_str()
         ->needs(quilt)
-        ->group(pictures);
-    addChoice(command, "--fit", o.fit, {"crop", "fit", "stretch"},
-              "What becomes of pictures that are not shaped as the print is: crop cuts them off at two sides, fit "
-              "leaves white margins, stretch distorts them")
-        ->capture_default_str()
         ->group(pictures);
     command
         .add_option(
@@ -65,10 +61,6 @@ void addRenderedViews(CLI::App& command, ViewOptions& o)
                     "Of the cameras' line: 1 shows depth in its true measure (the default), less is flatter, 0 is one "
                     "camera (the default with --turn or --sweep), fit is the most that shows no doubled contours")
         ->group(rendered);
-    addNumber(command, "--convergence", o.convergence,
-              rangeOf(printing::printTable(), printing::printTable().convergence, Unit::meter),
-              "Meters from the camera to what lies in the plane of the print; by default what the camera looks at")
-        ->group(rendered);
     addNumber(command, "--turn", o.turnDegrees, {-36000, 36000, Unit::degree},
               "Turn the exhibit on its vertical axis by so many degrees over all views, as if one walked around "
               "it to the right; 360 meets itself")
@@ -92,6 +84,7 @@ void addRenderedViews(CLI::App& command, ViewOptions& o)
         const bool ofPictures = name == "--fit" || name == "--place" || name == "--every" || name == "--ping-pong";
         if (ofPictures) option->excludes(exhibit);
     }
+    command.get_option("--convergence")->group(rendered);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/picture_options.h"
+#include "exhibits/printing/print_table.h"
 
 #include <optional>
 #include <string>
@@ -19,16 +20,15 @@ struct ViewOptions {
     std::vector<std::string> files;  ///< --views: folders and files.
     std::vector<std::string> quilt;  ///< "8x6" and a file; empty: none.
     std::string quiltOrder = "bottom-left";
-    std::string fit = "crop";
     std::vector<std::string> places;  ///< Such as "3:1.5,2,-0.5".
     int count = 0;                    ///< 0: all there are, or as many as the print can tell apart.
     int every = 1;
     bool pingPong = false;
 
-    PictureOptions scene;       ///< Of --exhibit; `subject` is empty when there is none.
-    std::string viewSize;       ///< Empty: of the print's shape.
-    std::string baselineScale;  ///< A number or "fit"; empty: 1, or 0 where something else moves.
-    double convergence = 0;     ///< Meters; 0: the camera's target.
+    ParameterValues values{printing::printTable()};  ///< Parameters of the print, once they are read.
+    PictureOptions scene;                            ///< Of --exhibit; `subject` is empty when there is none.
+    std::string viewSize;                            ///< Empty: of the print's shape.
+    std::string baselineScale;                       ///< A number or "fit"; empty: 1, or 0 where something else moves.
     double turnDegrees = 0;
     std::vector<std::string> sweeps;  ///< "name=a..b".
     Parts* makes = nullptr;           ///< Only a part of the views is rendered, into this.
@@ -37,6 +37,7 @@ struct ViewOptions {
     std::string viewFormat = "png";
 };
 
+/// The command has the options of the print table already.
 void addViewOptions(CLI::App&, ViewOptions&);
 
 }  // namespace vitrine::app

@@ -45,7 +45,8 @@ struct PrintTable final : Parameters {
     Choice<Fitting> fitting =
         choice("fitting", Fitting::crop, {"crop", "fit", "stretch"},
                "What becomes of pictures that are not shaped as the print is: cropped at two sides, seen whole "
-               "between white margins, or distorted.");
+               "between white margins, or distorted.",
+               option("fit"));
 
     // Text in the syntax of `viewPlaces`; the dialog has its own fields to edit it.
     File places =

@@ -51,7 +51,7 @@ TEST_F(SettingsText, APrintIsLaidOutAgainFromItsDocument)
         values.set(table_.width, 0.07);
         values.set(table_.height, 0.0415);
         values.set(table_.distance, 0.4);
-        values.set(table_.direction, degree * 90);
+        values.set(table_.direction, 90 * test::degree);
         values.set(table_.reverse, true);
         values.set(table_.method, Method::guard);
         const PrintLayout layout(printSettings(values, 7));
