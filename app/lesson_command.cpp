@@ -70,6 +70,17 @@ int listLessons()
     return 0;
 }
 
+/// Prints the texts of a lesson: that of an exhibit, or one in a file.
+int showLesson(const std::string& name)
+{
+    const Tables tables;
+    const bool isExhibit = std::any_of(tables.exhibits.begin(), tables.exhibits.end(),
+                                       [&](const auto& exhibit) { return exhibit->name() == name; });
+    const Lesson lesson = readLesson(isExhibit ? shippedLesson(name) : std::filesystem::path(name), tables.values);
+    std::fputs(lessonText(lesson, tables.values).c_str(), stdout);
+    return 0;
+}
+
 }  // namespace
 
 void addLessonCommand(CLI::App& parser, Action& chosen)
@@ -79,6 +90,10 @@ void addLessonCommand(CLI::App& parser, Action& chosen)
     command->add_subcommand("list", "The lessons that come with the program")->callback([&chosen] {
         chosen = listLessons;
     });
+    CLI::App* showing = command->add_subcommand("show", "Print a lesson to read: steps, tasks, questions and answers");
+    auto name = std::make_shared<std::string>();
+    showing->add_option("lesson", *name, "Exhibit whose lesson is printed, or a lesson file")->required();
+    showing->callback([&chosen, name] { chosen = [name] { return showLesson(*name); }; });
     CLI::App* checking = command->add_subcommand("check", "Say whether lessons can be read, and what is wrong in them");
     auto files = std::make_shared<std::vector<std::string>>();
     checking->add_option("files", *files, "Lessons, as Markdown")->required();

@@ -72,6 +72,10 @@
         <translation> · jetzt</translation>
     </message>
     <message>
+        <source>&quot;### {1}&quot; belongs to a step; write &quot;## Title&quot; of the step above it.</source>
+        <translation>„### {=1}“ gehört zu einem Schritt; schreiben Sie darüber „## Titel“ des Schritts.</translation>
+    </message>
+    <message>
         <source>&quot;%1&quot; is not a limit; type a number above 0, such as %2.</source>
         <translation>„%1“ ist keine Grenze; geben Sie eine Zahl über 0 ein, etwa %2.</translation>
     </message>
@@ -1315,6 +1319,14 @@ Zeiten nach: %2.</translation>
         <translation>; als er zuletzt gezeichnet wurde</translation>
     </message>
     <message>
+        <source>&lt;b&gt;Question:&lt;/b&gt; %1</source>
+        <translation>&lt;b&gt;Frage:&lt;/b&gt; %1</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Try:&lt;/b&gt; %1</source>
+        <translation>&lt;b&gt;Aufgabe:&lt;/b&gt; %1</translation>
+    </message>
+    <message>
         <source>A</source>
         <translation>A</translation>
     </message>
@@ -2405,6 +2417,18 @@ Zeiten nach: %2.</translation>
     <message>
         <source>another work is shown</source>
         <translation>ein anderes Werk wird gezeigt</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>Answer ▸</source>
+        <translation>Antwort ▸</translation>
+    </message>
+    <message>
+        <source>Answer ▾</source>
+        <translation>Antwort ▾</translation>
     </message>
     <message>
         <source>Aperture samples</source>
@@ -9995,6 +10019,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Öffnet eine eigene Lektion (Markdown); das Handbuch erklärt das Format.</translation>
     </message>
     <message>
+        <source>Opens a page with all lessons: their order, aims, times and prerequisites.</source>
+        <translation>Öffnet eine Seite mit allen Lektionen: Reihenfolge, Ziele, Dauer und Voraussetzungen.</translation>
+    </message>
+    <message>
         <source>Opens the page about the visited exhibit: its technique, figures, formulas, sources.</source>
         <translation>Öffnet die Seite über das besuchte Exponat: Technik, Abbildungen, Formeln, Quellen.</translation>
     </message>
@@ -10039,6 +10067,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Order of the depth values: reversed has 1 near and 0 far, standard the opposite.</source>
         <extracomment>tables</extracomment>
         <translation>Ordnung der Tiefenwerte: Umgekehrt ist nah 1 und fern 0, bei Standard andersherum.</translation>
+    </message>
+    <message>
+        <source>Order of the lessons (for &amp;teachers)</source>
+        <translation>Reihenfolge der Lektionen (für Lehren&amp;de)</translation>
     </message>
     <message>
         <source>ordered</source>
@@ -10905,6 +10937,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>quarter</source>
         <extracomment>tables</extracomment>
         <translation>Viertel</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>Frage</translation>
     </message>
     <message>
         <source>Quilt</source>
@@ -12840,6 +12876,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Pixel für Pixel zeigen (1)</translation>
     </message>
     <message>
+        <source>Show the &amp;answer</source>
+        <translation>&amp;Antwort zeigen</translation>
+    </message>
+    <message>
         <source>Show the file in its folder</source>
         <translation>Die Datei in ihrem Ordner zeigen</translation>
     </message>
@@ -12891,6 +12931,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Shows only this node and hides all others.</source>
         <translation>Zeigt nur diesen Knoten und blendet alle anderen aus.</translation>
+    </message>
+    <message>
+        <source>Shows or hides the answer to the question of this step.</source>
+        <translation>Zeigt oder verbirgt die Antwort auf die Frage dieses Schritts.</translation>
     </message>
     <message>
         <source>Shows or hides this panel.</source>
@@ -15228,6 +15272,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>diesen Parameter gibt es nicht{1} entfernen Sie ihn dort.</translation>
     </message>
     <message>
+        <source>there is no text below this heading; write a sentence, or remove the heading.</source>
+        <translation>unter dieser Überschrift steht kein Text; schreiben Sie einen Satz, oder entfernen Sie die Überschrift.</translation>
+    </message>
+    <message>
         <source>there is no text to show</source>
         <translation>es gibt keinen Text zu zeigen</translation>
     </message>
@@ -15407,6 +15455,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>Thirty-five solids make one ice cream; each point asks the few that decide.</source>
         <translation>Fünfunddreißig Körper sind ein Eis; jeder Punkt fragt die wenigen, die entscheiden.</translation>
+    </message>
+    <message>
+        <source>this answer has no question; write &quot;### Question&quot; above it.</source>
+        <translation>diese Antwort hat keine Frage; schreiben Sie „### Question“ darüber.</translation>
     </message>
     <message>
         <source>this block is not closed; end it with ```.</source>
@@ -15793,6 +15845,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Dieser Druck ist nicht möglich: {1}.</translation>
     </message>
     <message>
+        <source>this question has no answer; write &quot;### Answer&quot; below it.</source>
+        <translation>diese Frage hat keine Antwort; schreiben Sie „### Answer“ darunter.</translation>
+    </message>
+    <message>
         <source>this reference is refused because {1}; put the file beside the model and name it relatively.</source>
         <translation>dieser Verweis wird abgelehnt: {1}; legen Sie die Datei neben das Modell, und nennen Sie sie relativ.</translation>
     </message>
@@ -15811,6 +15867,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>This sheet is made for flips, and its lenses stand upright: each eye sees another picture. For a flip, lay them across (direction 90°).</source>
         <translation>Diese Folie ist für Wechselbilder gemacht, und ihre Linsen stehen aufrecht: Jedes Auge sieht ein anderes Bild. Legen Sie sie für einen Wechsel quer (Richtung 90°).</translation>
+    </message>
+    <message>
+        <source>this step has &quot;### {1}&quot; already; put both into one, or make two steps.</source>
+        <translation>dieser Schritt hat schon „### {=1}“; legen Sie beide zusammen, oder machen Sie zwei Schritte daraus.</translation>
     </message>
     <message>
         <source>this step has no preset; write ```json, {&quot;values&quot;: {}} and ``` below its text.</source>
@@ -16077,6 +16137,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>trusted</source>
         <translation>verlässlich</translation>
+    </message>
+    <message>
+        <source>Try</source>
+        <translation>Aufgabe</translation>
     </message>
     <message>
         <source>try another folder or disk</source>
@@ -16809,6 +16873,10 @@ steht in assets/SOURCES.md.</translation>
         <translation>was die Sonde sieht, hat sich geändert</translation>
     </message>
     <message>
+        <source>What to do</source>
+        <translation>Was zu tun ist</translation>
+    </message>
+    <message>
         <source>What to measure</source>
         <translation>Was gemessen wird</translation>
     </message>
@@ -17228,6 +17296,10 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>With {1} pixels per lens the printer cannot separate views.</source>
         <translation>Mit {1} Pixeln pro Linse kann der Drucker Ansichten nicht trennen.</translation>
+    </message>
+    <message>
+        <source>within a step there are the headings &quot;### Try&quot;, &quot;### Question&quot; and &quot;### Answer&quot;; write one of them, or &quot;## &quot; for a step.</source>
+        <translation>in einem Schritt gibt es die Überschriften „### Try“, „### Question“ und „### Answer“; schreiben Sie eine davon, oder „## “ für einen Schritt.</translation>
     </message>
     <message>
         <source>woken by the button {1} ago</source>

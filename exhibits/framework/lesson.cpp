@@ -21,10 +21,20 @@ using render::JsonDocument;
 constexpr std::string_view rowMark = "[row:";
 constexpr render::JsonLimits blockLimits{.bytes = 64U << 10U, .depth = 16, .nodes = 4'000, .stringBytes = 16U << 10U};
 
+/// Part of a step under a heading of its own: "### Answer".
+struct Section {
+    std::string name;
+    std::string text;
+    int line = 0;
+};
+
+constexpr std::array<std::string_view, 3> sectionNames{"Try", "Question", "Answer"};
+
 /// A heading and the text up to the next heading.
 struct Part {
     std::string title;
-    std::string text;   ///< Text without the JSON block.
+    std::string text;  ///< Text without the JSON block and without the sections.
+    std::vector<Section> sections;
     std::string block;  ///< JSON text, preceded by enough newlines to have the same line numbers as in the file.
     int line = 0;       ///< Line of the heading.
     bool hasBlock = false;
@@ -70,11 +80,33 @@ private:
             begin(plain);
         } else if (plain.starts_with("# ") || plain.starts_with("## ")) {
             head(plain);
+        } else if (plain.starts_with("### ")) {
+            section(trimmed(plain.substr(4)));
         } else if (parts.empty()) {
             if (!plain.empty()) throw failureAt(file_, line_, "a lesson begins with its title; write \"# Title\".");
         } else {
-            (parts.back().text += trimmed(line)) += '\n';
+            Part& part = parts.back();
+            ((part.sections.empty() ? part.text : part.sections.back().text) += trimmed(line)) += '\n';
         }
+    }
+    void section(std::string_view name)
+    {
+        const auto isName = [name](const auto& each) { return each == name; };
+        if (std::none_of(sectionNames.begin(), sectionNames.end(), isName))
+            throw failureAt(file_, line_,
+                            "within a step there are the headings \"### Try\", \"### Question\" and \"### Answer\"; "
+                            "write one of them, or \"## \" for a step.");
+        if (parts.size() < 2)
+            throw failureAt(file_, line_,
+                            "\"### " + std::string(name) +
+                                "\" belongs to a step; write \"## Title\" of the step above it.");
+        std::vector<Section>& sections = parts.back().sections;
+        for (const Section& each : sections)
+            if (isName(each.name))
+                throw failureAt(file_, line_,
+                                "this step has \"### " + each.name +
+                                    "\" already; put both into one, or make two steps.");
+        sections.push_back({std::string(name), {}, line_});
     }
     void begin(std::string_view fence)
     {
@@ -93,7 +125,7 @@ private:
             throw failureAt(file_, line_,
                             title ? "a lesson has one title; write \"## \" for a step."
                                   : "a lesson begins with its title; write \"# Title\".");
-        parts.push_back({std::string(trimmed(line.substr(title ? 2 : 3))), {}, {}, line_, false});
+        parts.push_back({std::string(trimmed(line.substr(title ? 2 : 3))), {}, {}, {}, line_, false});
     }
 
     const std::string& file_;
@@ -156,7 +188,7 @@ public:
             throw document.failure("exhibit", "there is no exhibit of that name; `vitrine list` names them.");
         lesson_.exhibit = exhibit.get<std::string>();
         lesson_.title = part.title;
-        lesson_.intro = textOf(part, false);
+        lesson_.intro = textOf(part.text, part.line, mostLessonLetters);
     }
 
     void step(const Part& part)
@@ -165,8 +197,20 @@ public:
             throw failureAt(file_, part.line,
                             "this step has no preset; write ```json, {\"values\": {}} and ``` below its text.");
         const JsonDocument document = object(part, {"values", "hall", "camera", "read"});
-        LessonStep step{part.title, textOf(part, true), *tableOf(tables_, lesson_.exhibit), {}, {}, false,
-                        {},         part.line};
+        LessonStep step{.title = part.title,
+                        .text = textOf(part.text, part.line, mostLessonLetters),
+                        .task = {},
+                        .question = {},
+                        .answer = {},
+                        .values = *tableOf(tables_, lesson_.exhibit),
+                        .hall = {},
+                        .camera = {},
+                        .bestView = false,
+                        .read = {},
+                        .line = part.line};
+        if (step.text.empty())
+            throw failureAt(file_, part.line, "this step has no text; write a sentence below its heading.");
+        takeSections(step, part);
         setRows(step.values, document);
         for (const auto& [name, value] : section(document, "hall")) {
             const ParameterInfo& row = rowAt("hall." + name, document, "hall." + name);
@@ -194,21 +238,39 @@ private:
         return document;
     }
 
-    [[nodiscard]] std::string textOf(const Part& part, bool needed) const
+    void takeSections(LessonStep& step, const Part& part) const
     {
-        const std::string text(trimmed(part.text));
-        if (needed && text.empty())
-            throw failureAt(file_, part.line, "this step has no text; write a sentence below its heading.");
-        if (text.size() > mostLessonLetters)
-            throw failureAt(file_, part.line,
+        const Section *question = nullptr, *answer = nullptr;
+        for (const Section& section : part.sections) {
+            const bool isAnswer = section.name == "Answer", isQuestion = section.name == "Question";
+            std::string text = textOf(section.text, section.line, isAnswer ? mostLessonLetters : mostTaskLetters);
+            if (text.empty())
+                throw failureAt(file_, section.line,
+                                "there is no text below this heading; write a sentence, or remove the heading.");
+            if (isAnswer) answer = &section;
+            if (isQuestion) question = &section;
+            (isAnswer ? step.answer : isQuestion ? step.question : step.task) = std::move(text);
+        }
+        if (question && !answer)
+            throw failureAt(file_, question->line, "this question has no answer; write \"### Answer\" below it.");
+        if (answer && !question)
+            throw failureAt(file_, answer->line, "this answer has no question; write \"### Question\" above it.");
+    }
+
+    /// Returns the text below the heading in this line, without space at its ends.
+    [[nodiscard]] std::string textOf(const std::string& written, int line, std::size_t most) const
+    {
+        const std::string text(trimmed(written));
+        if (text.size() > most)
+            throw failureAt(file_, line,
                             "the text below this heading has " + std::to_string(text.size()) +
-                                " bytes and the strip has room for " + std::to_string(mostLessonLetters) +
+                                " bytes and the strip has room for " + std::to_string(most) +
                                 "; shorten it, or make two steps of it.");
         for (std::size_t at = text.find(rowMark); at != std::string::npos; at = text.find(rowMark, at + 1)) {
             const std::size_t name = at + rowMark.size(), end = text.find(']', name);
             const std::string row = text.substr(name, end == std::string::npos ? end : end - name);
             if (end == std::string::npos || !rowNamed(row, lesson_.exhibit, tables_))
-                throw failureAt(file_, part.line, "in the text below this heading " + noSuchRow(row, lesson_.exhibit));
+                throw failureAt(file_, line, "in the text below this heading " + noSuchRow(row, lesson_.exhibit));
         }
         return text;
     }
@@ -320,6 +382,21 @@ std::string withLabels(std::string_view text, std::string_view exhibit, const Na
         text.remove_prefix(end + 1);
     }
     return result += text;
+}
+
+std::string lessonText(const Lesson& lesson, const NamedValues& tables)
+{
+    const auto shown = [&](const std::string& text) { return withLabels(text, lesson.exhibit, tables, "**", "**"); };
+    std::string result = "# " + lesson.title + '\n';
+    if (!lesson.intro.empty()) result += '\n' + shown(lesson.intro) + '\n';
+    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+        const LessonStep& step = lesson.steps[i];
+        result += "\n## " + std::to_string(i + 1) + ". " + step.title + "\n\n" + shown(step.text) + '\n';
+        for (const auto& [name, text] :
+             {std::pair("Try", &step.task), std::pair("Question", &step.question), std::pair("Answer", &step.answer)})
+            if (!text->empty()) result += "\n**" + translated(name) + ":** " + shown(*text) + '\n';
+    }
+    return result;
 }
 
 std::filesystem::path shippedLesson(std::string_view exhibit)

@@ -63,11 +63,13 @@ bool readLesson(std::string_view bytes)
         require(!lesson.steps.empty(), "a lesson has steps");
         for (const LessonStep& step : lesson.steps) {
             require(!step.text.empty() && step.line >= 1, "a step has a text and a place");
+            require(step.question.empty() == step.answer.empty(), "a question has an answer");
             requireLegal(step.values);
             if (step.camera) requireFiniteView(*step.camera);
             require(!withLabels(step.text, lesson.exhibit, initialValues(), "<b>", "</b>").empty(),
                     "a text can be shown");
         }
+        require(!lessonText(lesson, initialValues()).empty(), "a lesson can be printed");
     });
 }
 

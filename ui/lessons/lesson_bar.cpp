@@ -27,8 +27,9 @@ void setWords(QLabel& label, const QString& words)
 }  // namespace
 
 LessonBar::LessonBar(LessonDesk& desk)
-    : desk_(desk), title_(new QLabel(this)), count_(new QLabel(this)), text_(new QLabel(this)),
-      number_(new QLabel(this))
+    : desk_(desk), title_(new QLabel(this)), count_(new QLabel(this)), text_(new QLabel(this)), task_(new QLabel(this)),
+      number_(new QLabel(this)), question_(new QLabel(this)), answer_(new QLabel(this)),
+      answerButton_(button(desk.answerAction(), tr("Answer ▸")))
 {
     setAccessibleName(tr("Lesson"));
     title_->setTextFormat(Qt::PlainText);
@@ -37,10 +38,10 @@ LessonBar::LessonBar(LessonDesk& desk)
     title_->setFont(heading);
     title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     count_->setTextFormat(Qt::PlainText);
-    text_->setTextFormat(Qt::RichText);
-    text_->setWordWrap(true);
-    text_->setTextInteractionFlags(Qt::TextBrowserInteraction);
-    text_->setAccessibleName(tr("What to see"));
+    addText(*text_, tr("What to see"));
+    addText(*task_, tr("What to do"));
+    addText(*question_, tr("Question"));
+    addText(*answer_, tr("Answer"));
     number_->setTextFormat(Qt::PlainText);
     number_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     number_->setAccessibleName(tr("Number to read"));
@@ -54,16 +55,31 @@ LessonBar::LessonBar(LessonDesk& desk)
     top->addWidget(button(desk.backAction(), tr("◂ Back")));
     top->addWidget(button(desk.nextAction(), tr("Next ▸")));
     top->addWidget(button(desk.leaveAction(), tr("✕ Leave")));
+    auto* asking = new QHBoxLayout;
+    asking->setSpacing(8);
+    asking->addWidget(question_, 1);
+    asking->addWidget(answerButton_, 0, Qt::AlignTop);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(12, 4, 8, 8);
     layout->setSpacing(2);
     layout->addLayout(top);
     layout->addWidget(text_);
+    layout->addWidget(task_);
     layout->addWidget(number_);
-    connect(text_, &QLabel::linkActivated, this, [this](const QString& link) {
+    layout->addLayout(asking);
+    layout->addWidget(answer_);
+    setVisible(false);
+}
+
+void LessonBar::addText(QLabel& label, const QString& name)
+{
+    label.setTextFormat(Qt::RichText);
+    label.setWordWrap(true);
+    label.setTextInteractionFlags(Qt::TextBrowserInteraction);
+    label.setAccessibleName(name);
+    connect(&label, &QLabel::linkActivated, this, [this](const QString& link) {
         if (link.startsWith(QLatin1String("row:"))) emit desk_.rowAsked(link.mid(4));
     });
-    setVisible(false);
 }
 
 QToolButton* LessonBar::button(QAction& action, const QString& words)
@@ -79,6 +95,8 @@ QToolButton* LessonBar::button(QAction& action, const QString& words)
     made->setEnabled(action.isEnabled());
     connect(&action, &QAction::enabledChanged, made, &QToolButton::setEnabled);
     connect(made, &QToolButton::clicked, &action, &QAction::trigger);
+    made->setCheckable(action.isCheckable());
+    connect(&action, &QAction::toggled, made, &QToolButton::setChecked);
     return made;
 }
 
@@ -98,15 +116,21 @@ void LessonBar::refresh()
     setWords(*count_, page == 0 ? tr("%1 steps").arg(lesson->steps.size())
                                 : tr("Step %1 of %2").arg(page).arg(lesson->steps.size()));
     setWords(*text_, desk_.pageText());
+    setWords(*task_, desk_.taskText());
     setWords(*number_, desk_.numberText());
+    setWords(*question_, desk_.questionText());
+    setWords(*answer_, desk_.answerText());
+    answerButton_->setVisible(desk_.answerAction().isEnabled());
+    answerButton_->setText(desk_.answerAction().isChecked() ? tr("Answer ▾") : tr("Answer ▸"));
     tell();
 }
 
-/// Announces the page to screen readers, once: the number on it may change all the time.
+/// Announces the page to screen readers once, and again with an answer that was opened: the number on it may change all
+/// the time.
 void LessonBar::tell()
 {
     QStringList page;
-    for (const QLabel* each : {count_, title_, text_})
+    for (const QLabel* each : {count_, title_, text_, task_, question_, answer_})
         if (!each->text().isEmpty()) page << plainText(*each);
     const QString words = page.join(QLatin1Char('\n'));
     if (isHidden() || std::exchange(told_, words) == words) return;

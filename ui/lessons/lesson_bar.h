@@ -12,8 +12,9 @@ namespace vitrine::ui {
 
 class LessonDesk;
 
-/// Strip above the picture while a lesson is open: number and text of the step, the value to read, and buttons for
-/// back, next and leave. Each step is announced to screen readers.
+/// Strip above the picture while a lesson is open: number and text of the step, what to do, the value to read, and a
+/// question with an answer that opens. Buttons lead back, to the next step, and out of the lesson. Each step is
+/// announced to screen readers.
 class LessonBar final : public QWidget, public Spoken {
     Q_OBJECT
 
@@ -33,13 +34,18 @@ protected:
 
 private:
     QToolButton* button(QAction&, const QString& words);
+    void addText(QLabel&, const QString& name);
     void tell();
 
     LessonDesk& desk_;
     QLabel* title_;
     QLabel* count_;
     QLabel* text_;
+    QLabel* task_;
     QLabel* number_;
+    QLabel* question_;
+    QLabel* answer_;
+    QToolButton* answerButton_;
     bool banned_ = false;
     QString told_;  ///< Page that was announced last.
 };

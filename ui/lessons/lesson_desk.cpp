@@ -104,7 +104,14 @@ void LessonDesk::addActions()
     leave_ = add(QStringLiteral("leave"), tr("&Leave the lesson"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_L)},
                  tr("Leaves the lesson and restores your settings."));
     connect(leave_, &QAction::triggered, this, &LessonDesk::leave);
+    answer_ = add(QStringLiteral("answer"), tr("Show the &answer"), {},
+                  tr("Shows or hides the answer to the question of this step."));
+    answer_->setCheckable(true);
+    connect(answer_, &QAction::toggled, this, &LessonDesk::show);
     actions_ << nullptr;
+    connect(add(QStringLiteral("syllabus"), tr("Order of the lessons (for &teachers)"), {},
+                tr("Opens a page with all lessons: their order, aims, times and prerequisites.")),
+            &QAction::triggered, this, &LessonDesk::syllabusAsked);
     for (const auto& [i, exhibit] : window_.museum().exhibits()) {
         QAction* action =
             add(text(exhibit.name()), tr("Lesson: %1").arg(said(exhibit.title())), {}, said(exhibit.summary()));
@@ -219,6 +226,7 @@ void LessonDesk::goTo(const Place& to, const QString& step)
 void LessonDesk::stand(const Place& to)
 {
     const Place from = std::exchange(place_, to);
+    answer_->setChecked(false);
     if (from.opened == to.opened) return show();
     numbers_.clear();
     window_.choose(to.opened ? to.opened->exhibit : from.opened->chosenBefore);
@@ -288,7 +296,34 @@ QString LessonDesk::numberText() const
 QString LessonDesk::pageText() const
 {
     if (!lesson()) return {};
-    const std::string& text = place_.page == 0 ? lesson()->intro : lesson()->steps[place_.page - 1].text;
+    return shown(presentStep() ? presentStep()->text : lesson()->intro);
+}
+
+QString LessonDesk::taskText() const
+{
+    return presentStep() && !presentStep()->task.empty() ? tr("<b>Try:</b> %1").arg(shown(presentStep()->task))
+                                                         : QString();
+}
+
+QString LessonDesk::questionText() const
+{
+    return presentStep() && !presentStep()->question.empty()
+               ? tr("<b>Question:</b> %1").arg(shown(presentStep()->question))
+               : QString();
+}
+
+QString LessonDesk::answerText() const
+{
+    return presentStep() && answer_->isChecked() ? shown(presentStep()->answer) : QString();
+}
+
+const LessonStep* LessonDesk::presentStep() const
+{
+    return lesson() && place_.page > 0 ? &lesson()->steps[place_.page - 1] : nullptr;
+}
+
+QString LessonDesk::shown(const std::string& text) const
+{
     return richText(withLinks(text, lesson()->exhibit, place_.opened->tables));
 }
 
@@ -298,6 +333,7 @@ void LessonDesk::show()
     next_->setEnabled(open && place_.page < lesson()->steps.size());
     back_->setEnabled(open && place_.page > 0);
     leave_->setEnabled(open);
+    answer_->setEnabled(presentStep() && !presentStep()->answer.empty());
     if (bar_) bar_->refresh();
 }
 

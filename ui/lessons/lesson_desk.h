@@ -39,6 +39,8 @@ public:
     [[nodiscard]] QAction& nextAction() const { return *next_; }
     [[nodiscard]] QAction& backAction() const { return *back_; }
     [[nodiscard]] QAction& leaveAction() const { return *leave_; }
+    /// Returns the command that shows or hides the answer to the step's question.
+    [[nodiscard]] QAction& answerAction() const { return *answer_; }
 
     /// Opens a lesson file. An error in it is reported in the message strip, and nothing changes.
     void open(const QString& path);
@@ -55,6 +57,12 @@ public:
     [[nodiscard]] std::size_t page() const { return place_.page; }
     /// Returns the page's text as rich text. Parameters in it are links: "row:samples".
     [[nodiscard]] QString pageText() const;
+    /// Returns what to do in the present step, as rich text; empty if there is nothing.
+    [[nodiscard]] QString taskText() const;
+    /// Returns the question of the present step as rich text; empty if there is none.
+    [[nodiscard]] QString questionText() const;
+    /// Returns the answer to the question as rich text while it is open; else empty.
+    [[nodiscard]] QString answerText() const;
     /// Returns the number that the step asks to read, with its value in the step before; empty if there is none. An
     /// ellipsis stands for the value until the present settings are drawn at full resolution.
     [[nodiscard]] QString numberText() const;
@@ -62,6 +70,8 @@ public:
 signals:
     /// Asks to show this parameter of the lesson's exhibit; "hall.exposure" is one of the hall.
     void rowAsked(const QString& row);
+    /// Asks to show the page with the order of the lessons.
+    void syllabusAsked();
     /// Emitted when a file that the visitor chose was opened.
     void opened(const QString& path);
 
@@ -90,6 +100,8 @@ private:
     [[nodiscard]] SceneState stateAt(const Place&, bool& movesCamera) const;
     [[nodiscard]] const LessonNumber* asked(std::size_t page) const;
     [[nodiscard]] QString nameOf(const LessonNumber&) const;
+    [[nodiscard]] const LessonStep* presentStep() const;
+    [[nodiscard]] QString shown(const std::string& text) const;
 
     Workbench& window_;
     Place place_;
@@ -98,6 +110,7 @@ private:
     QAction* next_ = nullptr;
     QAction* back_ = nullptr;
     QAction* leave_ = nullptr;
+    QAction* answer_ = nullptr;
     /// Value as it was read, with the number of its scene state (`Viewport::sceneStateNumber`).
     struct ReadNumber {
         QString text;

@@ -153,6 +153,7 @@ void MainWindow::addLessons()
     lessons_ = new LessonDesk(*this, this);
     static_cast<QVBoxLayout*>(centralWidget()->layout())->insertWidget(0, &lessons_->bar());
     connect(lessons_, &LessonDesk::rowAsked, this, &MainWindow::showRow);
+    connect(lessons_, &LessonDesk::syllabusAsked, this, [this] { openPage(QStringLiteral("syllabus")); });
     connect(lessons_, &LessonDesk::opened, this, &addRecentFile);
     connect(files_, &FileOpener::lessonFound, lessons_, &LessonDesk::open);
 }
@@ -480,6 +481,11 @@ void MainWindow::openShortcutSheet()
 
 void MainWindow::openPage(std::size_t subject)
 {
+    openPage(text(museum_.subject(subject).name()));
+}
+
+void MainWindow::openPage(const QString& page)
+{
     auto* dialog = findChild<PageDialog*>();
     if (!dialog) {
         dialog = new PageDialog(this, [this](const QString& name) -> const Parameters* {
@@ -490,7 +496,7 @@ void MainWindow::openPage(std::size_t subject)
             if (const auto found = museum_.find(exhibit.toStdString())) lessons_->start(*found);
         });
     }
-    dialog->showPage(text(museum_.subject(subject).name()));
+    dialog->showPage(page);
     dialog->show();
     dialog->raise();
     dialog->activateWindow();

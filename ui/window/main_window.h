@@ -88,6 +88,8 @@ public:
     void openShortcutSheet();
     /// What is behind this subject: its page.
     void openPage(std::size_t subject);
+    /// Shows the page of this name: an exhibit's, or "syllabus".
+    void openPage(const QString& page);
 
 protected:
     bool event(QEvent*) override;

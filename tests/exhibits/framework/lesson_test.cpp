@@ -123,6 +123,51 @@ TEST(Lesson, RefusalsNameFileLineKeyAndWhatToDo)
     EXPECT_FAILURE(lessonOf(many), "a lesson has at most 24 steps");
 }
 
+/// Returns a lesson with one step, whose sections begin in line 11.
+std::string sectioned(const std::string& sections)
+{
+    return lessonHead + "## First\nSee this.\n" + sections + "\n```json\n{}\n```\n";
+}
+
+TEST(Lesson, AStepHasATaskAndAQuestionWithAnAnswer)
+{
+    const Lesson lesson =
+        lessonOf(sectioned("### Try\n\nSet [row:gap].\n### Question\nWhy?\n### Answer\nOne.\n\nTwo."));
+    ASSERT_EQ(lesson.steps.size(), 1U);
+    EXPECT_EQ(lesson.steps[0].text, "See this.");
+    EXPECT_EQ(lesson.steps[0].task, "Set [row:gap].");
+    EXPECT_EQ(lesson.steps[0].question, "Why?");
+    EXPECT_EQ(lesson.steps[0].answer, "One.\n\nTwo.");
+    EXPECT_EQ(lessonText(lesson, lessonTables()),
+              "# Title\n\nAn **introduction**.\n\n## 1. First\n\nSee this.\n\n**Try:** Set **" +
+                  label(test::everyKind.rows()[test::everyKind.gap.row]) +
+                  "**.\n\n**Question:** Why?\n\n**Answer:** One.\n\nTwo.\n");
+    const LessonStep bare = lessonOf(oneStep("{}")).steps[0];
+    EXPECT_TRUE(bare.task.empty() && bare.question.empty() && bare.answer.empty());
+    EXPECT_EQ(lessonOf(sectioned("### Answer\nOne.\n### Question\nWhy?")).steps[0].answer, "One.") << "in any order";
+}
+
+TEST(Lesson, RefusesSectionsThatAreUnknownDoubledEmptyOrAlone)
+{
+    EXPECT_FAILURE(lessonOf(sectioned("### Hint\nLook.")), "a.md, line 11: within a step there are the headings");
+    EXPECT_FAILURE(lessonOf(sectioned("### question\nWhy?")), "line 11: within a step there are the headings");
+    EXPECT_FAILURE(lessonOf(sectioned("### Try\nOne.\n### Try\nTwo.")), "line 13: this step has \"### Try\" already");
+    EXPECT_FAILURE(lessonOf(sectioned("### Try\n")), "line 11: there is no text below this heading");
+    EXPECT_FAILURE(lessonOf(sectioned("### Question\nWhy?")), "line 11: this question has no answer");
+    EXPECT_FAILURE(lessonOf(sectioned("### Answer\nOne.")), "line 11: this answer has no question");
+    EXPECT_FAILURE(lessonOf(sectioned("### Try\nSet [row:gpa].")),
+                   "line 11: in the text below this heading there is no");
+    EXPECT_FAILURE(lessonOf(lessonHead + "### Try\nSee.\n"), "line 9: \"### Try\" belongs to a step");
+    EXPECT_FAILURE(lessonOf("### Try\nSee.\n"), "line 1: \"### Try\" belongs to a step");
+    EXPECT_FAILURE(lessonOf("# Title\n### Question\nWhy?\n"), "line 2: \"### Question\" belongs to a step");
+    const std::string task(mostTaskLetters, 'x'), answer(mostLessonLetters, 'x');
+    EXPECT_EQ(lessonOf(sectioned("### Try\n" + task)).steps[0].task, task);
+    EXPECT_FAILURE(lessonOf(sectioned("### Try\n" + task + 'x')), "line 11: the text below this heading has 401 bytes");
+    EXPECT_EQ(lessonOf(sectioned("### Question\n" + task + "\n### Answer\n" + answer)).steps[0].answer, answer);
+    EXPECT_FAILURE(lessonOf(sectioned("### Question\nWhy?\n### Answer\n" + answer + 'x')), "has 701 bytes");
+    EXPECT_FAILURE(lessonOf(sectioned("### Question\n" + task + "x\n### Answer\nOne.")), "has 401 bytes");
+}
+
 TEST(Lesson, RefusesOtherFormatsVersionsAndExhibits)
 {
     const auto headed = [](const std::string& head) {
