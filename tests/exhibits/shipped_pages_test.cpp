@@ -31,20 +31,22 @@ std::vector<std::string> allOf(const std::string& text, const char* pattern, int
 }
 
 /// Returns headings, tables, figures and links in order, and the counts of marks within sentences, whose order is free.
-std::vector<std::string> tagsOf(const std::string& line)
+std::vector<std::string> tagsOf(const std::string& written)
 {
-    std::vector<std::string> tags = allOf(line, "</?(h1|h2|p|ul|li|table|tr|td|img|a|html|head|body)\\b[^>]*>", 0);
+    static const std::regex described(" alt=\"[^\"]*\"");
+    const std::string line = std::regex_replace(written, described, "");
+    std::vector<std::string> tags = allOf(line, "</?(h1|h2|p|ul|li|table|tr|td|th|img|a|head|body)\\b[^>]*>", 0);
     std::vector<std::string> within = allOf(line, "</?(b|i|sub|sup|title)>", 0);
     std::sort(within.begin(), within.end());
     tags.insert(tags.end(), within.begin(), within.end());
     return tags;
 }
 
-/// Removes words and functions, which are words in this program, from a formula.
+/// Removes words and functions, which are words in this program, from a formula in MathML.
 std::string withoutWords(const std::string& formula)
 {
-    static const std::regex marks("<[^>]*>|&nbsp;"), words("([A-Za-z]|\xC3[\x80-\xBF]){2,}"), spaces(" +");
-    return std::regex_replace(std::regex_replace(std::regex_replace(formula, marks, ""), words, ""), spaces, "");
+    static const std::regex words("<mtext>[^<]*</mtext>|<mi[^>]*>[A-Za-z]{2,}</mi>");
+    return std::regex_replace(formula, words, "");
 }
 
 TEST(ShippedPages, AreTheSamePagesInEveryLanguage)
@@ -70,9 +72,42 @@ TEST(ShippedPages, HaveTheSameFiguresFormulasNumbersAndSourcesInEveryLanguage)
                 EXPECT_EQ(withoutWords(other[i]), withoutWords(english[i]));
                 ++formulas;
             }
-            EXPECT_GE(formulas, 1U) << page;
+            if (page != "syllabus.html") {
+                EXPECT_GE(formulas, 1U) << page;
+            }
         }
     }
+}
+
+/// Figures are described in the language of the page, for those who do not see them.
+TEST(ShippedPages, DescribeEveryFigureInEveryLanguage)
+{
+    constexpr const char* described = "<img [^>]* alt=\"([^\"]{20,})\"/>";
+    for (const std::string& language : test::languagesUnder("pages")) {
+        for (const std::string& page : test::filesIn("pages", ".html")) {
+            const std::vector<std::string> english = linesOf(page), other = linesOf(language + '/' + page);
+            ASSERT_EQ(other.size(), english.size()) << language << '/' << page;
+            for (std::size_t i = 0; i < english.size(); ++i) {
+                SCOPED_TRACE(language + '/' + page + ", line " + std::to_string(i + 1));
+                const std::vector<std::string> model = allOf(english[i], described, 1);
+                const std::vector<std::string> texts = allOf(other[i], described, 1);
+                EXPECT_EQ(model.size(), allOf(english[i], "<img\\b", 0).size()) << "a figure without alternative text";
+                ASSERT_EQ(texts.size(), model.size()) << "a figure without alternative text";
+                for (std::size_t k = 0; k < texts.size(); ++k) EXPECT_NE(texts[k], model[k]);
+            }
+        }
+    }
+}
+
+TEST(ShippedPages, ShowEveryDiagram)
+{
+    const std::vector<std::string> diagrams = test::filesIn("pages/figures", ".svg");
+    EXPECT_EQ(diagrams.size(), 5U);
+    std::string all;
+    for (const std::string& page : test::filesIn("pages", ".html"))
+        for (const std::string& line : linesOf(page)) all += line;
+    for (const std::string& diagram : diagrams)
+        EXPECT_NE(all.find("src=\"figures/" + diagram + '"'), std::string::npos) << diagram;
 }
 
 TEST(ShippedPages, SaySomethingElseThanTheEnglishOnesInUtf8)

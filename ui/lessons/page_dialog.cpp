@@ -4,6 +4,7 @@
 #include "ui/kit/language.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/type_size.h"
+#include "ui/lessons/formula_text.h"
 #include "ui/parameters/shown_text.h"
 
 #include <QDesktopServices>
@@ -29,7 +30,7 @@ QString pageStyle()
 {
     return QStringLiteral("h1 { font-size: x-large; margin-bottom: 4px; } h2 { font-size: large; margin-top: 16px; }"
                           "p, li { line-height: 130%; } a { color: %1; } .caption { color: %2; }"
-                          ".formula { margin-left: 24px; }")
+                          ".formula { margin-left: 24px; } th { text-align: left; }")
         .arg(theme().accent.name(), theme().dim.name());
 }
 
@@ -66,7 +67,7 @@ QString nameOfPage(const QUrl& source)
 
 }  // namespace
 
-/// Browser whose pages end with the table of the exhibit's parameters.
+/// Browser whose pages show their formulas as text, and end with the table of the exhibit's parameters.
 class PageDialog::Browser final : public QTextBrowser {
 public:
     Browser(QWidget* parent, FindParameters find) : QTextBrowser(parent), find_(std::move(find)) {}
@@ -74,12 +75,14 @@ public:
 protected:
     QVariant loadResource(int type, const QUrl& name) override
     {
+        // The pages' style sheet is for web browsers; here, `pageStyle` has the colors of the window.
+        if (type == QTextDocument::StyleSheetResource) return QByteArray();
         if (type != QTextDocument::HtmlResource) return QTextBrowser::loadResource(type, name);
-        const Parameters* table = find_(nameOfPage(name));
-        if (!table) return QTextBrowser::loadResource(type, name);
         QFile file(name.toLocalFile());
-        const QString page = file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
-        return withTable(page, *table);
+        const QString page =
+            withFormulasAsText(file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString());
+        const Parameters* table = find_(nameOfPage(name));
+        return table ? withTable(page, *table) : page;
     }
 
 private:

@@ -5,6 +5,7 @@
 #include "render/files/assets.h"
 #include "ui/kit/language.h"
 #include "ui/kit/message_strip.h"
+#include "ui/lessons/formula_text.h"
 #include "ui/lessons/lesson_bar.h"
 #include "ui/lessons/lesson_desk.h"
 #include "ui/lessons/page_dialog.h"
@@ -20,6 +21,7 @@
 #include <QTextBrowser>
 #include <QTextDocument>
 #include <QToolButton>
+#include <QXmlStreamReader>
 
 #include <atomic>
 #include <chrono>
@@ -127,6 +129,34 @@ private slots:
         QCOMPARE(window_->chosen(), hallIndex);
         QVERIFY(window_->history().sceneState() == before);
         QCOMPARE(window_->history().stack().count(), steps + 5);
+    }
+
+    void anAnswerOpensAndIsClosedAgainInTheNextStep()
+    {
+        const QByteArray block = "```json\n{\"values\": {\"roughness\": 0.9}}\n```\n";
+        desk().open(write("asked.md", "## One\nText.\n### Try\nSet [row:roughness].\n### Question\nWhy?\n### Answer\n"
+                                      "So **be** it.\n" +
+                                          block + "## Two\nText.\n### Question\nWhen?\n### Answer\nNow.\n" + block +
+                                          "## Three\nText.\n" + block));
+        QToolButton* answer = button("Show the answer");
+        QVERIFY(answer && !answer->isVisible());
+        desk().next();
+        QVERIFY(says("<b>Try:</b> Set <a href=\"row:roughness\"><b>Roughness</b></a>."));
+        QVERIFY(says("<b>Question:</b> Why?"));
+        QVERIFY(answer->isVisible() && !says("So <b>be</b> it."));
+        QTest::mouseClick(answer, Qt::LeftButton);
+        QVERIFY(answer->isChecked() && says("So <b>be</b> it."));
+        QVERIFY2(desk().bar().accessibleName().contains("So be it."), "an opened answer is announced");
+        QTest::mouseClick(answer, Qt::LeftButton);
+        QVERIFY(!answer->isChecked() && !says("So <b>be</b> it."));
+        desk().answerAction().trigger();
+        QVERIFY(says("So <b>be</b> it."));
+        desk().next();
+        QVERIFY(says("When?") && !says("Now.") && !answer->isChecked());
+        desk().next();
+        QVERIFY(!answer->isVisible() && !desk().answerAction().isEnabled());
+        desk().back();
+        QVERIFY(says("When?") && answer->isVisible());
     }
 
     void aNumberIsShownOnlyOnceThePictureOfTheStepIsDrawn()
@@ -256,7 +286,7 @@ private slots:
         QFETCH(QString, folder);
         speak(language);
         const QDir pages(QString::fromStdString(render::asset(folder.toStdString()).string()));
-        QStringList names{QStringLiteral("hall")};
+        QStringList names{QStringLiteral("hall"), QStringLiteral("syllabus")};
         for (const auto& exhibit : allExhibits())
             if (exhibit->isComplete()) names << QString::fromStdString(std::string(exhibit->name()));
         PageDialog dialog(nullptr, [](const QString&) { return nullptr; });
@@ -266,6 +296,14 @@ private slots:
             const QUrl source = dialog.browser().source();
             QVERIFY2(QFileInfo::exists(source.toLocalFile()), qPrintable(source.toLocalFile()));
             QCOMPARE(QFileInfo(source.toLocalFile()).dir(), pages);
+            QFile written(source.toLocalFile());
+            QVERIFY(written.open(QIODevice::ReadOnly));
+            QXmlStreamReader xml(written.readAll());
+            while (!xml.atEnd()) xml.readNext();
+            QVERIFY2(!xml.hasError(), qPrintable(QStringLiteral("%1, line %2: %3")
+                                                     .arg(written.fileName())
+                                                     .arg(xml.lineNumber())
+                                                     .arg(xml.errorString())));
             const QTextDocument& page = *dialog.browser().document();
             QVERIFY2(page.toPlainText().size() > 600, qPrintable(name));
             QVERIFY2(!dialog.windowTitle().isEmpty(), qPrintable(name));
@@ -293,9 +331,76 @@ private slots:
                     }
                 }
             }
-            QVERIFY2(name == "hall" || (pictures >= 2 && links >= 1), qPrintable(name));
+            QVERIFY2(name == "hall" || name == "syllabus" || (pictures >= 2 && links >= 1), qPrintable(name));
         }
         QCOMPARE(pages.entryList({"*.html"}).size(), names.size());
+    }
+
+    void formulasAreShownAsText_data()
+    {
+        QTest::addColumn<QString>("formula");
+        QTest::addColumn<QString>("text");
+        QTest::newRow("fraction")
+            << "<mi>σ</mi><mo>=</mo><mfrac><mrow><mi>k</mi><mo>⁢</mo><mi>r</mi></mrow><mn>2</mn></mfrac>"
+               "<mo>+</mo><msqrt><mn>1</mn><mo>+</mo><msup><mi>x</mi><mn>2</mn></msup></msqrt>"
+            << "<i>σ</i> = <i>k</i> <i>r</i> / 2 + √(1 + <i>x</i><sup>2</sup>)";
+        QTest::newRow("sums in a fraction")
+            << "<mfrac><mrow><mi>a</mi><mo>+</mo><mi>b</mi></mrow><mrow><mn>4</mn><mo>⁢</mo><mi>k</mi></mrow></mfrac>"
+            << "(<i>a</i> + <i>b</i>) / (4 <i>k</i>)";
+        QTest::newRow("short fraction") << "<mfrac><mi>x</mi><mi>p</mi></mfrac>"
+                                        << "<i>x</i>/<i>p</i>";
+        QTest::newRow("signs")
+            << "<mi>max</mi><mrow><mo>(</mo><mi>a</mi><mo>,</mo><mo>−</mo><mi>b</mi><mo>)</mo></mrow><mo>&lt;</mo>"
+               "<mn>0</mn>"
+            << "max(<i>a</i>, −<i>b</i>) &lt; 0";
+        QTest::newRow("sum")
+            << "<munderover><mo>∑</mo><mrow><mi>i</mi><mo>=</mo><mn>1</mn></mrow><mn>5</mn></munderover>"
+               "<msub><mi mathvariant=\"bold\">g</mi><mi>i</mi></msub>"
+            << "∑<sub><i>i</i>=1</sub><sup>5</sup> <b>g</b><sub><i>i</i></sub>";
+        QTest::newRow("prime") << "<mi>sin</mi><mspace width=\"0.17em\"/><msup><mi>θ</mi><mo>′</mo></msup>"
+                               << "sin <i>θ</i>′";
+        QTest::newRow("words")
+            << "<mtext>view </mtext><mi>k</mi><mspace width=\"2em\"/><mi mathvariant=\"normal\">d</mi>"
+            << QStringLiteral("view <i>k</i>%1d").arg(QString(3, QChar(0xA0)));
+    }
+
+    void formulasAreShownAsText()
+    {
+        QFETCH(QString, formula);
+        QFETCH(QString, text);
+        const QString written = QStringLiteral("<p>a <math display=\"block\">%1</math> b</p>");
+        QCOMPARE(withFormulasAsText(written.arg(formula)), QStringLiteral("<p>a %1 b</p>").arg(text));
+    }
+
+    void brokenFormulasStayAsTheyAre()
+    {
+        for (const char* broken : {"<p><math><mi>a</mo></math></p>", "<p><math><mi>a</mi>", "<math></p>", "<math"})
+            QCOMPARE(withFormulasAsText(QString::fromUtf8(broken)), QString::fromUtf8(broken));
+    }
+
+    void pagesShowTheirFormulasWithoutMarks()
+    {
+        PageDialog dialog(nullptr, [](const QString&) { return nullptr; });
+        dialog.setAttribute(Qt::WA_DeleteOnClose, false);
+        dialog.showPage(QStringLiteral("ice_cream"));
+        const QString page = dialog.browser().toPlainText();
+        QVERIFY2(page.contains(QString::fromUtf8("σ = k r / 2 + √(1 + (k r / 2)2)")), qPrintable(page));
+        QVERIFY(!page.contains(QStringLiteral("math")));
+    }
+
+    void theMenuLeadsToTheSyllabusWhoseLinksStartLessons()
+    {
+        QAction* syllabus = nullptr;
+        for (QAction* action : desk().actions())
+            if (action && action->objectName() == "lesson-syllabus") syllabus = action;
+        QVERIFY(syllabus);
+        syllabus->trigger();
+        auto* dialog = window_->findChild<PageDialog*>();
+        QVERIFY(dialog && dialog->browser().source().path().endsWith("/syllabus.html"));
+        emit dialog->browser().anchorClicked(QUrl(QStringLiteral("lesson:sdf_morph")));
+        QVERIFY(desk().lesson());
+        QCOMPARE(desk().lesson()->exhibit, std::string("sdf_morph"));
+        dialog->close();
     }
 
     void linksOfPagesLeadToPagesInTheLanguageInUse()
