@@ -42,6 +42,24 @@ TEST(LessonCommand, SaysWhatIsGoodAndWhatIsNot)
     EXPECT_EQ(test::vitrine({"lesson"}).code, 2);
 }
 
+TEST(LessonCommand, PrintsTasksQuestionsAndAnswers)
+{
+    const test::TemporaryFolder folder;
+    const std::string file = folder / "own.md";
+    std::string text = lessonFile("{}");
+    text.insert(text.find("```json\n{}"), "### Try\nDrag.\n### Question\nWhy?\n### Answer\nSo.\n");
+    test::writeBytes(file, text);
+    const Ended own = test::vitrine({"lesson", "show", file});
+    EXPECT_EQ(own.code, 0) << own.err;
+    EXPECT_EQ(own.out, "# Steps\n\n## 1. One\n\nText.\n\n**Try:** Drag.\n\n**Question:** Why?\n\n**Answer:** So.\n");
+    const Ended german = test::vitrine({"--language", "de", "lesson", "show", "fur"});
+    EXPECT_EQ(german.code, 0) << german.err;
+    EXPECT_TRUE(german.out.starts_with("# Haare, die es nirgends gibt\n")) << german.out;
+    for (const char* word : {"**Aufgabe:** ", "**Frage:** ", "**Antwort:** "})
+        EXPECT_NE(german.out.find(word), std::string::npos) << word;
+    EXPECT_EQ(test::vitrine({"lesson", "show", folder / "none.md"}).code, 5);
+}
+
 TEST(LessonCommand, ListsTheLessonOfEveryExhibit)
 {
     const Ended ended = test::vitrine({"lesson", "list"});

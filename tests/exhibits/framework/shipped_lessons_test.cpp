@@ -84,6 +84,36 @@ TEST_F(ShippedLessons, EveryStepShowsSomethingElseAndNamesARowOrANumber)
     }
 }
 
+TEST_F(ShippedLessons, EveryStepHasSomethingToDoAndAQuestionWithAnAnswer)
+{
+    for (const auto& exhibit : exhibits_) {
+        for (const LessonStep& step : read(*exhibit).steps) {
+            SCOPED_TRACE(std::string(exhibit->name()) + ", line " + std::to_string(step.line));
+            EXPECT_GE(step.task.size(), 20U);
+            EXPECT_TRUE(step.question.ends_with('?')) << step.question;
+            EXPECT_GE(step.answer.size(), 40U);
+        }
+    }
+}
+
+/// The syllabus is for teachers: it names each lesson, leads to it and to its page, and says how long it takes.
+TEST_F(ShippedLessons, AreAllInTheSyllabus)
+{
+    for (const std::string folder : {"", "de/"}) {
+        const std::string page = render::readFile(render::asset("pages/" + folder + "syllabus.html"), 1U << 20U);
+        for (const auto& exhibit : exhibits_) {
+            const std::string name(exhibit->name());
+            const Lesson lesson = parseLesson(bytes("lessons/" + folder, *exhibit), name, tables_);
+            const std::size_t at = page.find("<b>" + lesson.title + "</b>");
+            ASSERT_NE(at, std::string::npos) << folder << name << ": " << lesson.title;
+            const std::string row = page.substr(at, page.find("</tr>", at) - at);
+            EXPECT_NE(row.find("href=\"lesson:" + name + '"'), std::string::npos) << row;
+            EXPECT_NE(row.find("href=\"" + name + ".html\""), std::string::npos) << row;
+            EXPECT_TRUE(std::regex_search(row, std::regex("<td>[0-9]+</td>"))) << row;
+        }
+    }
+}
+
 /// A counter that only the GPU knows, such as of visible samples, says little about the work.
 TEST_F(ShippedLessons, CountersThatAreReadCountTheWorkThatIsPlanned)
 {
@@ -158,6 +188,11 @@ TEST_F(ShippedLessons, AreTheSameStepsInEveryLanguage)
                 EXPECT_NE(step.text, of.text);
                 EXPECT_EQ(rowsIn(step.text), rowsIn(of.text)) << step.title;
                 EXPECT_EQ(test::numbersIn(step.text), test::numbersIn(of.text)) << step.title;
+                for (const auto text : {&LessonStep::task, &LessonStep::question, &LessonStep::answer}) {
+                    EXPECT_NE(step.*text, of.*text);
+                    EXPECT_EQ(rowsIn(step.*text), rowsIn(of.*text)) << of.*text;
+                    EXPECT_EQ(test::numbersIn(step.*text), test::numbersIn(of.*text)) << of.*text;
+                }
             }
         }
     }
