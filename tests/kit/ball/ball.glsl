@@ -1,5 +1,3 @@
-// A ball around the origin.
-
 float fieldDistance(vec3 p)
 {
     return length(p) - parameters.radius;

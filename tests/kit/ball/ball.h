@@ -11,7 +11,7 @@ struct BallRows : virtual Parameters {
 };
 struct BallTable final : BallRows, SdfMaterialRows, SdfRows {};
 
-/// An exhibit as small as the kit allows: a slider, and a field around the origin of its place.
+/// A ball: the simplest distance field.
 class Ball final : public SdfExhibit {
 public:
     explicit Ball(int place = 5, std::shared_ptr<const render::ShaderSources> shaders = {})
@@ -20,7 +20,7 @@ public:
     }
     [[nodiscard]] std::string_view name() const override { return "ball"; }
     [[nodiscard]] std::string_view title() const override { return "Ball"; }
-    [[nodiscard]] std::string_view summary() const override { return "The simplest field there is."; }
+    [[nodiscard]] std::string_view summary() const override { return "The simplest distance field."; }
     [[nodiscard]] int place() const override { return place_; }
     [[nodiscard]] const BallTable& parameters() const override { return table_; }
     [[nodiscard]] SdfBody body(const ParameterValues& values, double) const override
