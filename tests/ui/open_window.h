@@ -18,6 +18,7 @@
 #include <QTest>
 
 #include <clocale>
+#include <limits>
 #include <memory>
 
 namespace vitrine::test {
@@ -28,6 +29,10 @@ protected:
     std::unique_ptr<QTemporaryDir> home_;
     std::unique_ptr<PaintedGallery> gallery_;
     std::unique_ptr<ui::MainWindow> window_;
+    /// Largest number of supersamples of a static picture. The window is painted once for each; two are enough to see
+    /// a picture refined.
+    int mostSamples_ = 2;
+    static constexpr int asTheHallRequests = std::numeric_limits<int>::max();
 
     /// Returns a further exhibit for the gallery; null: none.
     [[nodiscard]] virtual std::unique_ptr<Exhibit> anotherExhibit() { return nullptr; }
@@ -55,6 +60,7 @@ protected:
     {
         gallery_ = std::make_unique<PaintedGallery>(anotherExhibit());
         window_ = std::make_unique<ui::MainWindow>(gallery_->museum(), *gallery_);
+        window_->viewport().setLimits(mostSamples_, 0);
         window_->resize(1200, 800);
         window_->show();
         QVERIFY(QTest::qWaitForWindowExposed(window_.get(), vitrine::test::patience));

@@ -23,6 +23,7 @@ namespace vitrine::test {
 /// three dots, and as docks.
 class EveryPart : public OpenWindow {
 protected:
+    EveryPart() { mostSamples_ = asTheHallRequests; }
     [[nodiscard]] std::unique_ptr<Exhibit> anotherExhibit() override { return std::make_unique<SdfScenes>(); }
 
     void activate(QWidget* window)

@@ -21,7 +21,11 @@ class ComparePictureTest : public test::OpenComparison {
     Q_OBJECT
 
 private slots:
-    void initTestCase() { prepare(); }
+    void initTestCase()
+    {
+        mostSamples_ = asTheHallRequests;
+        prepare();
+    }
     void init() { start(); }
     void cleanup() { finish(); }
 

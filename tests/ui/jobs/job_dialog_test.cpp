@@ -45,7 +45,6 @@ class JobDialogTest : public QObject {
             *renderers_, *thread_, nullptr);
         dialog_->show();
         QVERIFY(QTest::qWaitForWindowExposed(dialog_, vitrine::test::patience));
-        QTRY_VERIFY(dialog_->settled());
     }
     void closeDialog()
     {
@@ -85,6 +84,7 @@ class JobDialogTest : public QObject {
     }
     void exportTo(const QString& path)
     {
+        QTRY_VERIFY(dialog_->settled());
         QSignalSpy ended(dialog_, &JobDialog::exportEnded);
         dialog_->setPath(path);
         dialog_->startExport();
@@ -237,6 +237,7 @@ private slots:
 
     void animationsAreOfferedWhereTheFileHasSome()
     {
+        QTRY_VERIFY(dialog_->settled());
         auto* row = dialog_->findChild<ParameterPanel*>()->row("animation");
         QVERIFY(row->idle());
         const auto warned = [this] {
@@ -351,6 +352,7 @@ private slots:
         const ParameterValues before = dialog_->setup().values();
         closeDialog();
         openDialog();
+        QTRY_VERIFY(dialog_->settled());
         QVERIFY(dialog_->setup().values() == before);
         QCOMPARE(animations().currentText(), QString("jump"));
         QCOMPARE(dialog_->setup().history().stack().count(), 0);

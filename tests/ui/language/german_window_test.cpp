@@ -52,7 +52,11 @@ private:
     }
 
 private slots:
-    void initTestCase() { prepare(); }
+    void initTestCase()
+    {
+        mostSamples_ = asTheHallRequests;
+        prepare();
+    }
     void cleanup()
     {
         finish();

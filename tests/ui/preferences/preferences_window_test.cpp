@@ -58,7 +58,11 @@ class PreferencesWindowTest : public test::OpenPreferences {
     [[nodiscard]] QStringList said() { return window_->findChild<MessageStrip*>()->texts(); }
 
 private slots:
-    void initTestCase() { prepare(); }
+    void initTestCase()
+    {
+        mostSamples_ = asTheHallRequests;
+        prepare();
+    }
     void init() { start(); }
     void cleanup()
     {

@@ -135,6 +135,7 @@ private slots:
 
     void aStoppedStudyIsKeptOnceItHasThreeSettings()
     {
+        gallery_->frame = std::chrono::milliseconds(5);
         dock_->ask(1, *gallery_->table.find("rays"));
         dock_->stop();
         QVERIFY(test::storeIn(home_->path()).list().empty());

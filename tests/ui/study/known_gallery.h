@@ -32,13 +32,13 @@ inline std::vector<std::unique_ptr<Exhibit>> knownExhibit()
     return all;
 }
 
-/// Backend that takes its time, so that the measurement can be observed.
-class SlowBackend final : public render::RenderBackend {
+/// Backend whose frames take a given time, so that the measurement can be observed.
+class TimedBackend final : public render::RenderBackend {
 public:
-    explicit SlowBackend(bool clockTrusted) : clockTrusted_(clockTrusted) {}
+    TimedBackend(bool clockTrusted, std::chrono::milliseconds frame) : clockTrusted_(clockTrusted), frame_(frame) {}
     render::FrameReport draw(const render::FramePlan& plan) override
     {
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        if (frame_.count() > 0) std::this_thread::sleep_for(frame_);
         render::FrameReport report = known_.draw(plan);
         report.clockTrusted = clockTrusted_;
         return report;
@@ -50,6 +50,7 @@ public:
 private:
     KnownBackend known_;
     bool clockTrusted_;
+    std::chrono::milliseconds frame_;
 };
 
 /// Museum with renderers that measure it by a backend without GL; other functions are not used.
@@ -58,7 +59,9 @@ public:
     Museum museum{knownExhibit()};
     KnownTable table;
     std::thread::id measuredOn;
-    bool clockTrusted = true;  ///< Used for all studies started later.
+    // Both are used for all studies started later.
+    bool clockTrusted = true;
+    std::chrono::milliseconds frame{0};  ///< Time of each frame. Above 0 only where a test watches the measurement.
 
     void open() override {}
     void close() override {}
@@ -80,7 +83,7 @@ public:
         measuredOn = std::this_thread::get_id();
         ui::StudyJob job;
         job.machine = {{"renderer", "the painter"}, {"processors", 2}};
-        job.backend = std::make_unique<SlowBackend>(clockTrusted);
+        job.backend = std::make_unique<TimedBackend>(clockTrusted, frame);
         job.study = std::make_unique<Study>(museum, *job.backend, request);
         return job;
     }

@@ -51,6 +51,8 @@ private:
         QSignalSpy finished(dock_.get(), &StudyDock::finished);
         QVERIFY(finished.wait(test::patience));
     }
+    /// Slows the next studies down, so that the test sees them under way.
+    void measureSlowly() { gallery_->frame = std::chrono::milliseconds(5); }
     void clickOn(std::size_t point)
     {
         dock_->chart().replot();
@@ -81,6 +83,7 @@ private slots:
 
     void pointsAppearWhileItMeasures()
     {
+        measureSlowly();
         dock_->ask(1, row("steps"));
         QVERIFY(dock_->running());
         bool someBeforeAll = false;
@@ -156,6 +159,7 @@ private slots:
 
     void cancellingLeavesTheSettingsAndTheUndoStackAsTheyWere()
     {
+        measureSlowly();
         const SceneState before = history_->sceneState();
         dock_->ask(1, row("rays"));
         for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
@@ -264,6 +268,7 @@ private slots:
 
     void theAxisIsDecidedBeforeTheFirstPointAndOnlyTheUserChangesIt()
     {
+        measureSlowly();
         StudyChart& chart = dock_->chart();
         auto* cost = dock_->view().findChild<QComboBox*>("cost");
         QVERIFY(cost != nullptr);
@@ -298,6 +303,7 @@ private slots:
 
     void aClockThatIsNotTrustedMakesTheAxisWork()
     {
+        measureSlowly();
         gallery_->clockTrusted = false;
         dock_->ask(1, row("steps"));
         QStringList titles;
@@ -394,6 +400,7 @@ private slots:
     {
         dock_->ask(1, row("steps"));
         finish();
+        measureSlowly();
         const std::size_t before = dock_->result().points.size();
         const QString words = dock_->chart().points().front().text;
         dock_->ask(1, row("rays"));

@@ -20,7 +20,11 @@ class MotionWindowTest : public test::OpenWindow {
     Q_OBJECT
 
 private slots:
-    void initTestCase() { prepare(); }
+    void initTestCase()
+    {
+        mostSamples_ = asTheHallRequests;
+        prepare();
+    }
     void init()
     {
         start();

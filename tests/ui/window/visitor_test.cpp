@@ -410,6 +410,7 @@ private slots:
 
     void aPausedJumpStandsStillWhileItIsRefined()
     {
+        window_->viewport().setLimits(asTheHallRequests, 0);
         gallery_->exhibit().movesFor = 3;
         window_->visit(1);
         settle();

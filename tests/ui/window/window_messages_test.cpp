@@ -247,6 +247,7 @@ private slots:
 
     void badInputIsOneLineInTheLogHoweverManyFramesItLasts()
     {
+        window_->viewport().setLimits(asTheHallRequests, 0);
         window_->choose(1);
         const auto lines = [&] {
             return window_->findChild<LogView*>()->toPlainText().count(

@@ -23,7 +23,11 @@ class WindowPictureTest : public test::OpenWindow {
     Q_OBJECT
 
 private slots:
-    void initTestCase() { prepare(); }
+    void initTestCase()
+    {
+        mostSamples_ = asTheHallRequests;
+        prepare();
+    }
     void init() { start(); }
     void cleanup() { finish(); }
 
