@@ -1,5 +1,6 @@
 #include "ui/window/main_window.h"
 
+#include "exhibits/framework/capabilities.h"
 #include "render/files/assets.h"
 #include "ui/charts/charts_dock.h"
 #include "ui/compare/compare_actions.h"
@@ -7,50 +8,39 @@
 #include "ui/compare/compare_desk.h"
 #include "ui/explore/explore_dock.h"
 #include "ui/gamepad/gamepad_control.h"
-#include "ui/jobs/job_dialog.h"
 #include "ui/kit/context_key.h"
 #include "ui/kit/focus_ring.h"
 #include "ui/kit/idle_undo.h"
 #include "ui/kit/language.h"
-#include "ui/kit/picture_file.h"
 #include "ui/kit/tab_order.h"
-#include "ui/kit/text.h"
-#include "ui/kit/tile_delegate.h"
 #include "ui/lessons/lesson_bar.h"
 #include "ui/lessons/lesson_desk.h"
-#include "ui/lessons/page_dialog.h"
 #include "ui/parameters/parameter_panel.h"
-#include "ui/preferences/preferences_dialog.h"
 #include "ui/presets/preset_list.h"
 #include "ui/presets/preset_shelf.h"
-#include "ui/print/print_dialog.h"
-#include "ui/print/shown_views.h"
 #include "ui/record/bookmarks.h"
-#include "ui/record/record_dialog.h"
 #include "ui/study/study_dock.h"
-#include "ui/study/table_export.h"
 #include "ui/tree/tree_file.h"
 #include "ui/viewport/row_drag.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/about_dialog.h"
 #include "ui/window/clock_bar.h"
 #include "ui/window/close_guard.h"
-#include "ui/window/command_palette.h"
 #include "ui/window/exhibit_list.h"
+#include "ui/window/exhibit_thumbnails.h"
 #include "ui/window/export_again.h"
 #include "ui/window/file_opener.h"
+#include "ui/window/frame_reporter.h"
 #include "ui/window/heap_trimmer.h"
 #include "ui/window/ledger_dock.h"
 #include "ui/window/log_view.h"
-#include "ui/window/palette_entries.h"
 #include "ui/window/parameter_tabs.h"
-#include "ui/window/picture_export.h"
 #include "ui/window/recent_files.h"
-#include "ui/window/screenshot_dialog.h"
 #include "ui/window/session_keeper.h"
 #include "ui/window/status_line.h"
 #include "ui/window/table_reader.h"
 #include "ui/window/window_actions.h"
+#include "ui/window/window_dialogs.h"
 #include "ui/window/window_docks.h"
 #include "ui/window/window_preferences.h"
 
@@ -58,26 +48,21 @@
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QDropEvent>
-#include <QFileDialog>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QScreen>
-#include <QStandardPaths>
 #include <QStatusBar>
 #include <QStatusTipEvent>
 #include <QUrl>
 #include <QVBoxLayout>
 
 namespace vitrine::ui {
-namespace {
 
-QString thumbnailPath(const Subject& subject)
+QSize firstWindowSize(const QSize& room)
 {
-    const QString cache = QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation);
-    return cache + QStringLiteral("/vitrine/thumbnails/") + text(subject.name()) + QStringLiteral(".png");
+    // Title bar and borders, as large as desktops draw them.
+    return QSize(1400, 860).boundedTo(room - QSize(16, 48));
 }
-
-}  // namespace
 
 MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* parent)
     : QMainWindow(parent), museum_(museum), renderers_(renderers), history_(museum.initialSceneState()),
@@ -85,7 +70,7 @@ MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* pare
 {
     setWindowIcon(programIcon());
     setAcceptDrops(true);
-    resize(firstSize(screen()->availableSize()));
+    resize(firstWindowSize(screen()->availableSize()));
     new IdleUndo(this);
     new ContextKey(this);
     new TabOrder(this);
@@ -104,6 +89,7 @@ MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* pare
     centralWidget()->layout()->addWidget(&comparison_->bar());
     bookmarks_ = new Bookmarks(*this, this);
     addLessons();
+    dialogs_ = new WindowDialogs(*this, *this, *bookmarks_, *lessons_, *again_);
     actions_ = std::make_unique<WindowActions>(*this);
     statusBar()->addPermanentWidget(new ClockBar(*viewport_, *actions_->pause));
     docks_->presets().setActions(actions_->savePreset, actions_->savePresetAs, actions_->presetMenu);
@@ -111,7 +97,7 @@ MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* pare
     connectViewport();
     addGamepad();
     new TableReader(*this, this);
-    showShippedThumbnails();
+    new ExhibitThumbnails(*this, docks_->exhibits(), this);
     choose(hallIndex);
     keeper_ = new SessionKeeper(*this);
     if (!keeper_->restore()) viewport_->showHint(tr("W A S D to walk, click an exhibit to tune it"));
@@ -137,55 +123,39 @@ void MainWindow::buildMiddle()
     statusBar()->addWidget(status_, 1);
 }
 
-void MainWindow::showShippedThumbnails()
-{
-    for (std::size_t i = 0; i < museum_.subjects().size(); ++i) {
-        // The shipped one shows the exhibit's best view; one kept from the screen serves those that ship none.
-        const std::string shipped = "thumbnails/" + std::string(museum_.subject(i).name()) + ".png";
-        QPixmap kept(QString::fromStdString(render::asset(shipped).string()));
-        if (kept.isNull()) kept.load(thumbnailPath(museum_.subject(i)));
-        if (!kept.isNull()) docks_->exhibits().setThumbnail(i, kept);
-    }
-}
-
 void MainWindow::addLessons()
 {
     lessons_ = new LessonDesk(*this, this);
     static_cast<QVBoxLayout*>(centralWidget()->layout())->insertWidget(0, &lessons_->bar());
     connect(lessons_, &LessonDesk::rowAsked, this, &MainWindow::showRow);
-    connect(lessons_, &LessonDesk::syllabusAsked, this, [this] { openPage(QStringLiteral("syllabus")); });
+    connect(lessons_, &LessonDesk::syllabusAsked, this, [this] { dialogs_->openPage(QStringLiteral("syllabus")); });
     connect(lessons_, &LessonDesk::opened, this, &addRecentFile);
     connect(files_, &FileOpener::lessonFound, lessons_, &LessonDesk::open);
 }
 
 void MainWindow::addGamepad()
 {
-    gamepad_ = new GamepadControl(*viewport_, this);
-    connect(gamepad_, &GamepadControl::failed, this,
+    auto* gamepad = new GamepadControl(*viewport_, this);
+    connect(gamepad, &GamepadControl::failed, this,
             [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
-    connect(gamepad_, &GamepadControl::pauseAsked, this, [this] { actions_->pause->trigger(); });
-    connect(gamepad_, &GamepadControl::exhibitAsked, this, [this](int step) {
+    connect(gamepad, &GamepadControl::pauseAsked, this, [this] { actions_->pause->trigger(); });
+    connect(gamepad, &GamepadControl::exhibitAsked, this, [this](int step) {
         const auto count = static_cast<int>(museum_.subjects().size());
         visit(static_cast<std::size_t>((static_cast<int>(chosen_) + step + count) % count));
     });
-    connect(gamepad_, &GamepadControl::rowAsked, this, [this](int step) {
+    connect(gamepad, &GamepadControl::rowAsked, this, [this](int step) {
         hidePanels(false);
         docks_->showParameters();
         panel().stepRow(step);
     });
-    connect(gamepad_, &GamepadControl::changeAsked, this, [this](int step, bool again) { panel().nudge(step, again); });
+    connect(gamepad, &GamepadControl::changeAsked, this, [this](int step, bool again) { panel().nudge(step, again); });
 }
 
 MainWindow::~MainWindow()
 {
-    // Pictures in the making end while the viewport, its render thread and the message strip are still there.
-    qDeleteAll(findChildren<PreferencesDialog*>());
-    qDeleteAll(findChildren<PrintDialog*>());
-    qDeleteAll(findChildren<JobDialog*>());
-    qDeleteAll(findChildren<RecordDialog*>());
-    qDeleteAll(findChildren<TableExport*>());
-    qDeleteAll(findChildren<PictureExport*>());
-    study().stop();
+    // Exports end while the viewport, its render thread and the message strip are still there.
+    dialogs_->closeAll();
+    docks_->study().stop();
 }
 
 void MainWindow::connectParts()
@@ -196,11 +166,11 @@ void MainWindow::connectParts()
     connect(files_, &FileOpener::documentOpened, this, &MainWindow::visit);
     connect(&docks_->treeFile(), &TreeFile::saved, this, &addRecentFile);
     guard_->setUnsaved([this] { return docks_->treeFile().unsaved(); }, [this] { return docks_->treeFile().save(); });
-    connect(files_, &FileOpener::printFound, this, &MainWindow::openPrintDialog);
+    connect(files_, &FileOpener::printFound, dialogs_, &WindowDialogs::openPrint);
     connect(&docks_->exhibits(), &ExhibitList::chosen, this, &MainWindow::visit);
-    connect(&study(), &StudyDock::failed, this,
+    connect(&docks_->study(), &StudyDock::failed, this,
             [this](const QString& why) { setProblems(QStringLiteral("study"), {why}); });
-    connect(&study(), &StudyDock::finished, this, [this] { setProblems(QStringLiteral("study"), {}); });
+    connect(&docks_->study(), &StudyDock::finished, this, [this] { setProblems(QStringLiteral("study"), {}); });
     panel().setOther(&comparison_->other());
     connect(comparison_, &CompareDesk::ledgerChanged, &docks_->ledger(), &LedgerDock::noteOther);
     connect(messages_, &MessageStrip::said, &docks_->log(), &LogView::add);
@@ -215,34 +185,14 @@ void MainWindow::connectViewport()
         if (const auto* button = capability<HasButton>(subject); button && button->press(next.values[exhibit]))
             history_.change(tr("Press the button of %1").arg(said(subject.title())), next);
     });
-    connect(viewport_, &Viewport::failed, this,
-            [this](const QString& message) { setProblems(QStringLiteral("drawing"), {message}); });
     connect(&viewport_->renderThread(), &RenderThread::failed, this,
             [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
-    connect(viewport_, &Viewport::drawn, this, [this](const render::FrameReport& report, const QSize& pixels) {
-        setProblems(QStringLiteral("drawing"), {});
-        noteFrame(report, pixels);
+    new FrameReporter(*this, *docks_, *status_, this);
+    connect(viewport_, &Viewport::drawn, this, [this] {
+        if (viewport_->schedule().still())
+            QMetaObject::invokeMethod(shelf_, &PresetShelf::keepMissingThumbnail, Qt::QueuedConnection);
     });
     new HeapTrimmer(*viewport_, this);
-}
-
-void MainWindow::noteFrame(const render::FrameReport& report, const QSize& pixels)
-{
-    status_->note(report, pixels, viewport_->reason());
-    docks_->ledger().note(report);
-    panel().showMoment(museum_.motionMoment(history_.sceneState(), shown(), viewport_->shownRequest()));
-    showComplaints(report.skipped);
-    keepThumbnail();
-}
-
-void MainWindow::showComplaints(const std::vector<render::CulledPass>& skipped)
-{
-    for (const render::CulledPass& complaint : complaints_.begun(skipped))
-        if (complaint.unreadable.empty()) docks_->log().add(said(lineOf(complaint)));
-    QStringList unreadable;  // What the strip lists goes into the log, too.
-    for (const render::CulledPass& complaint : skipped)
-        if (complaint.complaint && !complaint.unreadable.empty()) unreadable << said(lineOf(complaint));
-    setProblems(QStringLiteral("files that are drawn"), unreadable);
 }
 
 void MainWindow::say(MessageStrip::Mood mood, const QString& words, const QString& several, const QString& what,
@@ -263,7 +213,7 @@ void MainWindow::choose(std::size_t exhibit)
     docks_->exhibits().choose(exhibit);
     viewport_->setSubject(exhibit);
     docks_->parameters().choose(exhibit);
-    study().setSubject(exhibit);
+    docks_->study().setSubject(exhibit);
     docks_->charts().setSubject(exhibit);
     docks_->setTreeSubject(exhibit);
     comparison_->actions().refreshOffers();
@@ -289,50 +239,12 @@ ParameterPanel& MainWindow::panel() const
     return docks_->parameters().panel();
 }
 
-StudyDock& MainWindow::study() const
-{
-    return docks_->study();
-}
-
-QSize MainWindow::firstSize(const QSize& room)
-{
-    // Title bar and borders, as large as desktops draw them.
-    return QSize(1400, 860).boundedTo(room - QSize(16, 48));
-}
-
 void MainWindow::showTitle()
 {
     const QString use = shelf_->titleOfUse();
     QStringList parts{said(museum_.subject(shown()).title())};
     if (!use.isEmpty()) parts << use;
     setWindowTitle(tr("%1 — Vitrine").arg(parts.join(QStringLiteral(": "))));
-}
-
-void MainWindow::resetEverything()
-{
-    const Subject& subject = museum_.subject(shown());
-    SceneState next = history_.sceneState();
-    next.values[shown()] = subject.parameters().initial();
-    history_.change(tr("Reset %1").arg(said(subject.title())), next);
-}
-
-void MainWindow::keepThumbnail()
-{
-    if (!viewport_->schedule().still()) return;
-    QMetaObject::invokeMethod(shelf_, &PresetShelf::keepMissingThumbnail, Qt::QueuedConnection);
-    if (docks_->exhibits().hasThumbnail(chosen_)) return;
-    const auto posed = chosen_ == hallIndex ? CameraControl::Mode::walk : CameraControl::Mode::orbit;
-    if (viewport_->mode() != posed) return;
-    QMetaObject::invokeMethod(
-        this,
-        [this] {
-            const QImage& picture = viewport_->shown();
-            if (picture.isNull()) return;
-            const QPixmap small = thumbnailOf(picture);
-            docks_->exhibits().setThumbnail(chosen_, small);
-            saveThumbnail(thumbnailPath(museum_.subject(chosen_)), small.toImage());
-        },
-        Qt::QueuedConnection);
 }
 
 void MainWindow::hidePanels(bool hidden)
@@ -373,11 +285,6 @@ void MainWindow::showRow(const QString& name)
     panel().find(said(label(values.rows()[*row])));
 }
 
-void MainWindow::setFullScreen(bool on)
-{
-    setWindowState(on ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
-}
-
 bool MainWindow::event(QEvent* event)
 {
     if (event->type() != QEvent::StatusTip) return QMainWindow::event(event);
@@ -408,98 +315,6 @@ void MainWindow::dropEvent(QDropEvent* event)
     for (const QUrl& url : event->mimeData()->urls())
         if (url.isLocalFile()) files_->open(url.toLocalFile());
     event->acceptProposedAction();
-}
-
-void MainWindow::openScreenshotDialog()
-{
-    auto* dialog = new ScreenshotDialog(*this, this);
-    connect(dialog, &ScreenshotDialog::begun, again_, &ExportAgain::note);
-    dialog->show();
-}
-
-void MainWindow::openPrintDialog(const QString& print)
-{
-    auto* dialog = findChild<PrintDialog*>();
-    if (!dialog) dialog = new PrintDialog(new ShownViews(*this, this), this);
-    dialog->show();
-    dialog->raise();
-    dialog->activateWindow();
-    if (!print.isEmpty()) dialog->open({print});
-}
-
-void MainWindow::openJobDialog(const jobs::Job& job)
-{
-    const std::optional<std::size_t> subject = museum_.find(job.needs().subject);
-    if (!subject) return;  // Its action is not enabled then.
-    JobDialog* dialog = nullptr;
-    for (JobDialog* open : findChildren<JobDialog*>())
-        if (&open->job() == &job) dialog = open;
-    if (!dialog)
-        dialog = new JobDialog(job, {&museum_, history_.sceneState(), *subject, {}}, renderers_,
-                               viewport_->renderThread(), this);
-    dialog->show();
-    dialog->raise();
-    dialog->activateWindow();
-}
-
-void MainWindow::openRecordDialog()
-{
-    auto* dialog = findChild<RecordDialog*>();
-    if (!dialog) dialog = new RecordDialog(*this, *bookmarks_, this);
-    dialog->show();
-    dialog->raise();
-    dialog->activateWindow();
-}
-
-void MainWindow::saveTour()
-{
-    auto* dialog = new QFileDialog(this, tr("Save as a tour"), QStringLiteral("tour.json"), tr("Tours (*.json)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(QStringLiteral("json"));
-    connect(dialog, &QFileDialog::fileSelected, bookmarks_, &Bookmarks::saveAs);
-    dialog->open();
-}
-
-void MainWindow::openPalette()
-{
-    auto* owner = new QObject(this);
-    auto* palette = new CommandPalette(paletteEntries(*this, actions_->all, *owner), this);
-    connect(palette, &QObject::destroyed, owner, &QObject::deleteLater);
-    palette->show();
-}
-
-void MainWindow::openAbout()
-{
-    (new AboutDialog(this))->show();
-}
-
-void MainWindow::openShortcutSheet()
-{
-    (new ShortcutSheet(actions_->all, this))->show();
-}
-
-void MainWindow::openPage(std::size_t subject)
-{
-    openPage(text(museum_.subject(subject).name()));
-}
-
-void MainWindow::openPage(const QString& page)
-{
-    auto* dialog = findChild<PageDialog*>();
-    if (!dialog) {
-        dialog = new PageDialog(this, [this](const QString& name) -> const Parameters* {
-            const auto found = museum_.find(name.toStdString());
-            return found ? &history_.sceneState().values[*found].table() : nullptr;
-        });
-        connect(dialog, &PageDialog::lessonAsked, this, [this](const QString& exhibit) {
-            if (const auto found = museum_.find(exhibit.toStdString())) lessons_->start(*found);
-        });
-    }
-    dialog->showPage(page);
-    dialog->show();
-    dialog->raise();
-    dialog->activateWindow();
 }
 
 }  // namespace vitrine::ui

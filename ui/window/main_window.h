@@ -1,6 +1,5 @@
 #pragma once
 
-#include "render/plan/diagnostics.h"
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
 #include "ui/viewport/renderers.h"
@@ -9,10 +8,6 @@
 
 #include <memory>
 
-namespace vitrine::jobs {
-class Job;
-}
-
 namespace vitrine::ui {
 
 class Bookmarks;
@@ -20,20 +15,23 @@ class CloseGuard;
 class CompareDesk;
 class ExportAgain;
 class FileOpener;
-class GamepadControl;
 class LessonDesk;
 class MessageStrip;
 class ParameterPanel;
 class PresetShelf;
 class SessionKeeper;
 class StatusLine;
-class StudyDock;
 class Viewport;
+class WindowDialogs;
 class WindowDocks;
 class WindowPreferences;
 struct WindowActions;
 
-/// The workbench: the picture in the middle, everything else around it.
+/// Returns the size of a first window on a screen with this much room, without its frame: as large as is useful.
+[[nodiscard]] QSize firstWindowSize(const QSize& room);
+
+/// The workbench, with more than 15 members because it owns each of its parts once. The picture is in the middle,
+/// everything else around it. The window connects its parts, which do the work.
 class MainWindow final : public QMainWindow, public Workbench {
     Q_OBJECT
 
@@ -58,7 +56,6 @@ public:
     /// Nothing but the picture is shown.
     [[nodiscard]] bool bare() const { return bare_; }
     [[nodiscard]] ParameterPanel& panel() const;
-    [[nodiscard]] StudyDock& study() const;
     [[nodiscard]] PresetShelf& shelf() const { return *shelf_; }
     [[nodiscard]] FileOpener& files() const { return *files_; }
     [[nodiscard]] ExportAgain& again() const { return *again_; }
@@ -67,29 +64,10 @@ public:
     [[nodiscard]] Bookmarks& bookmarks() const { return *bookmarks_; }
     [[nodiscard]] LessonDesk& lessons() const { return *lessons_; }
     [[nodiscard]] WindowPreferences& preferences() const { return *preferences_; }
-    [[nodiscard]] GamepadControl& gamepad() const { return *gamepad_; }
+    [[nodiscard]] WindowDialogs& dialogs() const { return *dialogs_; }
 
-    /// Of a first window on a screen with this much room, its frame left out: as large as is useful, never larger.
-    [[nodiscard]] static QSize firstSize(const QSize& room);
-
-    // What the actions do.
     void hidePanels(bool hidden);
     void findParameter();
-    void openAbout();
-    void setFullScreen(bool);
-    void openScreenshotDialog();
-    void openPrintDialog(const QString& print = {});
-    void openJobDialog(const jobs::Job&);
-    void openRecordDialog();
-    /// Asks for a file, and writes the bookmarks to it.
-    void saveTour();
-    void resetEverything();
-    void openPalette();
-    void openShortcutSheet();
-    /// What is behind this subject: its page.
-    void openPage(std::size_t subject);
-    /// Shows the page of this name: an exhibit's, or "syllabus".
-    void openPage(const QString& page);
 
 protected:
     bool event(QEvent*) override;
@@ -104,11 +82,7 @@ private:
     void addLessons();
     void addGamepad();
     void showRow(const QString& name);
-    void showShippedThumbnails();
     void showTitle();
-    void noteFrame(const render::FrameReport&, const QSize& pixels);
-    void showComplaints(const std::vector<render::CulledPass>&);
-    void keepThumbnail();
 
     const Museum& museum_;
     Renderers& renderers_;
@@ -122,12 +96,11 @@ private:
     CompareDesk* comparison_ = nullptr;
     Bookmarks* bookmarks_ = nullptr;
     LessonDesk* lessons_ = nullptr;
-    GamepadControl* gamepad_ = nullptr;
     SessionKeeper* keeper_ = nullptr;
     CloseGuard* guard_ = nullptr;
     ExportAgain* again_ = nullptr;
+    WindowDialogs* dialogs_ = nullptr;
     WindowPreferences* preferences_;
-    render::Diagnostics complaints_;  // Those that are in the log already.
     std::unique_ptr<WindowActions> actions_;
     bool bare_ = false;  // Panels, menu and status line are hidden.
     std::size_t chosen_ = hallIndex;

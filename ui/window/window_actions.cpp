@@ -21,15 +21,18 @@
 #include "ui/tree/tree_file.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/about_dialog.h"
+#include "ui/window/command_palette.h"
 #include "ui/window/copies.h"
 #include "ui/window/export_again.h"
 #include "ui/window/file_opener.h"
 #include "ui/window/focus_areas.h"
 #include "ui/window/main_window.h"
 #include "ui/window/own_objects_menu.h"
+#include "ui/window/palette_entries.h"
 #include "ui/window/recent_files.h"
 #include "ui/window/screenshot.h"
 #include "ui/window/theme_menu.h"
+#include "ui/window/window_dialogs.h"
 #include "ui/window/window_docks.h"
 #include "ui/window/window_preferences.h"
 
@@ -145,6 +148,23 @@ void chooseFile(MainWindow& window)
     dialog->open();
 }
 
+/// Sets the shown exhibit's parameters to their initial values.
+void resetShown(MainWindow& window)
+{
+    const Subject& subject = window.museum().subject(window.shown());
+    SceneState next = window.history().sceneState();
+    next.values[window.shown()] = subject.parameters().initial();
+    window.history().change(tr("Reset %1").arg(said(subject.title())), next);
+}
+
+void openPalette(MainWindow& window, const QList<QAction*>& commands)
+{
+    auto* owner = new QObject(&window);
+    auto* palette = new CommandPalette(paletteEntries(window, commands, *owner), &window);
+    QObject::connect(palette, &QObject::destroyed, owner, &QObject::deleteLater);
+    palette->show();
+}
+
 }  // namespace
 
 WindowActions::WindowActions(MainWindow& window)
@@ -213,7 +233,7 @@ void WindowActions::addFileMenu(Maker& make, MainWindow& window)
              [&window] { copyCommandLine(window); });
     make.add(tr("Export &picture…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E)},
              tr("Saves the picture at any size, as PNG, JPEG, EXR or TIFF."),
-             [&window] { window.openScreenshotDialog(); });
+             [&window] { window.dialogs().openScreenshot(); });
     enableOnly(
         make.add(tr("Export picture a&gain"), {QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_E)},
                  tr("Exports the current view with the settings of the last export, under the next free name."),
@@ -222,14 +242,14 @@ void WindowActions::addFileMenu(Maker& make, MainWindow& window)
         tr("No picture was exported yet; use “Export picture…” first."));
     make.add(tr("Recor&d…"), {QKeySequence(Qt::SHIFT | Qt::Key_F12)},
              tr("Records a video or frames: along bookmarks, around the current target, or as a tour of all exhibits."),
-             [&window] { window.openRecordDialog(); });
+             [&window] { window.dialogs().openRecord(); });
     make.add(tr("Export le&nticular print…"), {QKeySequence(Qt::CTRL | Qt::Key_P)},
              tr("Exports a print for a lenticular sheet from views of the exhibit or your own pictures, or a "
                 "calibration chart."),
-             [&window] { window.openPrintDialog(); });
+             [&window] { window.dialogs().openPrint(); });
     make.add(tr("Export spr&ites…"), {},
              tr("Exports a sprite sheet of an object from all sides, with one palette, normals and depth, for games."),
-             [&window] { window.openJobDialog(*jobs::findJob("sprite")); })
+             [&window] { window.dialogs().openJob(*jobs::findJob("sprite")); })
         ->setEnabled(window.museum().find(jobs::findJob("sprite")->needs().subject).has_value());
     enableOnly(
         make.add(QStringLiteral("export-table"), tr("Export measuremen&ts…"), {},
@@ -273,14 +293,14 @@ void WindowActions::addEditMenu(Maker& make, MainWindow& window)
              tr("Moves the focus to the filter above the parameters."), [&window] { window.findParameter(); });
     make.add(tr("Reset &all parameters"), {},
              tr("Resets all parameters in the panel to their initial values. Can be undone."),
-             [&window] { window.resetEverything(); });
+             [&window] { resetShown(window); });
     make.add(QStringLiteral("vary-at-random"), tr("Randomi&ze parameters"),
              {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_V)},
              tr("Sets all parameters in the panel to random values within their slider ranges, except files, accuracy "
                 "and excluded parameters (see their menus). Can be undone."),
              [&window] { window.panel().vary(); });
     make.add(tr("&Commands…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P)},
-             tr("Finds and runs any command by name."), [&window] { window.openPalette(); });
+             tr("Finds and runs any command by name."), [this, &window] { openPalette(window, all); });
     make.separator();
     make.add(tr("Prefere&nces…"), {QKeySequence(Qt::CTRL | Qt::Key_Comma)},
              tr("Theme, size of type, motion, mouse, what a picture may cost, keys, recent files."),
@@ -349,8 +369,11 @@ void WindowActions::addViewMenu(Maker& make, MainWindow& window)
 
 void WindowActions::addScreenAndClock(Maker& make, MainWindow& window)
 {
-    fullScreen = make.toggle(tr("F&ull screen"), {QKeySequence(Qt::Key_F11)}, tr("Fills the screen."),
-                             [&window](bool on) { window.setFullScreen(on); });
+    fullScreen =
+        make.toggle(tr("F&ull screen"), {QKeySequence(Qt::Key_F11)}, tr("Fills the screen."), [&window](bool on) {
+            window.setWindowState(on ? window.windowState() | Qt::WindowFullScreen
+                                     : window.windowState() & ~Qt::WindowFullScreen);
+        });
     make.submenu(themeMenu(&window, window.preferences().values()));
     make.submenu(
         languageMenu(&window, [&window](const QString& message) { window.say(MessageStrip::Mood::notice, message); }));
@@ -434,7 +457,7 @@ void WindowActions::addBookmarkMenu(Maker& make, MainWindow& window)
     QAction* save = make.add(tr("Save as a &tour…"), {},
                              tr("Writes the bookmarks to a file that `vitrine record` "
                                 "follows."),
-                             [&window] { window.saveTour(); });
+                             [&window] { window.dialogs().saveTour(); });
     QAction* forget = make.add(QStringLiteral("forget-all-bookmarks"), tr("&Delete all bookmarks"), {},
                                tr("Deletes all nine bookmarks."), [&bookmarks] { bookmarks.forgetAll(); });
     for (QAction* action : {save, forget})
@@ -458,9 +481,9 @@ void WindowActions::addHelpMenu(Maker& make, MainWindow& window)
     make.menu(tr("&Help"));
     make.add(QStringLiteral("how-this-works"), tr("About this e&xhibit"), {QKeySequence(Qt::Key_F1)},
              tr("Opens the page about the visited exhibit: its technique, figures, formulas, sources."),
-             [&window] { window.openPage(window.chosen()); });
+             [&window] { window.dialogs().openPage(window.chosen()); });
     make.add(tr("&Keyboard, mouse and gamepad"), {QKeySequence(Qt::Key_Question), QKeySequence(Qt::SHIFT | Qt::Key_F1)},
-             tr("All shortcuts on one page."), [&window] { window.openShortcutSheet(); });
+             tr("All shortcuts on one page."), [this, &window] { (new ShortcutSheet(all, &window))->show(); });
     const QString manual = QString::fromStdString(render::manualFile().string());
     QAction* read = make.add(tr("&Manual"), {},
                              manual.isEmpty() ? tr("This copy of the program has no manual (README.md).")
@@ -468,7 +491,7 @@ void WindowActions::addHelpMenu(Maker& make, MainWindow& window)
                              [manual] { QDesktopServices::openUrl(QUrl::fromLocalFile(manual)); });
     read->setEnabled(!manual.isEmpty());
     make.separator();
-    make.add(tr("&About Vitrine"), {}, tr("Version, libraries, license."), [&window] { window.openAbout(); });
+    make.add(tr("&About Vitrine"), {}, tr("Version, libraries, license."), [&window] { window.dialogs().openAbout(); });
 }
 
 }  // namespace vitrine::ui

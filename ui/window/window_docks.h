@@ -23,7 +23,7 @@ class TreeDock;
 class TreeFile;
 class Workbench;
 
-/// Docks around the picture: makes, places, hides and shows them.
+/// Docks around the picture, with more than 15 members because each dock is one: makes, places, hides and shows them.
 class WindowDocks final : public QObject {
     Q_OBJECT
 

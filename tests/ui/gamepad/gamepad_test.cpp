@@ -5,6 +5,7 @@
 
 #include "ui/gamepad/gamepad_control.h"
 #include "ui/gamepad/stick.h"
+#include "ui/window/window_dialogs.h"
 
 #include <QDialog>
 #include <QFile>
@@ -29,7 +30,7 @@ class GamepadTest : public test::OpenWindow {
 
     std::unique_ptr<test::VirtualPad> pad_;
 
-    [[nodiscard]] GamepadControl& control() { return window_->gamepad(); }
+    [[nodiscard]] GamepadControl& control() { return *window_->findChild<GamepadControl*>(); }
     [[nodiscard]] render::Camera camera() { return window_->history().sceneState().camera; }
     void plugIn()
     {
@@ -246,7 +247,7 @@ private slots:
     {
         plugIn();
         const render::Camera before = camera();
-        window_->openScreenshotDialog();
+        window_->dialogs().openScreenshot();
         QPointer<QWidget> dialog = window_->findChild<QDialog*>();
         QVERIFY(dialog);
         QVERIFY(QTest::qWaitForWindowExposed(dialog, test::patience));

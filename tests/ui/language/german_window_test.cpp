@@ -44,7 +44,9 @@ private:
                 entry.is_regular_file() && saved.open(QIODevice::ReadOnly))
                 bytes += saved.readAll();
         // The file can be loaded in either language.
-        window_->resetEverything();
+        SceneState initial = window_->history().sceneState();
+        initial.values[1] = rows.initial();
+        window_->history().change(QStringLiteral("Reset"), initial);
         if (roughness() == chosen) return {};
         presets()->setCurrentItem(rowsNamed("Rough one").front());
         emit presets()->itemActivated(rowsNamed("Rough one").front());

@@ -10,6 +10,7 @@
 #include "ui/lessons/lesson_desk.h"
 #include "ui/lessons/page_dialog.h"
 #include "ui/window/file_opener.h"
+#include "ui/window/window_dialogs.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -435,7 +436,7 @@ private slots:
             return static_cast<QPushButton*>(nullptr);
         };
         QVERIFY(lesson() && lesson()->isEnabled());
-        window_->openPage(hallIndex);
+        window_->dialogs().openPage(hallIndex);
         QVERIFY(dialog->browser().source().path().endsWith("/hall.html"));
         QVERIFY2(!lesson()->isEnabled(), "the hall has none");
         emit dialog->browser().anchorClicked(QUrl(QStringLiteral("noise.html")));

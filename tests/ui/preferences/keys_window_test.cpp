@@ -68,7 +68,7 @@ private slots:
         QTest::keyClick(window_.get(), Qt::Key_K, Qt::ControlModifier);
         QTRY_VERIFY(window_->findChild<CommandPalette*>());
         window_->findChild<CommandPalette*>()->close();
-        window_->openShortcutSheet();
+        action("Keyboard, mouse and gamepad")->trigger();
         const auto* sheet = window_->findChild<ShortcutSheet*>()->findChild<QTreeWidget*>();
         QVERIFY(!sheet->findItems("Ctrl+K", Qt::MatchExactly).isEmpty());
         QVERIFY(sheet->findItems("Ctrl+Shift+P", Qt::MatchExactly).isEmpty());

@@ -20,7 +20,10 @@
 #include "ui/window/main_window.h"
 #include "ui/window/picture_export.h"
 #include "ui/window/screenshot_dialog.h"
+#include "ui/window/window_dialogs.h"
+#include "ui/window/window_docks.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QDialog>
 #include <QListWidget>
@@ -65,6 +68,8 @@ class MemoryTest : public QObject {
         ++step_;
     }
     void settle() { QTRY_VERIFY(window_->viewport().schedule().still()); }
+    /// Triggers the command of this id.
+    void command(const char* id) { window_->findChild<QAction*>(QLatin1String(id))->trigger(); }
 
     void drag(int moves)
     {
@@ -94,8 +99,8 @@ class MemoryTest : public QObject {
     void openDialogs()
     {
         const std::function<void()> dialogs[] = {
-            [this] { window_->openScreenshotDialog(); }, [this] { window_->openShortcutSheet(); },
-            [this] { window_->openPrintDialog(); }, [this] { window_->openPalette(); }};
+            [this] { window_->dialogs().openScreenshot(); }, [this] { command("keyboard-mouse-and-gamepad"); },
+            [this] { window_->dialogs().openPrint(); }, [this] { command("commands"); }};
         for (const auto& open : dialogs) {
             open();
             draw();
@@ -107,7 +112,7 @@ class MemoryTest : public QObject {
 
     void measure()
     {
-        StudyDock& study = window_->study();
+        StudyDock& study = window_->docks().study();
         study.setEffort({16, 9}, 1);
         QSignalSpy finished(&study, &StudyDock::finished);
         study.ask(exhibit_, *window_->museum().subject(exhibit_).parameters().find("hitTolerance"));

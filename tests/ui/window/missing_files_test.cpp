@@ -17,6 +17,7 @@
 #include "ui/window/main_window.h"
 #include "ui/window/picture_export.h"
 #include "ui/window/screenshot_dialog.h"
+#include "ui/window/window_dialogs.h"
 
 #include <QComboBox>
 #include <QDesktopServices>
@@ -293,7 +294,7 @@ private slots:
         drop(path("sky.png"));
         QTRY_COMPARE(value(0, "environment"), path("sky.png").toStdString());
 
-        window_->openPrintDialog();
+        window_->dialogs().openPrint();
         auto* dialog = window_->findChild<PrintDialog*>();
         panorama.save(path("view1.png"));
         panorama.save(path("view2.png"));
@@ -365,7 +366,7 @@ private slots:
     void exportPictureTakesANewNameAfterEachExportAndEscapeCancelsFirst()
     {
         openWindow();
-        window_->openScreenshotDialog();
+        window_->dialogs().openScreenshot();
         auto* dialog = window_->findChild<ScreenshotDialog*>();
         dialog->setPath(path("look.png"));
         for (QSpinBox* box : dialog->findChildren<QSpinBox*>())

@@ -25,6 +25,8 @@
 #include "ui/window/ledger_view.h"
 #include "ui/window/main_window.h"
 #include "ui/window/picture_export.h"
+#include "ui/window/window_dialogs.h"
+#include "ui/window/window_docks.h"
 
 #include <QApplication>
 #include <QCheckBox>
@@ -166,8 +168,8 @@ private slots:
 
     void aPrintOfWhatIsShownIsRenderedAndCancelLeavesNothing()
     {
-        window_->openPrintDialog();
-        window_->openPrintDialog();
+        window_->dialogs().openPrint();
+        window_->dialogs().openPrint();
         QCOMPARE(window_->findChildren<PrintDialog*>().size(), 1);
         auto* dialog = window_->findChild<PrintDialog*>();
         for (const auto& [row, value] : std::initializer_list<std::pair<const char*, double>>{{"views", 2},
@@ -287,7 +289,7 @@ private slots:
     {
         window_->visit(exhibit_);
         const QImage before = pictureAtRest();
-        StudyDock& study = window_->study();
+        StudyDock& study = window_->docks().study();
         study.setEffort({64, 36}, 2);
         window_->findChild<QDockWidget*>("study")->show();
         QSignalSpy finished(&study, &StudyDock::finished);

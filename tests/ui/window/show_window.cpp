@@ -27,6 +27,7 @@
 #include "ui/viewport/museum_renderers.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
+#include "ui/window/window_dialogs.h"
 #include "ui/window/window_docks.h"
 
 #include <QApplication>
@@ -119,7 +120,7 @@ void showLessons(ui::MainWindow& window, const Museum& museum, const QString& fo
         for (int i = 0; i < 3; ++i) window.lessons().next();
         waitUntilStill(window, 60000);
         window.grab().save(folder + QStringLiteral("/lesson_") + name + ending);
-        window.openPage(each.index);
+        window.dialogs().openPage(each.index);
         auto* page = window.findChild<ui::PageDialog*>();
         page->resize(760, 1400);
         QApplication::processEvents();
@@ -131,7 +132,7 @@ void showLessons(ui::MainWindow& window, const Museum& museum, const QString& fo
 /// Shows the print dialog with views of the exhibit that is visited.
 void showPrintDialog(ui::MainWindow& window, const QString& picture)
 {
-    window.openPrintDialog();
+    window.dialogs().openPrint();
     auto* dialog = window.findChild<ui::PrintDialog*>();
     dialog->setPath(QStringLiteral("/home/visitor/Pictures/lenticular-print.tif"));
     QElapsedTimer passed;
@@ -242,10 +243,10 @@ int main(int argc, char** argv)
             window.visit(1);
             window.findChild<QDockWidget*>(QStringLiteral("study"))->show();
             window.findChild<QDockWidget*>(QStringLiteral("study"))->raise();
-            window.study().setEffort({240, 135}, 3);
+            window.docks().study().setEffort({240, 135}, 3);
             QEventLoop until;
-            QObject::connect(&window.study(), &ui::StudyDock::finished, &until, &QEventLoop::quit);
-            window.study().ask(1, *window.museum().subject(1).parameters().find("hitTolerance"));
+            QObject::connect(&window.docks().study(), &ui::StudyDock::finished, &until, &QEventLoop::quit);
+            window.docks().study().ask(1, *window.museum().subject(1).parameters().find("hitTolerance"));
             until.exec();
             waitUntilStill(window, 60000);
             window.grab().save(folder + QStringLiteral("/study") + ending);

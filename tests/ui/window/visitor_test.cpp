@@ -200,12 +200,12 @@ private slots:
     void theFirstWindowFitsItsScreen()
     {
         for (const QSize screen : {QSize(1280, 720), QSize(1366, 768), QSize(1024, 600)}) {
-            const QSize size = MainWindow::firstSize(screen);
+            const QSize size = firstWindowSize(screen);
             QVERIFY(size.width() <= screen.width() - 8 && size.height() <= screen.height() - 40);
         }
-        QCOMPARE(MainWindow::firstSize({3840, 2160}), QSize(1400, 860));
+        QCOMPARE(firstWindowSize({3840, 2160}), QSize(1400, 860));
         // ... and nothing in the window needs more.
-        QVERIFY2(window_->minimumSizeHint().height() <= MainWindow::firstSize({1280, 720}).height(),
+        QVERIFY2(window_->minimumSizeHint().height() <= firstWindowSize({1280, 720}).height(),
                  qPrintable(QString::number(window_->minimumSizeHint().height())));
         closeWindow();
         gallery_ = std::make_unique<test::PaintedGallery>();
@@ -213,7 +213,7 @@ private slots:
         window_ = std::make_unique<MainWindow>(gallery_->museum(), *gallery_);
         window_->show();
         QVERIFY(QTest::qWaitForWindowExposed(window_.get(), vitrine::test::patience));
-        QCOMPARE(window_->size(), MainWindow::firstSize(window_->screen()->availableSize()));
+        QCOMPARE(window_->size(), firstWindowSize(window_->screen()->availableSize()));
     }
 
     void aLookThatComesBackChoosesItsExhibit()

@@ -1,0 +1,48 @@
+#include "ui/window/frame_reporter.h"
+
+#include "exhibits/museum/museum.h"
+#include "ui/kit/language.h"
+#include "ui/model/history.h"
+#include "ui/model/workbench.h"
+#include "ui/parameters/parameter_panel.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/ledger_dock.h"
+#include "ui/window/log_view.h"
+#include "ui/window/parameter_tabs.h"
+#include "ui/window/status_line.h"
+#include "ui/window/window_docks.h"
+
+namespace vitrine::ui {
+
+FrameReporter::FrameReporter(Workbench& workbench, WindowDocks& docks, StatusLine& status, QObject* parent)
+    : QObject(parent), workbench_(workbench), docks_(docks), status_(status)
+{
+    connect(&workbench.viewport(), &Viewport::drawn, this, &FrameReporter::note);
+    connect(&workbench.viewport(), &Viewport::failed, this,
+            [this](const QString& message) { workbench_.setProblems(QStringLiteral("drawing"), {message}); });
+}
+
+void FrameReporter::note(const render::FrameReport& report, const QSize& pixels)
+{
+    const Viewport& viewport = workbench_.viewport();
+    workbench_.setProblems(QStringLiteral("drawing"), {});
+    status_.note(report, pixels, viewport.reason());
+    docks_.ledger().note(report);
+    docks_.parameters().panel().showMoment(workbench_.museum().motionMoment(
+        workbench_.history().sceneState(), workbench_.shown(), viewport.shownRequest()));
+    showComplaints(report.skipped);
+}
+
+void FrameReporter::showComplaints(const std::vector<render::CulledPass>& skipped)
+{
+    for (const render::CulledPass& complaint : logged_.begun(skipped))
+        if (complaint.unreadable.empty()) docks_.log().add(said(lineOf(complaint)));
+    QStringList unreadable;  // Messages are also written to the log.
+    for (const render::CulledPass& complaint : skipped)
+        if (complaint.complaint && !complaint.unreadable.empty()) unreadable << said(lineOf(complaint));
+    workbench_.setProblems(QStringLiteral("files that are drawn"), unreadable);
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_frame_reporter.cpp"

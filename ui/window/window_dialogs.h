@@ -1,0 +1,54 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+
+#include <cstddef>
+
+class QWidget;
+
+namespace vitrine::jobs {
+class Job;
+}
+
+namespace vitrine::ui {
+
+class Bookmarks;
+class ExportAgain;
+class LessonDesk;
+class Workbench;
+
+/// Opener of the window's dialogs. A dialog that is open already is raised instead of a second one.
+class WindowDialogs final : public QObject {
+    Q_OBJECT
+
+public:
+    /// The window is the parent of all dialogs. `again` notes the exports that the screenshot dialog begins. All must
+    /// outlive this object.
+    WindowDialogs(Workbench&, QWidget& window, Bookmarks&, LessonDesk&, ExportAgain& again);
+
+    void openAbout();
+    void openScreenshot();
+    /// Opens the print dialog, with this print if the path is not empty.
+    void openPrint(const QString& print = {});
+    /// Opens the dialog of a job for the exhibit that the job needs. Does nothing if the museum lacks it.
+    void openJob(const jobs::Job&);
+    void openRecord();
+    /// Asks for a file, and writes the bookmarks to it.
+    void saveTour();
+    /// Opens the page about this subject.
+    void openPage(std::size_t subject);
+    /// Opens the page of this name: that of an exhibit, or "syllabus".
+    void openPage(const QString& page);
+    /// Ends all dialogs and exports that draw. Call before the viewport and its render thread are destroyed.
+    void closeAll();
+
+private:
+    Workbench& workbench_;
+    QWidget& window_;
+    Bookmarks& bookmarks_;
+    LessonDesk& lessons_;
+    ExportAgain& again_;
+};
+
+}  // namespace vitrine::ui
