@@ -10,9 +10,9 @@
 
 namespace vitrine {
 
-/// A scene of SDF shapes from a file, seen through a deep frame. Its tree is compiled to a shader of its own; its
-/// parameters become sliders. Read scene.h first, then shown_scene.h (data derived once per scene) and
-/// shaders/sdf_scenes/scene.frag.
+/// A scene of SDF shapes from a file, seen through a deep frame, with more than 25 public functions because it
+/// implements five capabilities. Its tree is compiled to a shader of its own; its parameters become sliders. Read
+/// scene.h first, then shown_scene.h (data derived once per scene) and shaders/sdf_scenes/scene.frag.
 class SdfScenes final : public Exhibit,
                         public HasButton,
                         public HasSurroundings,
