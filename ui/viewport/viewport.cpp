@@ -2,7 +2,6 @@
 
 #include "exhibits/framework/acting.h"
 #include "exhibits/framework/tree.h"
-#include "exhibits/museum/named_files.h"
 #include "render/failure.h"
 #include "ui/kit/language.h"
 #include "ui/kit/message_of.h"
@@ -27,7 +26,6 @@ namespace {
 
 constexpr QColor emptyRoom(0x26, 0x23, 0x20);  // Color without a picture.
 constexpr double longestTick = 0.5;
-constexpr int lookAtFilesEvery = 1000;  // Milliseconds.
 constexpr int restsAfter = 2000;        // Milliseconds without a changed value.
 constexpr double firstTick = 1.0 / 60;  // Seconds that pass in the first tick after a pause.
 constexpr int hiddenWait = 250;         // Milliseconds between checks whether a hidden viewport is visible again.
@@ -41,14 +39,15 @@ constexpr double longestRegionTick = 5;
 }  // namespace
 
 Viewport::Viewport(const Museum& museum, Renderers& renderers, History& history, QWidget* parent)
-    : QOpenGLWidget(parent), museum_(museum), renderers_(renderers), history_(history), prepared_(museum),
-      hint_(new Overlay(Overlay::Place::bottom, this)), going_(new Overlay(Overlay::Place::top, this)),
-      label_(new Overlay(Overlay::Place::center, this)), problems_(new Overlay(Overlay::Place::topLeft, this)),
+    : QOpenGLWidget(parent), museum_(museum), renderers_(renderers), history_(history), files_(museum, history),
+      prepared_(museum), hint_(new Overlay(Overlay::Place::bottom, this)),
+      going_(new Overlay(Overlay::Place::top, this)), label_(new Overlay(Overlay::Place::center, this)),
+      problems_(new Overlay(Overlay::Place::topLeft, this)),
       reading_(std::make_unique<ReadingNotice>(this,
                                                [this] {
                                                    prepared_.lookAgain();
-                                                   return shown_.isNull() ? std::vector<render::PendingAsset>()
-                                                                          : prepared().pending;
+                                                   return shown().isNull() ? std::vector<render::PendingAsset>()
+                                                                           : prepared().pending;
                                                })),
       input_(std::make_unique<ViewportInput>(*this, control_, [this](const QPointF& at) { return pointedAt(at); }))
 {
@@ -65,7 +64,7 @@ Viewport::Viewport(const Museum& museum, Renderers& renderers, History& history,
         [this](const glm::dvec3& from, const glm::dvec3& to) { return museum_.walk(prepared(), from, to); });
     control_.jumpTo(history.sceneState().camera);
     takeQuality();
-    watchFiles();
+    files_.renew();
     timer_.setSingleShot(true);
     timer_.setTimerType(Qt::PreciseTimer);
     connect(&timer_, &QTimer::timeout, this, &Viewport::tick);
@@ -77,10 +76,7 @@ Viewport::Viewport(const Museum& museum, Renderers& renderers, History& history,
     connect(input_.get(), &ViewportInput::pressAsked, this, &Viewport::press);
     connect(input_.get(), &ViewportInput::actAsked, this, &Viewport::act);
     connect(input_.get(), &ViewportInput::bookmarkAsked, this, &Viewport::bookmarkAsked);
-    fileWatch_.setInterval(lookAtFilesEvery);
-    connect(&fileWatch_, &QTimer::timeout, this, [this] {
-        if (stateOfFiles(museum_.subjects(), history_.sceneState()) == filesDrawn_) return;
-        watchFiles();
+    connect(&files_, &FileWatch::changed, this, [this] {
         sceneStateChanged();
         emit filesChanged();
     });
@@ -125,13 +121,13 @@ void Viewport::paintGL()
     QPainter painter(this);
     painter.setCompositionMode(QPainter::CompositionMode_Source);
     // Until a picture of the new size arrives, the old one is shown at the scale of the next one.
-    const bool old = shown_.size() != devicePixels();
+    const bool old = shown().size() != devicePixels();
     painter.setRenderHint(QPainter::SmoothPixmapTransform, old);
     if (old) painter.fillRect(rect(), emptyRoom);
-    if (shown_.isNull())
+    if (shown().isNull())
         paintOpening(painter);
     else
-        painter.drawImage(old ? pictureIn(shown_.size(), QRectF(rect())) : QRectF(rect()), shown_);
+        painter.drawImage(old ? pictureIn(shown().size(), QRectF(rect())) : QRectF(rect()), shown());
     if (!drawing_ && !timer_.isActive()) timer_.start(0);  // A viewport that was hidden may have to draw.
 }
 
@@ -159,7 +155,7 @@ void Viewport::orderPicture()
     const std::optional<DrawOrder> order = schedule_.next(now());
     if (order && order->sample == 0)
         orderWhole(*order);
-    else if (regionDue_ && now() >= regionRest_ && region_ && schedule_.current() && shown_.size() == devicePixels())
+    else if (regionDue_ && now() >= regionRest_ && region_ && schedule_.current() && shown().size() == devicePixels())
         orderRegion();
     else if (order)
         orderWhole(*order);
@@ -225,16 +221,7 @@ void Viewport::take(const DrawnPicture& picture)
 void Viewport::showDrawn(const DrawnPicture& picture)
 {
     if (!schedule_.improves(picture.order.order)) return;
-    shown_ = picture.image;
-    shownRequest_ = picture.order.request;
-    shownOrder_ = picture.order.order;
-    // A first sample is newer than the region. Later samples show the time of the first one, so the region is drawn
-    // over them.
-    if (picture.order.order.sample == 0)
-        regionImage_ = {};
-    else
-        layRegionOver();
-    ++picturesDrawn_;
+    picture_.show(picture);
 }
 
 void Viewport::takeRegion(const DrawnPicture& picture)
@@ -242,35 +229,15 @@ void Viewport::takeRegion(const DrawnPicture& picture)
     regionRest_ = now() + std::max(restOfRegions * picture.seconds, shortestRest);
     if (!picture.failure.isEmpty()) fail(picture.failure);
     // Ignores a region of another scene state or size.
-    if (picture.image.isNull() || drawnState_ != sceneStateNumber_ || picture.order.screen != shown_.size()) return;
-    regionImage_ = picture.image;
-    regionShown_ = *picture.order.region;
-    layRegionOver();
-    ++regionsDrawn_;
+    if (picture.image.isNull() || drawnState_ != sceneStateNumber_ || picture.order.screen != shown().size()) return;
+    picture_.showRegion(picture);
     emit looked();
     update();
-}
-
-void Viewport::layRegionOver()
-{
-    if (regionImage_.isNull()) return;
-    QPainter painter(&shown_);
-    painter.setCompositionMode(QPainter::CompositionMode_Source);
-    painter.drawImage(QPoint(regionShown_.offset.x, shown_.height() - regionShown_.offset.y - regionShown_.size.y),
-                      regionImage_);
 }
 
 void Viewport::fail(const QString& why)
 {
     if (std::exchange(lastFailure_, why) != why) emit failed(why);
-}
-
-void Viewport::watchFiles()
-{
-    const bool named = namesFiles(museum_.subjects(), history_.sceneState());
-    filesDrawn_ = named ? stateOfFiles(museum_.subjects(), history_.sceneState()) : 0;
-    if (named && !fileWatch_.isActive()) fileWatch_.start();
-    if (!named) fileWatch_.stop();
 }
 
 void Viewport::resizeGL(int, int)
@@ -379,7 +346,7 @@ void Viewport::valuesChanged()
     for (const ParameterValues& values : history_.sceneState().values) acting.push_back(actingValues(values));
     if (acting == acting_) return;
     acting_ = std::move(acting);
-    watchFiles();
+    files_.renew();
     rest_.start(restsAfter);
     motionFrames_ = 0;  // Earlier frames show other values and must not be averaged in.
     sceneStateChanged();
@@ -388,7 +355,7 @@ void Viewport::valuesChanged()
 void Viewport::buildBetter()
 {
     // A hidden viewport skips this.
-    if (!canBeSeen() || shown_.isNull()) return;
+    if (!canBeSeen() || shown().isNull()) return;
     thread_->post([this, sceneState = history_.sceneState(), wanted = request(time_)] {
         renderers_.buildBetter(sceneState, wanted);
         return std::function<void()>();
@@ -434,7 +401,7 @@ QString Viewport::reason() const
 bool Viewport::pictureFinished() const
 {
     const bool whole = pictureQuality(history_.sceneState().hall()).resolutionScale == 1;
-    return whole && !shown_.isNull() && regionImage_.isNull() && schedule_.still() && lastFailure_.isEmpty();
+    return whole && !shown().isNull() && !picture_.hasRegion() && schedule_.still() && lastFailure_.isEmpty();
 }
 
 void Viewport::setPaused(bool paused)
@@ -467,7 +434,7 @@ void Viewport::setRunEverything(bool on)
 void Viewport::setWholePictures(bool on)
 {
     wholePictures_ = on;
-    if (on && !regionImage_.isNull()) sceneStateChanged();  // The region is newer than the rest of the picture.
+    if (on && picture_.hasRegion()) sceneStateChanged();  // The region is newer than the rest of the picture.
     tickSoon();
 }
 
@@ -681,7 +648,7 @@ QString Viewport::spokenText() const
             .arg(text(museum_.subject(subject_).title()))
             .arg(numberLocale().toString(glm::distance(there.camera.eye, there.camera.target), 'f', 1));
     if (lookedAt_) return tr("You walk through the hall. Before you: %1.").arg(QString::fromStdString(lookedAt_->text));
-    const std::optional<Pointed> ahead = shown_.isNull() ? std::nullopt : pointedAt(QPointF(rect().center()));
+    const std::optional<Pointed> ahead = shown().isNull() ? std::nullopt : pointedAt(QPointF(rect().center()));
     return ahead ? tr("You walk through the hall and look at %1.").arg(QString::fromStdString(ahead->name))
                  : tr("You walk through the hall.");
 }

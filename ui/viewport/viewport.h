@@ -4,9 +4,11 @@
 #include "ui/model/history.h"
 #include "ui/viewport/camera_control.h"
 #include "ui/viewport/draw_schedule.h"
+#include "ui/viewport/file_watch.h"
 #include "ui/viewport/prepared_look.h"
 #include "ui/viewport/render_thread.h"
 #include "ui/viewport/renderers.h"
+#include "ui/viewport/shown_picture.h"
 
 #include <QElapsedTimer>
 #include <QOpenGLWidget>
@@ -98,10 +100,10 @@ public:
     /// saves it as shown.
     [[nodiscard]] bool pictureFinished() const;
     /// Picture on the screen, in device pixels; null before the first one.
-    [[nodiscard]] const QImage& shown() const { return shown_; }
+    [[nodiscard]] const QImage& shown() const { return picture_.image(); }
     /// Request of the last whole picture on the screen.
-    [[nodiscard]] const FrameRequest& shownRequest() const { return shownRequest_; }
-    [[nodiscard]] const DrawOrder& shownOrder() const { return shownOrder_; }
+    [[nodiscard]] const FrameRequest& shownRequest() const { return picture_.request(); }
+    [[nodiscard]] const DrawOrder& shownOrder() const { return picture_.order(); }
     /// Number of the present scene state: grows with every change of values, camera or size.
     [[nodiscard]] long long sceneStateNumber() const { return sceneStateNumber_; }
     /// Scene state number of the picture that `drawn` reported last, which may be older.
@@ -115,9 +117,9 @@ public:
     void setCovered(bool);
     [[nodiscard]] bool covered() const { return covered_; }
     /// Number of pictures shown since the start. Tests use it to check that an idle window draws none.
-    [[nodiscard]] long long picturesDrawn() const { return picturesDrawn_; }
+    [[nodiscard]] long long picturesDrawn() const { return picture_.pictures(); }
     /// Number of moving regions shown since the start.
-    [[nodiscard]] long long regionsDrawn() const { return regionsDrawn_; }
+    [[nodiscard]] long long regionsDrawn() const { return picture_.regions(); }
     /// Number of preparations for queries since the start. Tests use it to check that one scene state and time takes
     /// one.
     [[nodiscard]] long long preparations() const { return prepared_.preparations(); }
@@ -178,7 +180,6 @@ private:
     /// Passes the hall's quality values to the schedule.
     void takeQuality();
     void takeRegion(const DrawnPicture&);
-    void layRegionOver();
     /// Returns the prepared scene of the present state and time, cached for queries to the museum.
     [[nodiscard]] const Prepared& prepared() const;
     /// Returns the region in which everything moves, if it is small enough to be drawn alone over a static picture.
@@ -191,7 +192,6 @@ private:
     /// Hides the notice of the destination once the visitor is there.
     void noteArrival();
     void showProblems(const std::vector<render::gl::ShaderProblem>&);
-    void watchFiles();
     /// Begins to build specialized programs for the idle scene state.
     void buildBetter();
     void fail(const QString& why);
@@ -209,9 +209,8 @@ private:
     QElapsedTimer steady_;
     QTimer timer_;
     QTimer shaderPoll_;
-    QTimer fileWatch_;
-    QTimer rest_;                   ///< Runs while values have changed lately.
-    std::uint64_t filesDrawn_ = 0;  // State of the files that the picture shows, to notice changes.
+    FileWatch files_;
+    QTimer rest_;  ///< Runs while values have changed lately.
     double lastTick_ = 0;
     double time_ = 0;         // The exhibits' clock, in seconds.
     bool cut_ = true;         // The camera jumped since the last whole picture, or there was none.
@@ -220,9 +219,7 @@ private:
     bool clockRuns_ = false;  // The time since the last tick counts: something is animated or walks.
     bool paused_ = false;
     bool runEverything_ = false;
-    QImage shown_;  // The last picture, with later regions drawn over it.
-    FrameRequest shownRequest_;
-    DrawOrder shownOrder_;
+    ShownPicture picture_;
     bool wholePictures_ = false;
     bool covered_ = false;
     double pictureTime_ = 0;  // Time that the whole picture shows, on the exhibits' clock.
@@ -230,18 +227,14 @@ private:
     bool drawing_ = false;            // A picture is ordered and has not arrived yet.
     long long sceneStateNumber_ = 0;  // Grows with every visible change.
     long long drawnState_ = 0;        // Scene state number of the last ordered picture.
-    long long picturesDrawn_ = 0;
 
     mutable PreparedLook prepared_;  // Cache of the last preparation.
 
     // Region that moves while the rest of the picture is static.
     std::optional<PictureRegion> region_;
-    QImage regionImage_;         // Newer than the picture; null: nothing has moved since.
-    PictureRegion regionShown_;  // Region that `regionImage_` covers.
     bool regionDue_ = false;
     bool regionMoved_ = false;  // Something moved at the last tick.
     double regionRest_ = 0;     // Earliest time of the next region, in seconds of the steady clock.
-    long long regionsDrawn_ = 0;
 
     QString lastFailure_;
     std::vector<ParameterValues> acting_;  // Effective values of the last drawn scene state.
