@@ -155,18 +155,18 @@ bool sameButForTheEnds(Motion a, const Motion& b)
 }
 
 /// Values of a setting that contains the row, and the index of the row there.
-struct Owner {
+struct AnimatedParameter {
     const ParameterValues* values;
     std::size_t row;
 };
 
 /// Returns the interpolated motion of a row. `nearest` is the motion with the largest weight; returned unchanged if the
 /// motions differ in more than their ends.
-Motion morphedMotion(const ParameterInfo& info, const Motion& nearest, const std::vector<Owner>& owners,
+Motion morphedMotion(const ParameterInfo& info, const Motion& nearest, const std::vector<AnimatedParameter>& owners,
                      std::span<const double> weights)
 {
     std::vector<Value> from, to;
-    for (const Owner& owner : owners) {
+    for (const AnimatedParameter& owner : owners) {
         const Motion* motion = owner.values->motion(owner.row);
         if (!motion || !sameButForTheEnds(*motion, nearest)) return nearest;
         from.push_back(motion->from);
@@ -220,7 +220,7 @@ ParameterValues morphed(std::span<const WeightedValues> settings)
     ParameterValues result = nearest;
     for (std::size_t i = 0; i < result.rows().size(); ++i) {
         const ParameterInfo& row = result.rows()[i];
-        std::vector<Owner> owners;
+        std::vector<AnimatedParameter> owners;
         std::vector<Value> values;
         weights.clear();
         double whole = 0;
