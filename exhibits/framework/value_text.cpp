@@ -22,7 +22,7 @@ std::string lower(std::string_view text)
     return out;
 }
 
-std::string_view trimmed(std::string_view text)
+std::string_view withoutBlanks(std::string_view text)
 {
     return render::trimmed(text, " \t");
 }
@@ -132,7 +132,7 @@ std::string formatThree(const glm::dvec3& v)
 std::optional<Value> parseValue(const ParameterInfo& row, std::string_view text)
 {
     if (row.isWritten()) return std::string(text);
-    text = trimmed(text);
+    text = withoutBlanks(text);
     switch (row.kind) {
     case Kind::toggle: return parseToggle(text);
     case Kind::choice: return parseChoice(row, text);
