@@ -43,7 +43,7 @@ int checkLesson(const std::string& file, const NamedValues& tables)
         for (const std::string& note : lesson.notes) std::printf("  %s\n", note.c_str());
         return lesson.notes.empty() ? 0 : static_cast<int>(Blame::check);
     } catch (const Failure& failure) {
-        say(failure.what());
+        say(failure);
         return static_cast<int>(blame);
     }
 }

@@ -139,7 +139,7 @@ int main(int argc, char** argv)
     try {
         return parseAndRun(argc, argv);
     } catch (const vitrine::Failure& failure) {
-        vitrine::app::say(failure.what());
+        vitrine::app::say(failure);
         return failure.exitCode();
     } catch (const std::bad_alloc&) {
         vitrine::app::say(vitrine::app::noMemory);

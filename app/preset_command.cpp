@@ -52,7 +52,7 @@ int check(const std::string& file, const NamedValues& tables)
         for (const std::string& note : notes) std::printf("  %s\n", note.c_str());
         return 0;
     } catch (const Failure& failure) {
-        say(failure.what());
+        say(failure);
         return static_cast<int>(blame);
     }
 }

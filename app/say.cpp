@@ -1,5 +1,6 @@
 #include "app/say.h"
 
+#include "render/failure.h"
 #include "ui/kit/language.h"
 
 #include <unistd.h>
@@ -28,6 +29,15 @@ void say(std::string_view sentence) noexcept
         put("vitrine: " + ui::saidInLocale(sentence) + '\n');
     } catch (const std::exception&) {
         sayInEnglish(sentence);
+    }
+}
+
+void say(const Failure& failure) noexcept
+{
+    try {
+        put("vitrine: " + ui::saidInLocale(failure.message()) + '\n');
+    } catch (const std::exception&) {
+        sayInEnglish(failure.what());
     }
 }
 

@@ -1,7 +1,10 @@
 #pragma once
 
+#include "render/text/message.h"
+
+#include <memory>
 #include <stdexcept>
-#include <string>
+#include <utility>
 
 namespace vitrine {
 
@@ -14,13 +17,19 @@ enum class Blame : int { check = 1, usage = 2, openGl = 3, shader = 4, file = 5 
 /// next. A function that throws it leaves everything as it was.
 class Failure : public std::runtime_error {
 public:
-    Failure(Blame blame, const std::string& message) : std::runtime_error(message), blame_(blame) {}
+    Failure(Blame blame, Message message)
+        : std::runtime_error(message.english()), blame_(blame),
+          message_(std::make_shared<const Message>(std::move(message)))
+    {
+    }
 
     [[nodiscard]] Blame blame() const { return blame_; }
+    [[nodiscard]] const Message& message() const { return *message_; }
     [[nodiscard]] int exitCode() const { return static_cast<int>(blame_); }
 
 private:
     Blame blame_;
+    std::shared_ptr<const Message> message_;  ///< Shared, because copying an exception must not fail.
 };
 
 }  // namespace vitrine

@@ -1,4 +1,5 @@
-"""The texts of C++ files: what `tr` is given, and the sentences that are put together of literals and values."""
+"""The texts of C++ files: what `tr` and `message` are given, and the sentences that are put together of literals and
+values."""
 
 import re
 
@@ -98,6 +99,13 @@ def translated_calls(all_tokens):
         if all_tokens[at + 1].text == ',' and all_tokens[at + 2].kind == 'text' and all_tokens[at + 2].text:
             comment = all_tokens[at + 2].text
         yield text, comment, '%n' in text, t.line
+
+
+def messages(all_tokens):
+    """(text, line) of every message("...")."""
+    for i, t in enumerate(all_tokens[:-2]):
+        if t.kind == 'name' and t.text == 'message' and all_tokens[i + 1].text == '(' and all_tokens[i + 2].kind == 'text':
+            yield all_tokens[i + 2].text, t.line
 
 
 ENDS = {',', ';', '=', '?', ':', '+=', '<<', '>>', '&&', '||', '==', '!=', '<', '>', '<=', '>=', '(', '[', '{', ')', ']',

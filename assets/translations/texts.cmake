@@ -3,8 +3,8 @@
 string(ASCII 1 mark)
 file(READ ${TS} all)
 string(REPLACE ";" "${mark}" all "${all}")  # Of a list of CMake it would be the end of an item.
-string(REGEX MATCHALL "<message>[ \n]*<source>[^\n]*</source>" found "${all}")
-string(REGEX REPLACE "<message>[ \n]*<source>" "" found "${found}")
+string(REGEX MATCHALL "<message>[ \n]*(<location[^>]*>[ \n]*)*<source>[^\n]*</source>" found "${all}")
+string(REGEX REPLACE "<message>[ \n]*(<location[^>]*>[ \n]*)*<source>" "" found "${found}")
 string(REGEX REPLACE "</source>(;|$)" "\n" found "${found}")
 string(REPLACE "${mark}" ";" found "${found}")
 file(WRITE ${OUTPUT} "${found}")

@@ -11,7 +11,7 @@ import tempfile
 import xml.etree.ElementTree as ElementTree
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from cpp_texts import sentences, tokens, translated_calls  # noqa: E402
+from cpp_texts import messages, sentences, tokens, translated_calls  # noqa: E402
 
 TS = 'assets/translations/vitrine_de.ts'
 PROGRAM = os.environ.get('VITRINE_PROGRAM', 'build/release/vitrine')
@@ -22,11 +22,16 @@ NO_TEXT = re.compile(r'[;{}]\s*\n|\bvec[234]\b|\bfloat \w|^\s*#|</?\w+>|\bvoid \
 # Files of which nothing is shown to people in the window or as an error, or only in English by purpose.
 NOT_SHOWN = re.compile(r'/stability/|stability_|doctor_command|html_text|_page\.cpp|serve/(?!listener)|report|embed|'
                        r'image/oiio/(?!guarded|read|row|write)|shell_word|chart_font|_glsl\.cpp|'
-                       r'install|framework/derive|museum/render_command|coat_mesh|card_mesh|png_chunks|table_json|ledger_json')
+                       r'install|framework/derive|museum/render_command|coat_mesh|card_mesh|png_chunks|table_json|ledger_json|text/message\.h')
+# Rooms in which every text for people is made by message(): no sentence is looked for there, and none may be left.
+CONVERTED = ('render/files/', 'render/gl/', 'render/scene/')
+# What looks like a sentence in them and is shown to nobody: keys, names, messages of asserts.
+UNSHOWN = {'framebuffers made', 'constant buffers', 'the picture was abandoned', 'unknown error',
+           '{1} (better)'}
 # Callees whose argument is no text for people.
 SILENT = {'shader', 'at', 'value', 'find', 'contains', 'define', 'getenv', 'uniform', 'is_member_of', 'compare', 'starts_with',
           'ends_with', 'add_option', 'add_flag', 'add_subcommand', 'add_option_function', 'add_flag_function', 'type_name',
-          'option_text', 'assert', 'addArgument', 'printf', 'add_flag_callback', 'group', 'description', 'footer', 'logic_error'}
+          'option_text', 'assert', 'message', 'addArgument', 'printf', 'add_flag_callback', 'group', 'description', 'footer', 'logic_error'}
 WORD = re.compile(r'[A-Za-z]{2,}')
 
 
@@ -67,7 +72,7 @@ def cpp_files(*folders):
 
 
 class Texts:
-    """All texts in the order in which they were found: (English, disambiguation) -> plural."""
+    """All texts in the order in which they were found: (English, disambiguation) -> plural, and the files of each."""
 
     def __init__(self):
         self.all = {}
@@ -77,7 +82,28 @@ class Texts:
         key = (text, comment)
         if text.strip():
             self.all[key] = self.all.get(key, False) or plural
-            self.where.setdefault(key, where)
+            files = self.where.setdefault(key, [])
+            if where not in files:
+                files.append(where)
+
+
+def message_texts(texts):
+    """What message() is given, where it is made."""
+    for name, source in cpp_files('render', 'exhibits', 'app', 'ui'):
+        for text, _ in messages(tokens(source)):
+            if re.search(r'[A-Za-z]', re.sub(r'\{\d\}', '', text)):
+                texts.add(text, name)
+
+
+def unmarked():
+    """Sentences of the converted rooms that message() does not make: "file: text"."""
+    found = []
+    for name, source in cpp_files(*[room.rstrip('/') for room in CONVERTED]):
+        for text, line, before in sentences(tokens(source)):
+            callee = before[-2] if len(before) > 1 and before[-1] == '(' else ''
+            if callee not in SILENT and is_sentence(text) and text not in UNSHOWN:
+                found.append('%s:%d: %s' % (name, line, text))
+    return found
 
 
 def window_texts(texts):
@@ -88,7 +114,7 @@ def window_texts(texts):
 
 def engine_texts(texts):
     for name, source in cpp_files('render', 'exhibits', 'app', 'ui'):
-        if NOT_SHOWN.search(name):
+        if NOT_SHOWN.search(name) or name.startswith(CONVERTED):
             continue
         command = name.startswith('app/')
         for text, _, before in sentences(tokens(source)):
@@ -195,10 +221,11 @@ def ts_text(texts, known):
             forms = [forms[0], forms[0]]
         done = all(forms)
         lines.append('    <message numerus="yes">' if plural else '    <message>')
+        lines += ['        <location filename="%s"/>' % where for where in texts.where[(text, comment)] if '/' in where]
         lines.append('        <source>%s</source>' % escaped(text))
         if comment:
             lines.append('        <comment>%s</comment>' % escaped(comment))
-        if texts.where[(text, comment)] == 'tables':
+        if 'tables' in texts.where[(text, comment)]:
             lines.append('        <extracomment>tables</extracomment>')
         mark = '' if done else ' type="unfinished"'
         if plural:
@@ -249,6 +276,21 @@ def read_translations(names, texts, known):
                     print('%s:%d: not in the source: %s' % (name, number, parts[0]), file=sys.stderr)
 
 
+def wrong_messages(known):
+    """Messages whose German lacks a placeholder or holds English words."""
+    texts, wrong = Texts(), []
+    message_texts(texts)
+    places = re.compile(r'\{=?(\d)\}')
+    english = re.compile(r'\b(the|of|is|are|with|from|and|for|this|that|it|its|which|by|or|when|not|has|there)\b')
+    for text, comment in texts.all:
+        for german in known.get((text, comment), []):
+            if set(places.findall(german)) != set(places.findall(text)):
+                wrong.append('other placeholders: %s = %s' % (text, german))
+            if english.search(german):
+                wrong.append('English words: %s = %s' % (text, german))
+    return wrong
+
+
 def main(arguments):
     known, where = read_ts()
     texts = Texts()
@@ -256,6 +298,7 @@ def main(arguments):
     exhibit_texts(texts)
     table_texts(texts, where)
     preset_texts(texts)
+    message_texts(texts)
     engine_texts(texts)
     check = arguments == ['--check']
     read_translations([] if check else arguments, texts, known)
@@ -265,10 +308,15 @@ def main(arguments):
         lacking += [text for text in found_by_lupdate() if not any(key[0] == text for key in known)]
         for text in lacking:
             print('no translation: ' + text.replace('\n', '\\n'))
-        return 1 if lacking else 0
+        wrong = wrong_messages(known)
+        for line in wrong + unmarked():
+            print(line)
+        return 1 if lacking or wrong or unmarked() else 0
     with open(TS, 'w', encoding='utf-8') as file:
         file.write(made)
-    open_texts = [(where, key[0]) for key, where in texts.where.items() if not all(known.get(key, ['']))]
+    for line in unmarked():
+        print(line)
+    open_texts = [(where[0], key[0]) for key, where in texts.where.items() if not all(known.get(key, ['']))]
     for where, text in sorted(open_texts):
         print('%s\t%s' % (where, text.replace('\n', '\\n')))
     print('%d texts, %d to be translated' % (len(texts.all), len(open_texts)), file=sys.stderr)

@@ -21,7 +21,7 @@ struct PlanContext;
 /// Parameters that the files in the values add, or the reason why there are none.
 struct CalledTable {
     std::shared_ptr<const Parameters> table = {};  ///< Null: the values keep their parameters.
-    std::string why = {};  ///< A full sentence if a file cannot be read (`unreadableFile`); else empty.
+    Message why = {};  ///< A full sentence if a file cannot be read (`unreadableFile`); else empty.
 };
 
 // Optional capabilities of exhibits. An exhibit derives from Exhibit and from the class of each capability that it has.

@@ -24,8 +24,8 @@ void moveFile(const fs::path& from, const fs::path& to)
         fs::remove(from, error);
     }
     if (error)
-        throw Failure(Blame::file, "Cannot move " + from.string() + " to " + to.string() + ": " + error.message() +
-                                       "; check your permissions.");
+        throw Failure(Blame::file,
+                      message("Cannot move {1} to {2}: {3}; check your permissions.", from, to, error.message()));
 }
 
 }  // namespace

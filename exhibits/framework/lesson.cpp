@@ -45,9 +45,9 @@ std::string_view trimmed(std::string_view s)
     return render::trimmed(s, " \t\r\n");
 }
 
-Failure failureAt(const std::string& file, int line, const std::string& problem)
+Failure failureAt(const std::string& file, int line, const Message& problem)
 {
-    return {Blame::file, file + ", line " + std::to_string(line) + ": " + problem};
+    return {Blame::file, message("{1}, line {2}: {3}", file, line, problem)};
 }
 
 /// Splits the file at its headings.
@@ -61,8 +61,8 @@ public:
             take(std::string_view(text).substr(at, end - at));
             at = end + 1;
         }
-        if (inBlock_) throw failureAt(file_, blockLine_, "this block is not closed; end it with ```.");
-        if (parts.empty()) throw failureAt(file_, 1, "a lesson begins with its title; write \"# Title\".");
+        if (inBlock_) throw failureAt(file_, blockLine_, message("this block is not closed; end it with ```."));
+        if (parts.empty()) throw failureAt(file_, 1, message("a lesson begins with its title; write \"# Title\"."));
     }
 
     std::vector<Part> parts;
@@ -83,7 +83,8 @@ private:
         } else if (plain.starts_with("### ")) {
             section(trimmed(plain.substr(4)));
         } else if (parts.empty()) {
-            if (!plain.empty()) throw failureAt(file_, line_, "a lesson begins with its title; write \"# Title\".");
+            if (!plain.empty())
+                throw failureAt(file_, line_, message("a lesson begins with its title; write \"# Title\"."));
         } else {
             Part& part = parts.back();
             ((part.sections.empty() ? part.text : part.sections.back().text) += trimmed(line)) += '\n';
@@ -110,10 +111,11 @@ private:
     }
     void begin(std::string_view fence)
     {
-        if (fence != "```json") throw failureAt(file_, line_, "only blocks of JSON are read; begin it with ```json.");
-        if (parts.empty()) throw failureAt(file_, line_, "a lesson begins with its title; write \"# Title\".");
+        if (fence != "```json")
+            throw failureAt(file_, line_, message("only blocks of JSON are read; begin it with ```json."));
+        if (parts.empty()) throw failureAt(file_, line_, message("a lesson begins with its title; write \"# Title\"."));
         if (parts.back().hasBlock)
-            throw failureAt(file_, line_, "there is a block under this heading already; put both into one.");
+            throw failureAt(file_, line_, message("there is a block under this heading already; put both into one."));
         parts.back().hasBlock = inBlock_ = true;
         parts.back().block.assign(static_cast<std::size_t>(line_), '\n');
         blockLine_ = line_;
@@ -123,8 +125,8 @@ private:
         const bool title = line.starts_with("# ");
         if (title != parts.empty())
             throw failureAt(file_, line_,
-                            title ? "a lesson has one title; write \"## \" for a step."
-                                  : "a lesson begins with its title; write \"# Title\".");
+                            title ? message("a lesson has one title; write \"## \" for a step.")
+                                  : message("a lesson begins with its title; write \"# Title\"."));
         parts.push_back({std::string(trimmed(line.substr(title ? 2 : 3))), {}, {}, {}, line_, false});
     }
 
@@ -152,12 +154,12 @@ const ParameterInfo* rowNamed(std::string_view name, std::string_view exhibit, c
     return row ? &values->rows()[*row] : nullptr;
 }
 
-std::string noSuchRow(std::string_view name, std::string_view exhibit)
+Message noSuchRow(std::string_view name, std::string_view exhibit)
 {
     const bool ofHall = name.starts_with("hall.");
     const std::string subject(ofHall ? "hall" : exhibit);
-    return "there is no parameter \"" + std::string(ofHall ? name.substr(5) : name) + "\"; `vitrine list --manual " +
-           subject + "` names those of " + subject + ".";
+    return message("there is no parameter \"{1}\"; `vitrine list --manual {2}` names those of {3}.",
+                   ofHall ? name.substr(5) : name, subject, subject);
 }
 
 /// Parser for the parts of a lesson file.
@@ -172,20 +174,20 @@ public:
     {
         if (!part.hasBlock)
             throw failureAt(file_, part.line,
-                            "the block that says whose lesson this is is missing; write ```json, {\"format\": "
-                            "\"vitrine-lesson\", \"version\": 1, \"exhibit\": ...} and ``` below the title.");
+                            message("the block that says whose lesson this is is missing; write ```json, {\"format\": "
+                                    "\"vitrine-lesson\", \"version\": 1, \"exhibit\": ...} and ``` below the title."));
         const JsonDocument document = object(part, {"format", "version", "exhibit"});
         const Json& root = document.root();
         if (root.value("format", Json()) != "vitrine-lesson")
-            throw document.failure("format", "this is not a lesson; write \"vitrine-lesson\".");
+            throw document.failure("format", message("this is not a lesson; write \"vitrine-lesson\"."));
         const Json version = root.value("version", Json());
         if (!version.is_number_integer() || version < 1)
-            throw document.failure("version", "this must be " + std::to_string(lessonVersion) + "; correct it there.");
+            throw document.failure("version", message("this must be {1}; correct it there.", lessonVersion));
         if (version > lessonVersion)
-            throw document.failure("version", "this lesson is of a newer Vitrine; update the program.");
+            throw document.failure("version", message("this lesson is of a newer Vitrine; update the program."));
         const Json exhibit = root.value("exhibit", Json());
         if (!exhibit.is_string() || exhibit == "hall" || !tableOf(tables_, exhibit.get<std::string>()))
-            throw document.failure("exhibit", "there is no exhibit of that name; `vitrine list` names them.");
+            throw document.failure("exhibit", message("there is no exhibit of that name; `vitrine list` names them."));
         lesson_.exhibit = exhibit.get<std::string>();
         lesson_.title = part.title;
         lesson_.intro = textOf(part.text, part.line, mostLessonLetters);
@@ -194,8 +196,9 @@ public:
     void step(const Part& part)
     {
         if (!part.hasBlock)
-            throw failureAt(file_, part.line,
-                            "this step has no preset; write ```json, {\"values\": {}} and ``` below its text.");
+            throw failureAt(
+                file_, part.line,
+                message("this step has no preset; write ```json, {\"values\": {}} and ``` below its text."));
         const JsonDocument document = object(part, {"values", "hall", "camera", "read"});
         LessonStep step{.title = part.title,
                         .text = textOf(part.text, part.line, mostLessonLetters),
@@ -229,11 +232,12 @@ private:
     [[nodiscard]] JsonDocument object(const Part& part, const std::vector<std::string_view>& known) const
     {
         JsonDocument document = render::parseJson(part.block, file_, blockLimits);
-        if (!document.root().is_object()) throw failureAt(file_, part.line, "its block must be an object: {...}.");
+        if (!document.root().is_object())
+            throw failureAt(file_, part.line, message("its block must be an object: {...}."));
         for (const auto& [key, value] : document.root().items()) {
             if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-            throw document.failure(key,
-                                   "this key is not known here; remove it, or write one of " + joined(known) + ".");
+            throw document.failure(
+                key, message("this key is not known here; remove it, or write one of {1}.", joined(known)));
         }
         return document;
     }
@@ -270,7 +274,8 @@ private:
             const std::size_t name = at + rowMark.size(), end = text.find(']', name);
             const std::string row = text.substr(name, end == std::string::npos ? end : end - name);
             if (end == std::string::npos || !rowNamed(row, lesson_.exhibit, tables_))
-                throw failureAt(file_, line, "in the text below this heading " + noSuchRow(row, lesson_.exhibit));
+                throw failureAt(file_, line,
+                                message("in the text below this heading {1}", noSuchRow(row, lesson_.exhibit)));
         }
         return text;
     }
@@ -280,7 +285,7 @@ private:
         std::vector<std::pair<std::string, Json>> entries;
         if (!document.root().contains(key)) return entries;
         const Json& values = document.root()[key];
-        if (!values.is_object()) throw document.failure(key, "this must be an object; correct it there.");
+        if (!values.is_object()) throw document.failure(key, message("this must be an object; correct it there."));
         for (const auto& [name, value] : values.items()) entries.emplace_back(name, value);
         return entries;
     }
@@ -319,7 +324,7 @@ private:
         const Json& camera = document.root()["camera"];
         step.bestView = camera == "best";
         if (camera.is_string() && !step.bestView)
-            throw document.failure("camera", "this must be \"best\", or an object with eye, target and fov.");
+            throw document.failure("camera", message("this must be \"best\", or an object with eye, target and fov."));
         if (!step.bestView) step.camera = cameraFromJson(camera, place(document, "camera"), lesson_.notes);
     }
 
@@ -331,7 +336,7 @@ private:
         if (read.starts_with("counter:") && isRowName(read.substr(8)))
             return {LessonNumber::Of::counter, read.substr(8)};
         if (!read.starts_with("row:"))
-            throw document.failure("read", "write \"milliseconds\", \"row:NAME\" or \"counter:NAME\" here.");
+            throw document.failure("read", message("write \"milliseconds\", \"row:NAME\" or \"counter:NAME\" here."));
         (void)rowAt(read.substr(4), document, "read");
         return {LessonNumber::Of::row, read.substr(4)};
     }
@@ -346,17 +351,18 @@ private:
 Lesson parseLesson(const std::string& text, const std::string& fileName, const NamedValues& tables)
 {
     if (const auto zero = render::zeroByteIn(text))
-        throw failureAt(fileName, zero->line, std::string(render::zeroByteProblem) + '.');
+        throw failureAt(fileName, zero->line, message("{1}.", render::zeroByteProblem()));
     const Cutter cut(text, fileName);
     Lesson lesson;
     Reader reader(fileName, tables, lesson);
     reader.head(cut.parts.front());
     for (std::size_t i = 1; i < cut.parts.size(); ++i) reader.step(cut.parts[i]);
     if (lesson.steps.empty())
-        throw failureAt(fileName, cut.parts.front().line, "there is no step in it; write \"## Title\" for each.");
+        throw failureAt(fileName, cut.parts.front().line,
+                        message("there is no step in it; write \"## Title\" for each."));
     if (lesson.steps.size() > mostLessonSteps)
         throw failureAt(fileName, lesson.steps[mostLessonSteps].line,
-                        "a lesson has at most " + std::to_string(mostLessonSteps) + " steps; make two of it.");
+                        message("a lesson has at most {1} steps; make two of it.", mostLessonSteps));
     return lesson;
 }
 

@@ -28,14 +28,14 @@ constexpr std::array<NamedChannel, 3> namedChannels{
 double wholeNumber(const Json& json, const JsonPlace& place, double low, double high)
 {
     if (!json.is_number_integer() || json.get<double>() < low || json.get<double>() > high)
-        throw place.failure("this must be a whole number from " + std::to_string(static_cast<std::int64_t>(low)) +
-                            " to " + std::to_string(static_cast<std::int64_t>(high)) + "; correct it there.");
+        throw place.failure(message("this must be a whole number from {1} to {2}; correct it there.",
+                                    static_cast<std::int64_t>(low), static_cast<std::int64_t>(high)));
     return json.get<double>();
 }
 
 bool truth(const Json& json, const JsonPlace& place)
 {
-    if (!json.is_boolean()) throw place.failure("this must be true or false; correct it there.");
+    if (!json.is_boolean()) throw place.failure(message("this must be true or false; correct it there."));
     return json.get<bool>();
 }
 
@@ -47,7 +47,7 @@ bool isNumbers(const Json& json, std::size_t count)
 
 glm::ivec2 sizeFrom(const Json& json, const JsonPlace& place)
 {
-    if (!isNumbers(json, 2)) throw place.failure("this must be an array of two numbers; correct it there.");
+    if (!isNumbers(json, 2)) throw place.failure(message("this must be an array of two numbers; correct it there."));
     return {static_cast<int>(wholeNumber(json[0], place, 1, mostPixelsOnASide)),
             static_cast<int>(wholeNumber(json[1], place, 1, mostPixelsOnASide))};
 }
@@ -65,23 +65,24 @@ glm::dmat4 transformFrom(const Json& json, const JsonPlace& place)
     glm::dmat4 m(1);
     const bool good = json.is_array() && json.size() == 3 &&
                       std::all_of(json.begin(), json.end(), [](const Json& row) { return isNumbers(row, 3); });
-    if (!good) throw place.failure("this must be three arrays of three numbers; correct it there.");
+    if (!good) throw place.failure(message("this must be three arrays of three numbers; correct it there."));
     for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 3; ++column)
             m[column][row] = json[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)].get<double>();
     const double volume = std::abs(glm::determinant(m));
     if (!(volume > 0) || !std::isfinite(volume))
-        throw place.failure("this matrix leaves nothing to draw; correct it there.");
+        throw place.failure(message("this matrix leaves nothing to draw; correct it there."));
     return m;
 }
 
 void readChannels(const Json& json, const JsonPlace& place, PictureRecord& record)
 {
-    if (!json.is_array()) throw place.failure("this must be an array of names; correct it there.");
+    if (!json.is_array()) throw place.failure(message("this must be an array of names; correct it there."));
     for (const Json& name : json) {
         const auto* known = std::find_if(namedChannels.begin(), namedChannels.end(),
                                          [&](const NamedChannel& channel) { return name == channel.name; });
-        if (known == namedChannels.end()) throw place.failure("give depth, normal or evaluations; correct it there.");
+        if (known == namedChannels.end())
+            throw place.failure(message("give depth, normal or evaluations; correct it there."));
         known->of(record) = true;
     }
 }
@@ -115,7 +116,7 @@ Json jsonFromPictureRecord(const PictureRecord& record)
 
 PictureRecord pictureRecordFromJson(const Json& json, const JsonPlace& place, std::vector<std::string>& notes)
 {
-    if (!json.is_object()) throw place.failure("this must be an object; correct it there.");
+    if (!json.is_object()) throw place.failure(message("this must be an object; correct it there."));
     PictureRecord record;
     const auto read = [&](const char* key, const auto& take) {
         if (json.contains(key)) take(json[key], place.inside(key));
@@ -125,7 +126,7 @@ PictureRecord pictureRecordFromJson(const Json& json, const JsonPlace& place, st
     read("samples",
          [&](const Json& x, At at) { record.samples = static_cast<int>(wholeNumber(x, at, 1, mostSamplesPerPixel)); });
     read("time", [&](const Json& x, At at) {
-        if (!x.is_number()) throw at.failure("this must be a number of seconds; correct it there.");
+        if (!x.is_number()) throw at.failure(message("this must be a number of seconds; correct it there."));
         record.time = x.get<double>();
     });
     read("seed", [&](const Json& x, At at) {
@@ -137,7 +138,7 @@ PictureRecord pictureRecordFromJson(const Json& json, const JsonPlace& place, st
     read("transform", [&](const Json& x, At at) { record.exhibitTransform = transformFrom(x, at); });
     read("camera", [&](const Json& x, At at) { record.camera = cameraFromJson(x, at, notes); });
     read("language", [&](const Json& x, At at) {
-        if (!x.is_string()) throw at.failure("this must be the code of a language; correct it there.");
+        if (!x.is_string()) throw at.failure(message("this must be the code of a language; correct it there."));
         record.language = x.get<std::string>();
     });
     for (const auto& [key, value] : json.items())

@@ -2,6 +2,7 @@
 
 #include "exhibits/framework/parameters.h"
 #include "render/files/asset_store.h"
+#include "render/text/message.h"
 
 #include <cstdint>
 #include <limits>
@@ -12,9 +13,9 @@ namespace vitrine {
 
 /// A required file that cannot be read.
 struct UnreadableFile {
-    std::string step;     ///< Name in the frame report: "hall/model".
-    std::string why;      ///< A full sentence: which parameter names which file, and what is wrong with it.
-    std::string instead;  ///< A full sentence: what is drawn in its place.
+    std::string step;  ///< Name in the frame report: "hall/model".
+    Message why;       ///< A full sentence: which parameter names which file, and what is wrong with it.
+    Message instead;   ///< A full sentence: what is drawn in its place.
 };
 
 /// Result of `Exhibit::prepare`: files, meshes, the state of a simulation. Each exhibit that needs it derives its own
@@ -49,10 +50,11 @@ struct ExhibitState {
 
 /// Returns an error that says which parameter of which exhibit names an unreadable file, and why: "Ring model of Fur
 /// with Physics: Cannot read bear.glb: there is no such file.".
-[[nodiscard]] inline std::string unreadableFile(const ParameterInfo& row, std::string_view exhibitTitle,
-                                                const std::string& why)
+[[nodiscard]] inline Message unreadableFile(const ParameterInfo& row, std::string_view exhibitTitle, const Message& why)
 {
-    return label(row) + " of " + std::string(exhibitTitle) + ": " + why + (why.ends_with('.') ? "" : ".");
+    const Message name = Message::ofTable(label(row)), title = Message::ofTable(exhibitTitle);
+    return why.english().ends_with('.') ? message("{1} of {2}: {3}", name, title, why)
+                                        : message("{1} of {2}: {3}.", name, title, why);
 }
 
 }  // namespace vitrine

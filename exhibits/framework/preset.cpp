@@ -28,9 +28,9 @@ std::string textAt(const JsonDocument& document, const Json& root, const char* k
 {
     if (!root.contains(key)) {
         if (!required) return {};
-        throw document.failure({}, "the key \"" + std::string(key) + "\" is missing; add it.");
+        throw document.failure({}, message("the key \"{1}\" is missing; add it.", key));
     }
-    if (!root[key].is_string()) throw document.failure(key, "this must be text; correct it there.");
+    if (!root[key].is_string()) throw document.failure(key, message("this must be text; correct it there."));
     return root[key].get<std::string>();
 }
 
@@ -38,19 +38,20 @@ std::string textAt(const JsonDocument& document, const Json& root, const char* k
 void checkVersion(const JsonDocument& document)
 {
     const Json& root = document.root();
-    if (!root.is_object()) throw document.failure({}, "this is no preset: it must be a JSON object.");
+    if (!root.is_object()) throw document.failure({}, message("this is no preset: it must be a JSON object."));
     if (!root.contains("version"))
-        throw document.failure({}, "this is no preset of Vitrine: it says neither format nor version.");
+        throw document.failure({}, message("this is no preset of Vitrine: it says neither format nor version."));
     const Json& version = root["version"];
     if (!version.is_number_unsigned())
-        throw document.failure("version", "this must be a whole number; correct it there.");
+        throw document.failure("version", message("this must be a whole number; correct it there."));
     const auto number = version.get<std::uint64_t>();
     if (number > presetVersion)
-        throw document.failure("version", "a newer Vitrine wrote this (version " + std::to_string(number) +
-                                              "; this one reads version " + std::to_string(presetVersion) +
-                                              "); open it with that one.");
+        throw document.failure(
+            "version",
+            message("a newer Vitrine wrote this (version {1}; this one reads version {2}); open it with that one.",
+                    number, presetVersion));
     if (number < presetVersion)
-        throw document.failure("version", "there is no version " + std::to_string(number) + "; correct it there.");
+        throw document.failure("version", message("there is no version {1}; correct it there.", number));
 }
 
 /// A preset or exhibition file, its kind and name checked.
@@ -72,7 +73,7 @@ Opened open(const JsonDocument& document)
     for (const auto& [key, into] : {std::pair("values", &file.values), std::pair("motions", &file.motions)}) {
         if (!file.root.contains(key)) continue;
         *into = file.root[key];
-        if (!into->is_object()) throw file.place(key).failure("this must be an object; correct it there.");
+        if (!into->is_object()) throw file.place(key).failure(message("this must be an object; correct it there."));
     }
     for (const auto& [key, value] : file.root.items()) {
         if (!isKnownKey(key, file.header.isExhibition)) file.notes.push_back(key + " is not known here; it is kept");
@@ -219,7 +220,7 @@ PresetHeader presetHeader(const JsonDocument& document)
     const Json& root = document.root();
     const std::string format = textAt(document, root, "format", true);
     if (format != presetFormat && format != exhibitionFormat) {
-        throw document.failure("format", "\"" + format + "\" is no format of Vitrine; choose a preset.");
+        throw document.failure("format", message("\"{1}\" is no format of Vitrine; choose a preset.", format));
     }
     header.isExhibition = format == exhibitionFormat;
     header.exhibit = textAt(document, root, "exhibit", !header.isExhibition);
@@ -233,10 +234,10 @@ Preset parsePreset(std::string text, std::string fileName, std::string_view exhi
     const JsonDocument document = render::parseJson(std::move(text), std::move(fileName), presetLimits);
     Opened file = open(document);
     if (file.header.isExhibition)
-        throw document.failure("format", "this holds settings of the whole exhibition; open it as such.");
+        throw document.failure("format", message("this holds settings of the whole exhibition; open it as such."));
     if (file.header.exhibit != exhibit) {
-        throw document.failure("exhibit", "this preset is for " + file.header.exhibit + ", not for " +
-                                              std::string(exhibit) + "; choose another.");
+        throw document.failure(
+            "exhibit", message("this preset is for {1}, not for {2}; choose another.", file.header.exhibit, exhibit));
     }
     std::map<std::string, const Json*> left = entries(file.values), leftMotions = entries(file.motions);
     Preset preset{file.header.exhibit, file.header.name, readRows(file, table, {}, left), std::nullopt, {}, {},
@@ -266,7 +267,8 @@ Exhibition parseExhibition(std::string text, std::string fileName, const NamedVa
 {
     const JsonDocument document = render::parseJson(std::move(text), std::move(fileName), presetLimits);
     Opened file = open(document);
-    if (!file.header.isExhibition) throw document.failure("format", "this is a preset of one exhibit; open it there.");
+    if (!file.header.isExhibition)
+        throw document.failure("format", message("this is a preset of one exhibit; open it there."));
     std::map<std::string, const Json*> left = entries(file.values), leftMotions = entries(file.motions);
     Exhibition exhibition;
     exhibition.name = file.header.name;
@@ -309,14 +311,15 @@ Preset presetInExhibition(std::string text, std::string fileName, std::string_vi
 {
     const JsonDocument document = render::parseJson(std::move(text), std::move(fileName), presetLimits);
     Opened file = open(document);
-    if (!file.header.isExhibition) throw document.failure("format", "this is a preset of one exhibit; open it there.");
+    if (!file.header.isExhibition)
+        throw document.failure("format", message("this is a preset of one exhibit; open it there."));
     std::map<std::string, const Json*> left = entries(file.values), leftMotions = entries(file.motions);
     const std::string name(exhibit);
     Preset preset{name, file.header.name, readRows(file, table, name + '.', left), std::nullopt};
     readMotions(file, preset.values, name + '.', leftMotions);
     if (file.header.exhibit != exhibit && preset.values == table.initial())
-        throw document.failure("exhibit", "this holds settings of " + file.header.exhibit + " and none of " + name +
-                                              "; choose another.");
+        throw document.failure("exhibit", message("this holds settings of {1} and none of {2}; choose another.",
+                                                  file.header.exhibit, name));
     if (file.root.contains("camera"))
         preset.camera = cameraFromJson(file.root["camera"], file.place("camera"), file.notes);
     preset.notes = std::move(file.notes);

@@ -171,7 +171,7 @@ fs::path PresetStore::importFile(const fs::path& path, std::string_view exhibit,
         std::optional<std::string> embedded = render::carriedSettings(path);
         if (!embedded)
             throw Failure(Blame::file,
-                          "Cannot import " + path.string() + ": there is no preset in this picture; choose another.");
+                          message("Cannot import {1}: there is no preset in this picture; choose another.", path));
         text = std::move(*embedded);
     } else {
         text = readText(path);
@@ -205,7 +205,7 @@ void PresetStore::refuseShipped(const fs::path& path) const
 {
     if (!isShipped(path)) return;
     throw Failure(Blame::file,
-                  "Cannot change " + path.string() + ": it is part of Vitrine; save a copy under another name.");
+                  message("Cannot change {1}: it is part of Vitrine; save a copy under another name.", path));
 }
 
 }  // namespace vitrine

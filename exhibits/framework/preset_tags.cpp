@@ -23,14 +23,14 @@ bool stands(const PresetTags& tags, const std::string& tag)
 }
 
 /// Returns why a text is no valid tag; empty if it is valid.
-std::string whyNoTag(const std::string& tag)
+Message whyNoTag(const std::string& tag)
 {
-    if (tag.empty()) return "a tag has at least one character";
-    if (tag.size() > mostPresetTagBytes) return "a tag has at most " + std::to_string(mostPresetTagBytes) + " bytes";
-    if (tag.front() == ' ' || tag.back() == ' ') return "a tag neither begins nor ends with a blank";
+    if (tag.empty()) return message("a tag has at least one character");
+    if (tag.size() > mostPresetTagBytes) return message("a tag has at most {1} bytes", mostPresetTagBytes);
+    if (tag.front() == ' ' || tag.back() == ' ') return message("a tag neither begins nor ends with a blank");
     for (const char c : tag)
         if (c == ',' || static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-            return "a tag has neither commas nor control characters";
+            return message("a tag has neither commas nor control characters");
     return {};
 }
 
@@ -41,17 +41,17 @@ PresetTags tagsIn(const JsonDocument& document, const Json& root)
     PresetTags tags;
     if (!root.contains("tags")) return tags;
     const Json& written = root["tags"];
-    if (!written.is_array()) throw document.failure("tags", "this must be an array of texts; correct it there.");
+    if (!written.is_array())
+        throw document.failure("tags", message("this must be an array of texts; correct it there."));
     if (written.size() > mostPresetTags)
-        throw document.failure("tags",
-                               "these are more than " + std::to_string(mostPresetTags) + " tags; take some away.");
+        throw document.failure("tags", message("these are more than {1} tags; take some away.", mostPresetTags));
     for (std::size_t i = 0; i < written.size(); ++i) {
         const std::string path = "tags[" + std::to_string(i) + ']';
-        if (!written[i].is_string()) throw document.failure(path, "this must be text; correct it there.");
+        if (!written[i].is_string()) throw document.failure(path, message("this must be text; correct it there."));
         std::string tag = written[i].get<std::string>();
-        if (const std::string why = whyNoTag(tag); !why.empty())
-            throw document.failure(path, why + "; correct it there.");
-        if (stands(tags, tag)) throw document.failure(path, "\"" + tag + "\" appears twice; remove one of them.");
+        if (const Message why = whyNoTag(tag); !why.empty())
+            throw document.failure(path, message("{1}; correct it there.", why));
+        if (stands(tags, tag)) throw document.failure(path, message("\"{1}\" appears twice; remove one of them.", tag));
         tags.push_back(std::move(tag));
     }
     return tags;
@@ -68,13 +68,13 @@ PresetTags tagsFromText(std::string_view text)
         while (!part.empty() && part.back() == ' ') part.remove_suffix(1);
         std::string tag(part);
         if (tag.empty() || stands(tags, tag)) continue;
-        if (const std::string why = whyNoTag(tag); !why.empty())
-            throw Failure(Blame::usage, "\"" + tag + "\" was not taken: " + why + '.');
+        if (const Message why = whyNoTag(tag); !why.empty())
+            throw Failure(Blame::usage, message("\"{1}\" was not taken: {2}.", tag, why));
         tags.push_back(std::move(tag));
     }
     if (tags.size() > mostPresetTags)
-        throw Failure(Blame::usage, "A preset has at most " + std::to_string(mostPresetTags) + " tags; these are " +
-                                        std::to_string(tags.size()) + '.');
+        throw Failure(Blame::usage,
+                      message("A preset has at most {1} tags; these are {2}.", mostPresetTags, tags.size()));
     return tags;
 }
 

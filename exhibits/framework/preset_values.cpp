@@ -132,7 +132,7 @@ bool isRoundedLimit(const ParameterInfo& row, const Value& value)
 
 }  // namespace
 
-Failure JsonPlace::failure(std::string_view problem) const
+Failure JsonPlace::failure(const Message& problem) const
 {
     return document.failure(path, problem);
 }

@@ -17,7 +17,7 @@ struct JsonPlace {
     std::string path;  ///< Dotted key path, as messages show it.
 
     /// To throw: names file, line, key path and `problem`.
-    [[nodiscard]] Failure failure(std::string_view problem) const;
+    [[nodiscard]] Failure failure(const Message& problem) const;
     [[nodiscard]] JsonPlace inside(std::string_view key) const;
 };
 

@@ -142,7 +142,7 @@ std::shared_ptr<const PreparedPart> Fur::prepare(const PrepareContext& context) 
         if (!found.failure.empty())
             made->unreadable.push_back({"fur/model",
                                         unreadableFile(values.rows()[table_.ringModel.row], title(), found.failure),
-                                        "The ring is shown in its place until it can be read."});
+                                        message("The ring is shown in its place until it can be read.")});
     }
     made->skins = skins_;
     if (made->model) made->skins[furRing] = made->model->skin;

@@ -35,10 +35,10 @@ std::shared_ptr<const PreparedHall> Hall::prepare(const ParameterValues& values,
 {
     auto made = std::make_shared<PreparedHall>();
     render::Hash files;
-    const auto warn = [&](const std::string& step, File row, const std::string& failure) {
+    const auto warn = [&](const std::string& step, File row, const Message& failure) {
         if (!failure.empty())
             made->unreadable.push_back({step, unreadableFile(values.rows()[row.row], title(), failure),
-                                        "It is left out until it can be read."});
+                                        message("It is left out until it can be read.")});
     };
     if (const std::string path = values[table_.environment]; !path.empty()) {
         const render::Asset<Panorama> found = assets.get<Panorama>("hall.environment", path, readPanorama);
@@ -50,7 +50,7 @@ std::shared_ptr<const PreparedHall> Hall::prepare(const ParameterValues& values,
             made->environmentNotes = found.value->notes;
         }
     }
-    made->objects = preparedObjects(table_, values, assets, files, [&](std::size_t which, const std::string& failure) {
+    made->objects = preparedObjects(table_, values, assets, files, [&](std::size_t which, const Message& failure) {
         const std::string step = which == 0 ? "hall/model" : "hall/model/" + std::to_string(which + 1);
         warn(step, table_.objects[which].model, failure);
     });

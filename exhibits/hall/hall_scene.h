@@ -138,7 +138,7 @@ void planSky(const HallScene&, const SceneLighting&, render::FramePlan&);
 // The following functions are defined in own_objects.cpp.
 
 /// Callback for an object that cannot be read: its index, and the reason.
-using ToldUnreadable = std::function<void(std::size_t which, const std::string& why)>;
+using ToldUnreadable = std::function<void(std::size_t which, const Message& why)>;
 /// Reads the user's objects and makes their plinths. Adds the state of the files to `files`.
 [[nodiscard]] std::array<PreparedObject, mostOwnObjects> preparedObjects(const HallTable&, const ParameterValues&,
                                                                          render::AssetStore&, render::Hash& files,

@@ -29,8 +29,8 @@ render::AssetStore::Made<render::Model> readModel(const std::string& path)
     const render::AnimatedModel file = render::AnimatedModel::load(path);
     auto model = std::make_shared<render::Model>(file.posed(-1, 0));
     if (!file.animations().empty())
-        model->warnings.emplace_back("Animations are not played in the hall; the model stands still.");
-    if (const std::string why = render::whyNothingIsSeen(path, model->bounds); !why.empty())
+        model->warnings.push_back(message("Animations are not played in the hall; the model stands still."));
+    if (const Message why = render::whyNothingIsSeen(path, model->bounds); !why.empty())
         throw Failure(Blame::file, why);
     const std::uint64_t bytes = heldBytes(*model);
     return {std::move(model), bytes};
@@ -152,7 +152,7 @@ void planOwnObject(const HallScene& scene, const OwnObject& object, const SceneL
             pass.draws.push_back(std::move(draw));
     }
     blended.draws = farToNear(translucent, plan.view.eye);
-    for (const std::string& warning : object.model->warnings) plan.warn(pass.name, warning);
+    for (const Message& warning : object.model->warnings) plan.warn(pass.name, warning.english());
     if (!pass.draws.empty()) plan.add(std::move(pass));
     if (!blended.draws.empty())
         plan.add(std::move(blended));

@@ -191,7 +191,7 @@ struct SdfPlanner {
             return false;
         }
         if (!found || !found->value) {
-            plan.warn(named("mesh"), found ? found->failure : "no mesh was made");
+            plan.warn(named("mesh"), found ? found->failure.english() : "no mesh was made");
             return false;
         }
         Pass made = pass("mesh", "shown instead of the field", "kit/sdf/mesh.vert", "kit/sdf/mesh.frag");

@@ -43,7 +43,7 @@ struct CardSource {
 /// One of the card's two prints, as read from files.
 struct CardPrint {
     std::shared_ptr<const CardSource> source;  ///< Null if not even the shipped set can be read.
-    std::string failure;  ///< Why it is not the print at the given path, one full sentence; empty if it is.
+    Message failure;  ///< Why it is not the print at the given path, one full sentence; empty if it is.
 };
 
 /// Reads `path`: a folder of views, a printed file with its JSON beside it or embedded, or a single picture. An empty

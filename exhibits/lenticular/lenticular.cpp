@@ -167,8 +167,8 @@ std::shared_ptr<const PreparedPart> Lenticular::prepare(const PrepareContext& co
         if (print.source && !print.source->doubt.empty()) made->doubts.emplace_back(step, print.source->doubt);
         if (!print.failure.empty())
             made->unreadable.push_back({step, unreadableFile(values.rows()[row.row], title(), print.failure),
-                                        print.source ? "Our own is shown in its place until it can be read."
-                                                     : "The card is left out until it can be read."});
+                                        print.source ? message("Our own is shown in its place until it can be read.")
+                                                     : message("The card is left out until it can be read.")});
         if (!print.source) continue;
         made->faces[static_cast<std::size_t>(face)] = {
             lenticular::cardPicture(table_, values, found.sheet, print.source, context.assets),

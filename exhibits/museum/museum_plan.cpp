@@ -278,7 +278,8 @@ void Museum::Frame::findPresent()
     }
     const auto warn = [&](const PreparedPart* part) {
         if (!part) return;
-        for (const UnreadableFile& file : part->unreadable) plan.warnOfFile(file.step, file.why, file.instead);
+        for (const UnreadableFile& file : part->unreadable)
+            plan.warnOfFile(file.step, file.why.english(), file.instead.english());
     };
     warn(prepared.hall.get());
     for (const Present& p : present)

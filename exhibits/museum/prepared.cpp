@@ -6,9 +6,9 @@
 
 namespace vitrine {
 
-std::vector<std::string> Prepared::unreadableFiles() const
+std::vector<Message> Prepared::unreadableFiles() const
 {
-    std::vector<std::string> sentences;
+    std::vector<Message> sentences;
     const auto take = [&](const PreparedPart* part) {
         if (!part) return;
         for (const UnreadableFile& file : part->unreadable) sentences.push_back(file.why);

@@ -28,7 +28,7 @@ struct Prepared {
     std::vector<render::PendingAsset> pending;
 
     /// Returns the errors of files that it needs and cannot read: full sentences.
-    [[nodiscard]] std::vector<std::string> unreadableFiles() const;
+    [[nodiscard]] std::vector<Message> unreadableFiles() const;
     /// Returns the seconds since the button of subject `i` was pressed; infinity: never.
     [[nodiscard]] double sincePress(std::size_t i) const;
     [[nodiscard]] ExhibitState state(std::size_t i) const;

@@ -13,7 +13,7 @@ namespace vitrine {
 struct TabledSceneState {
     SceneState sceneState;
     /// Errors of files that cannot be read: full sentences. Their values keep the previous parameters.
-    std::vector<std::string> unreadable;
+    std::vector<Message> unreadable;
     std::vector<std::string> notes;  ///< Values that were changed or are unknown, for people.
 };
 

@@ -170,7 +170,7 @@ std::shared_ptr<const PreparedPart> PaperLanterns::prepare(const PrepareContext&
     if (!found.failure.empty())
         made->unreadable.push_back({"paper_lanterns/panorama",
                                     unreadableFile(context.values.rows()[table_.panorama.row], title(), found.failure),
-                                    "The night sky stays until it can be read."});
+                                    message("The night sky stays until it can be read.")});
     if (found.value) {
         made->picture = found.value->picture;
         made->notes = found.value->notes;

@@ -171,21 +171,22 @@ std::shared_ptr<const PreparedPart> PixelArt::prepare(const PrepareContext& cont
 {
     auto made = std::make_shared<Prepared>();
     const ParameterValues& values = context.values;
-    const auto unread = [&](const char* step, std::size_t row, const std::string& why, std::string instead) {
+    const auto unread = [&](const char* step, std::size_t row, const Message& why, Message instead) {
         made->unreadable.push_back({step, unreadableFile(table_.rows()[row], title(), why), std::move(instead)});
     };
     render::Hash id;
     if (!values[table_.model].empty()) {
         made->posed = posedModel(table_, values, stepTime(table_, values, context.time), context.assets);
-        if (const std::string& why = made->posed.failure; !why.empty())
-            unread("pixel_art/model", table_.model.row, why, "The small world is shown in its place.");
+        if (const Message& why = made->posed.failure; !why.empty())
+            unread("pixel_art/model", table_.model.row, why, message("The small world is shown in its place."));
         id.addValue(made->posed.id);
     }
     if (values[table_.palette] != PaletteName::none || !values[table_.palettePicture].empty()) {
         const auto found = paletteOf(table_, values, context.assets);
         made->palette = found.value;
         if (!found.failure.empty())
-            unread("pixel_art/palette", table_.palettePicture.row, found.failure, "All colors are shown in its place.");
+            unread("pixel_art/palette", table_.palettePicture.row, found.failure,
+                   message("All colors are shown in its place."));
         id.addValue(found.id);
     }
     made->filesId = id.value();
@@ -202,7 +203,7 @@ void PixelArt::plan(const PlanContext& context, render::FramePlan& plan) const
         const PosedModel& posed = prepared->posed;
         shot.time = 0;  // Time drives only patterns, which a model does not have, so a static model is not drawn again.
         shot.parts = modelParts(*posed.model, posed.framed, values[table_.turn] ? time : 0);
-        for (const std::string& warning : posed.warnings) plan.warn("pixel_art/model", warning);
+        for (const Message& warning : posed.warnings) plan.warn("pixel_art/model", warning.english());
         if (!posed.pose.still.empty()) plan.skip("pixel_art/pose", posed.pose.still, render::Work::simulation);
     } else {
         shot.parts = partsOf(values[table_.world], time);

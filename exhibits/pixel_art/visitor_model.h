@@ -28,8 +28,8 @@ struct PosedModel {
     std::shared_ptr<const render::Model> model;  ///< Null if the file cannot be read; `failure` then says why.
     render::Box framed;                          ///< Box that the picture shows: the model at rest and in motion.
     ModelPose pose;
-    std::vector<std::string> warnings;  ///< Features of the file that are not drawn, sentences.
-    std::string failure;
+    std::vector<Message> warnings;  ///< Features of the file that are not drawn, sentences.
+    Message failure;
     std::uint64_t id = 0;  ///< Hash of file and pose.
 };
 

@@ -92,7 +92,8 @@ void Findings::add(const render::JsonFailure& failure, const std::string& file)
     constexpr std::size_t most = 200;  // Limit for a path, which may be 40,000 levels deep.
     const std::string& key = failure.key();
     list_.push_back({file, failure.line(), failure.column(),
-                     key.size() > most ? "..." + key.substr(key.size() - most) : key, failure.problem() + '.'});
+                     key.size() > most ? "..." + key.substr(key.size() - most) : key,
+                     failure.problem().english() + '.'});
 }
 
 }  // namespace vitrine::scenes

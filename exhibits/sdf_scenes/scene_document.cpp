@@ -35,7 +35,7 @@ std::shared_ptr<const SceneReading> readNow(const std::filesystem::path& path, c
         for (const std::filesystem::path& picture : environmentFiles(*shown->scene, path)) see(picture);
         reading->table = std::make_shared<const SdfScenesTable>(std::move(shown));
     } catch (const Failure& failure) {
-        reading->why = failure.what();
+        reading->why = failure.message();
     }
     return reading;
 }

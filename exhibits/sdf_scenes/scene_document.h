@@ -19,7 +19,7 @@ struct SeenFile {
 /// Result of reading a scene's document: its parameters, or the reason why there are none.
 struct SceneReading {
     std::shared_ptr<const SdfScenesTable> table;
-    std::string why;              ///< One sentence; empty on success.
+    Message why;                  ///< One sentence; empty on success.
     std::vector<SeenFile> files;  ///< The scene's own file and all included ones, as far as they were read.
 };
 

@@ -141,7 +141,7 @@ std::uint32_t SceneReader::addFile(std::shared_ptr<const render::JsonText> text,
 std::optional<std::uint32_t> SceneReader::include(std::uint32_t from, std::uint32_t value, const std::string& reference)
 {
     const render::JsonText& json = *scene_.files[from].text;
-    if (const std::string why = render::whyRefused(reference); !why.empty()) {
+    if (const std::string why = render::whyRefused(reference).english(); !why.empty()) {
         findings_.add(json, value, "this file is not opened: " + why + "; name one of the scene's folder or below it");
         return std::nullopt;
     }
@@ -288,7 +288,7 @@ Record SceneReader::readRecord(std::uint32_t file, std::uint32_t object, const R
             continue;
         }
         record.files.push_back(fields_.readString(file, *value));
-        if (const std::string why = render::whyRefused(record.files.back()); !why.empty())
+        if (const std::string why = render::whyRefused(record.files.back()).english(); !why.empty())
             findings_.add(json, *value,
                           "this file is not opened: " + why + "; name one of the scene's folder or below it");
     }

@@ -132,7 +132,7 @@ SdfScenes::SdfScenes(const std::filesystem::path& first)
     try {
         first_ = scenes::readShownScene(first.empty() ? render::asset(firstScene) : first);
     } catch (const Failure& failure) {
-        whyNotFirst_ = failure.what();
+        whyNotFirst_ = failure.message();
         const std::string sphere = R"({"format": "vitrine-scene", "version": 1, "root": {"kind": "sphere"}})";
         first_ = scenes::shownScene(scenes::readScene(sphere, "sphere", {}).scene);
     }
@@ -211,7 +211,7 @@ CalledTable SdfScenes::tableFor(const ParameterValues& values, render::AssetStor
     const ParameterInfo& row = table_.rows()[text.empty() ? table_.scene.row : table_.document.row];
     if (path.empty() && text.empty())
         return {{std::shared_ptr<const Parameters>(), &table_},
-                whyNotFirst_.empty() ? std::string() : unreadableFile(row, title(), whyNotFirst_)};
+                whyNotFirst_.empty() ? Message() : unreadableFile(row, title(), whyNotFirst_)};
     const auto reading = scenes::readDocument(path.empty() ? first_->path : std::filesystem::path(path), text, assets);
     if (reading->table) return {reading->table, {}};
     return {nullptr, unreadableFile(row, title(), reading->why)};
@@ -255,7 +255,7 @@ std::shared_ptr<const PreparedPart> SdfScenes::prepare(const PrepareContext& con
     if (!read.failure.empty())
         part->unreadable.push_back({"sdf_scenes/environment",
                                     unreadableFile(table_.rows()[table_.scene.row], title(), read.failure),
-                                    "What surrounds the scene is black until it can be read."});
+                                    message("What surrounds the scene is black until it can be read.")});
     return part;
 }
 

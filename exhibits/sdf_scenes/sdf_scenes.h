@@ -87,7 +87,7 @@ private:
 
     Table table_;
     std::shared_ptr<const scenes::ShownScene> first_;
-    std::string whyNotFirst_;
+    Message whyNotFirst_;
 };
 
 }  // namespace vitrine

@@ -1,5 +1,6 @@
 #include "render/files/asset_store.h"
 
+#include "render/failure.h"
 #include "render/hash.h"
 
 #include <sys/stat.h>
@@ -62,7 +63,7 @@ struct AssetStore::Entry {
     std::shared_ptr<const void> value{};  ///< Null if the object is kept alive only by others ...
     std::weak_ptr<const void> held{};     ///< ... which this pointer then refers to.
     std::uint64_t bytes = 0;
-    std::string failure{};
+    Message failure{};
 
     Entry(const Request& r, const FileState& ofTheFile, const FileState& ofItsFolder)
         : use(r.use), key(r.key), variant(r.variant), type(r.type), ofFile(r.ofFile), source(r.source),
@@ -175,12 +176,15 @@ std::shared_ptr<AssetStore::Entry> AssetStore::Shared::entryOf(const Request& re
 Asset<void> AssetStore::Shared::build(Entry& entry, const std::function<Anything()>& make)
 {
     Anything made{Made<char>{}};
-    std::string failure;
+    Message failure;
     try {
         made = make();
     } catch (const std::bad_alloc&) {
-        failure = (entry.ofFile ? "Cannot read " + entry.key : "Cannot make " + entry.use) +
-                  ": there is not enough memory for it; choose a smaller one.";
+        failure = entry.ofFile
+                      ? message("Cannot read {1}: there is not enough memory for it; choose a smaller one.", entry.key)
+                      : message("Cannot make {1}: there is not enough memory for it; choose a smaller one.", entry.use);
+    } catch (const Failure& thrown) {
+        failure = thrown.message();
     } catch (const std::exception& thrown) {
         failure = thrown.what();
     }

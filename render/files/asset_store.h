@@ -1,5 +1,7 @@
 #pragma once
 
+#include "render/text/message.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -33,7 +35,7 @@ void addTo(Hash&, const FileState&);
 /// Object made from a file or from parameters, or the reason why it could not be made.
 template <typename T> struct Asset {
     std::shared_ptr<const T> value{};
-    std::string failure{};  ///< One full sentence, which names the file if there is one; empty if there is a value.
+    Message failure{};  ///< One full sentence, which names the file if there is one; empty if there is a value.
     /// Hash of the source (file state or key): changes when the file changes, and is the same in every run. 0: no
     /// value.
     std::uint64_t id = 0;

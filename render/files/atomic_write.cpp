@@ -16,22 +16,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refuse(const fs::path& path, const std::string& why)
+[[noreturn]] void refuse(const fs::path& path, const Message& why)
 {
-    throw Failure(Blame::file, "Cannot write " + path.string() + ": " + why);
+    throw Failure(Blame::file, message("Cannot write {1}: {2}", path, why));
 }
 
-std::string advice(int error)
+Message advice(int error)
 {
     switch (error) {
     case ENOSPC:
-    case EDQUOT: return "free some space or choose another disk";
+    case EDQUOT: return message("free some space or choose another disk");
     case EACCES:
     case EPERM:
-    case EROFS: return "choose a folder you may write to";
-    case ENOENT: return "check that the folder exists";
-    case ENAMETOOLONG: return "choose a shorter name";
-    default: return "try another folder or disk";
+    case EROFS: return message("choose a folder you may write to");
+    case ENOENT: return message("check that the folder exists");
+    case ENAMETOOLONG: return message("choose a shorter name");
+    default: return message("try another folder or disk");
     }
 }
 
@@ -43,10 +43,10 @@ fs::path realTarget(const fs::path& path)
         std::error_code error;
         if (!fs::is_symlink(fs::symlink_status(at, error))) return at;
         const fs::path next = fs::read_symlink(at, error);
-        if (error) refuse(path, error.message() + "; name the file itself.");
+        if (error) refuse(path, message("{1}; name the file itself.", error.message()));
         at = next.is_absolute() ? next : at.parent_path() / next;
     }
-    refuse(path, "its symbolic links lead in a circle; name the file itself.");
+    refuse(path, message("its symbolic links lead in a circle; name the file itself."));
 }
 
 fs::path folderOf(const fs::path& file)
@@ -84,38 +84,38 @@ private:
 void writeAll(const PartFile& part, FileOps& ops, std::string_view bytes)
 {
     OpenFile file(ops, part.path(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW);
-    if (file.get() < 0) part.fail("creating a file beside it", errno);
+    if (file.get() < 0) part.fail(message("creating a file beside it"), errno);
     std::size_t done = 0;
     while (done < bytes.size()) {
         const ssize_t wrote = ops.write(file.get(), bytes.data() + done, bytes.size() - done);
         if (wrote < 0 && errno == EINTR) continue;
-        if (wrote <= 0) part.fail("writing", wrote < 0 ? errno : ENOSPC);
+        if (wrote <= 0) part.fail(message("writing"), wrote < 0 ? errno : ENOSPC);
         done += static_cast<std::size_t>(wrote);
     }
     struct stat status {};
-    if (ops.fstat(file.get(), &status) != 0) part.fail("checking its size", errno);
-    if (static_cast<std::uint64_t>(status.st_size) != bytes.size()) part.fail("checking its size", EIO);
-    if (!file.close()) part.fail("closing", errno);  // `publish` syncs it to disk.
+    if (ops.fstat(file.get(), &status) != 0) part.fail(message("checking its size"), errno);
+    if (static_cast<std::uint64_t>(status.st_size) != bytes.size()) part.fail(message("checking its size"), EIO);
+    if (!file.close()) part.fail(message("closing"), errno);  // `publish` syncs it to disk.
 }
 
 void compareAll(const PartFile& part, FileOps& ops, std::string_view bytes)
 {
     OpenFile file(ops, part.path(), O_RDONLY);
-    if (file.get() < 0) part.fail("reading it back", errno);
+    if (file.get() < 0) part.fail(message("reading it back"), errno);
     std::array<char, 65536> block{};
     std::size_t done = 0;
     for (;;) {
         const ssize_t got = ops.read(file.get(), block.data(), block.size());
         if (got < 0 && errno == EINTR) continue;
-        if (got < 0) part.fail("reading it back", errno);
+        if (got < 0) part.fail(message("reading it back"), errno);
         if (got == 0) break;
         const std::size_t size = static_cast<std::size_t>(got);
         if (size > bytes.size() - done || std::memcmp(block.data(), bytes.data() + done, size) != 0) {
-            part.fail("reading it back gave other bytes", EIO);
+            part.fail(message("reading it back gave other bytes"), EIO);
         }
         done += size;
     }
-    if (done != bytes.size()) part.fail("reading it back gave fewer bytes", EIO);
+    if (done != bytes.size()) part.fail(message("reading it back gave fewer bytes"), EIO);
 }
 
 /// Syncs the folder's latest renames to disk. Returns 0, or the errno.
@@ -147,12 +147,13 @@ PartFile::PartFile(const fs::path& target, FileOps& ops)
 {
     struct stat status {};
     if (::stat(target_.c_str(), &status) == 0) {
-        if (S_ISDIR(status.st_mode)) refuse(target, "it is a folder; choose a file name.");
-        if (!S_ISREG(status.st_mode)) refuse(target, "it is not a regular file; choose another name.");
-        if (::access(target_.c_str(), W_OK) != 0) refuse(target, "the file is read-only; choose another name.");
+        if (S_ISDIR(status.st_mode)) refuse(target, message("it is a folder; choose a file name."));
+        if (!S_ISREG(status.st_mode)) refuse(target, message("it is not a regular file; choose another name."));
+        if (::access(target_.c_str(), W_OK) != 0)
+            refuse(target, message("the file is read-only; choose another name."));
     }
     const std::string name = target_.filename().string();
-    if (name.empty() || name == "." || name == "..") refuse(target, "it names no file; choose a file name.");
+    if (name.empty() || name == "." || name == "..") refuse(target, message("it names no file; choose a file name."));
     clearLeftBehind(folderOf(target_));
 }
 
@@ -161,35 +162,35 @@ PartFile::~PartFile()
     if (!published_) ops_.unlink(part_.c_str());
 }
 
-void PartFile::fail(std::string_view doing, int error) const
+void PartFile::fail(const Message& doing, int error) const
 {
-    throw Failure(Blame::file, "Cannot write " + target_.string() + ": " + std::string(doing) + " failed (" +
-                                   std::strerror(error) + "); the old content is untouched; " + advice(error) + ".");
+    throw Failure(Blame::file, message("Cannot write {1}: {2} failed ({3}); the old content is untouched; {4}.",
+                                       target_, doing, std::strerror(error), advice(error)));
 }
 
 void PartFile::prepare() const
 {
     OpenFile file(ops_, part_, O_RDWR);
-    if (file.get() < 0) fail("opening it again", errno);
+    if (file.get() < 0) fail(message("opening it again"), errno);
     struct stat old {};
     if (::stat(target_.c_str(), &old) == 0 && ops_.fchmod(file.get(), old.st_mode & 07777U) != 0) {
-        fail("keeping its permissions", errno);
+        fail(message("keeping its permissions"), errno);
     }
-    if (ops_.fsync(file.get()) != 0) fail("waiting for the disk", errno);
-    if (!file.close()) fail("closing", errno);
+    if (ops_.fsync(file.get()) != 0) fail(message("waiting for the disk"), errno);
+    if (!file.close()) fail(message("closing"), errno);
 }
 
 void PartFile::replace()
 {
-    if (ops_.rename(part_.c_str(), target_.c_str()) != 0) fail("renaming", errno);
+    if (ops_.rename(part_.c_str(), target_.c_str()) != 0) fail(message("renaming"), errno);
     published_ = true;
 }
 
 void PartFile::syncFolder() const
 {
     if (const int error = syncedFolder(folderOf(target_), ops_); error != 0) {
-        refuse(target_, "the new content is in place, but the disk did not confirm it (" +
-                            std::string(std::strerror(error)) + "); save once more.");
+        refuse(target_, message("the new content is in place, but the disk did not confirm it ({1}); save once more.",
+                                std::strerror(error)));
     }
 }
 
@@ -205,8 +206,8 @@ void requireSpace(const fs::path& target, unsigned long long bytes, FileOps& ops
     const unsigned long long free = ops.freeBytes(folderOf(target).c_str());
     const unsigned long long needed = bytes + bytes / 10;
     if (free >= needed) return;
-    refuse(target, "it needs " + std::to_string(needed) + " bytes and the disk has " + std::to_string(free) +
-                       " left; free some space or choose another disk.");
+    refuse(target, message("it needs {1} bytes and the disk has {2} left; free some space or choose another disk.",
+                           needed, free));
 }
 
 void atomicWrite(const fs::path& path, std::string_view bytes, FileOps& ops)
@@ -298,7 +299,7 @@ void atomicWriteMakingFolder(const fs::path& path, std::string_view bytes, FileO
 {
     std::error_code error;
     fs::create_directories(folderOf(path), error);
-    if (error) refuse(path, error.message() + "; choose another folder or free some space.");
+    if (error) refuse(path, message("{1}; choose another folder or free some space.", error.message()));
     atomicWrite(path, bytes, ops);
 }
 

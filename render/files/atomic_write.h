@@ -2,6 +2,7 @@
 
 #include "render/files/file_ops.h"
 #include "render/files/unfinished.h"
+#include "render/text/message.h"
 
 #include <filesystem>
 #include <memory>
@@ -70,7 +71,7 @@ public:
     void syncFolder() const;
 
     /// Throws Failure "Cannot write <target>: <doing>: <errno as text>. ...".
-    [[noreturn]] void fail(std::string_view doing, int error) const;
+    [[noreturn]] void fail(const Message& doing, int error) const;
 
 private:
     std::filesystem::path target_;

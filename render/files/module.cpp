@@ -15,20 +15,28 @@ void* openModule(const ModuleFile& file, const std::function<void*(void*)>& made
     const fs::path here = fs::read_symlink("/proc/self/exe", error).parent_path();
     const std::array<fs::path, 4> places = {here / file.name, here.parent_path() / file.name,
                                             here.parent_path() / "lib" / "vitrine" / "modules" / file.name, file.built};
-    std::string problems;
+    Message problems;
+    const auto add = [&](const Message& problem) {
+        problems = problems.empty() ? problem : message("{1}{2}", problems, problem);
+    };
     for (const fs::path& place : places) {
         if (!fs::exists(place, error)) continue;
         void* module = ::dlopen(place.c_str(), RTLD_NOW | RTLD_LOCAL);
         if (void* symbol = module ? ::dlsym(module, file.symbol) : nullptr) {
             if (void* result = made(symbol)) return result;
-            problems += place.string() + " belongs to another version; ";
+            add(message("{1} belongs to another version; ", place));
         } else if (const char* why = ::dlerror()) {
-            problems += std::string(why) + "; ";
+            add(message("{1}; ", why));
         }
     }
-    throw Failure(Blame::file, "Cannot open " + file.name + ", which " + file.purpose + ": " +
-                                   (problems.empty() ? "it is not beside the program; " : problems) + "install " +
-                                   file.needs + " or build Vitrine again.");
+    if (problems.empty()) {
+        throw Failure(
+            Blame::file,
+            message("Cannot open {1}, which {2}: it is not beside the program; install {3} or build Vitrine again.",
+                    file.name, file.purpose, file.needs));
+    }
+    throw Failure(Blame::file, message("Cannot open {1}, which {2}: {3}install {4} or build Vitrine again.", file.name,
+                                       file.purpose, problems, file.needs));
 }
 
 }  // namespace vitrine::render

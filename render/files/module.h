@@ -1,5 +1,7 @@
 #pragma once
 
+#include "render/text/message.h"
+
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -11,8 +13,8 @@ struct ModuleFile {
     std::string name;             ///< "libvitrine_oiio.so".
     std::filesystem::path built;  ///< Path in the build folder.
     const char* symbol;           ///< The symbol that it exports.
-    std::string purpose;          ///< "reads and writes pictures", for messages.
-    std::string needs;            ///< "OpenImageIO", for messages.
+    Message purpose;              ///< "reads and writes pictures", for messages.
+    Message needs;                ///< "OpenImageIO", for messages.
 };
 
 /// Opens a module. Searches beside the executable, one folder up, in ../lib/vitrine/modules, and where it was built.

@@ -14,27 +14,27 @@
 namespace vitrine::render {
 namespace {
 
-[[noreturn]] void failReading(const std::string& name, const std::string& cause)
+[[noreturn]] void failReading(const std::string& name, const Message& cause)
 {
-    throw Failure(Blame::file, "Cannot read " + name + ": " + cause);
+    throw Failure(Blame::file, message("Cannot read {1}: {2}", name, cause));
 }
 
-std::string causeOf(int error)
+Message causeOf(int error)
 {
-    if (error == ELOOP) return "it is a symbolic link, or a chain of them; name the file itself.";
-    if (error == ENOENT) return "there is no such file; check the name.";
-    return std::string(std::strerror(error)) + "; check the name and your permissions.";
+    if (error == ELOOP) return message("it is a symbolic link, or a chain of them; name the file itself.");
+    if (error == ENOENT) return message("there is no such file; check the name.");
+    return message("{1}; check the name and your permissions.", std::strerror(error));
 }
 
 std::string readAll(const Descriptor& file, const std::string& name, std::uint64_t mostBytes)
 {
     struct stat status {};
     if (::fstat(file.get(), &status) != 0) failReading(name, causeOf(errno));
-    if (!S_ISREG(status.st_mode)) failReading(name, "it is not a regular file; choose a file.");
+    if (!S_ISREG(status.st_mode)) failReading(name, message("it is not a regular file; choose a file."));
     const std::uint64_t size = static_cast<std::uint64_t>(status.st_size);
     if (size > mostBytes) {
-        failReading(name, "it has " + std::to_string(size) + " bytes, more than the " + std::to_string(mostBytes) +
-                              " allowed here; choose a smaller file.");
+        failReading(
+            name, message("it has {1} bytes, more than the {2} allowed here; choose a smaller file.", size, mostBytes));
     }
     std::string bytes(size, '\0');
     std::size_t done = 0;
@@ -42,7 +42,7 @@ std::string readAll(const Descriptor& file, const std::string& name, std::uint64
         const ssize_t got = ::read(file.get(), bytes.data() + done, bytes.size() - done);
         if (got < 0 && errno == EINTR) continue;
         if (got < 0) failReading(name, causeOf(errno));
-        if (got == 0) failReading(name, "it became shorter while it was read; try again.");
+        if (got == 0) failReading(name, message("it became shorter while it was read; try again."));
         done += static_cast<std::size_t>(got);
     }
     return bytes;
@@ -82,20 +82,20 @@ std::string readFile(const std::filesystem::path& path, std::uint64_t mostBytes)
     return readAll(file, path.string(), mostBytes);
 }
 
-std::string whyRefused(std::string_view reference, Reach reach)
+Message whyRefused(std::string_view reference, Reach reach)
 {
-    if (reference.empty()) return "it is empty";
-    if (reference.size() > 4096) return "it is longer than 4096 bytes";
+    if (reference.empty()) return message("it is empty");
+    if (reference.size() > 4096) return message("it is longer than 4096 bytes");
     const auto forbidden = [](char c) {
         return static_cast<unsigned char>(c) < 0x20 || c == 0x7f || c == '\\' || c == '$' || c == '~' || c == ':';
     };
     if (std::any_of(reference.begin(), reference.end(), forbidden)) {
-        return "it has one of the characters \\ $ ~ : or a control character";
+        return message("it has one of the characters \\ $ ~ : or a control character");
     }
-    if (reference.front() == '/') return "it is an absolute path";
+    if (reference.front() == '/') return message("it is an absolute path");
     const Walk walk = walkOf(reference);
-    if (walk.up > (reach == Reach::parent ? 1U : 0U)) return "it leaves its folder with \"..\"";
-    if (reference.back() == '/' || walk.down.empty()) return "it names a folder";
+    if (walk.up > (reach == Reach::parent ? 1U : 0U)) return message("it leaves its folder with \"..\"");
+    if (reference.back() == '/' || walk.down.empty()) return message("it names a folder");
     return {};
 }
 
@@ -103,9 +103,10 @@ std::string readFileBeneath(const std::filesystem::path& folder, std::string_vie
                             Reach reach)
 {
     const std::string shown = (folder / reference).string();
-    if (const std::string why = whyRefused(reference, reach); !why.empty()) {
-        throw Failure(Blame::file, "Cannot follow the reference \"" + std::string(reference) + "\" inside " +
-                                       folder.string() + ": " + why + "; use a plain relative path.");
+    if (const Message why = whyRefused(reference, reach); !why.empty()) {
+        throw Failure(Blame::file,
+                      message("Cannot follow the reference \"{1}\" inside {2}: {3}; use a plain relative path.",
+                              reference, folder, why));
     }
     // Opens one component at a time, none of them a link. That equals openat2 with RESOLVE_BENEATH and
     // RESOLVE_NO_SYMLINKS, but works also in sandboxes that refuse that call.

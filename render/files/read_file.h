@@ -1,5 +1,7 @@
 #pragma once
 
+#include "render/text/message.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -20,7 +22,7 @@ enum class Reach : std::uint8_t {
 /// Returns why `reference`, found inside a file, may not be followed; empty if it may. Only relative paths with `/`
 /// that stay within their reach are followed: no "~" or "$", no backslash, no control characters, no drive letter or
 /// URL scheme, at most 4096 bytes. ".." removes the component before it ("a/../b" is "b").
-[[nodiscard]] std::string whyRefused(std::string_view reference, Reach = Reach::folder);
+[[nodiscard]] Message whyRefused(std::string_view reference, Reach = Reach::folder);
 
 /// Reads the regular file `reference`, relative to `folder`. Throws Failure as `readFile` does, and if `reference` is
 /// refused or any component of it is a symbolic link. Nothing beyond its reach is opened, even if the tree changes in

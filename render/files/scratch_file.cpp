@@ -25,8 +25,9 @@ std::filesystem::path scratchFolder()
     std::error_code error;
     const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
     if (!error) return folder;
-    throw Failure(Blame::file, "There is no folder for temporary files (" + error.message() +
-                                   "); let TMPDIR name one that you may write to.");
+    throw Failure(Blame::file,
+                  message("There is no folder for temporary files ({1}); let TMPDIR name one that you may write to.",
+                          error.message()));
 }
 
 }  // namespace
@@ -35,15 +36,15 @@ ScratchFile::ScratchFile() : folder_(scratchFolder())
 {
     std::string name = (folder_ / "vitrine-XXXXXX").string();
     file_ = Descriptor(::mkostemp(name.data(), O_CLOEXEC));
-    if (!file_.open()) fail("creating a file there");
+    if (!file_.open()) fail(message("creating a file there"));
     ::unlink(name.c_str());
 }
 
-void ScratchFile::fail(const char* doing) const
+void ScratchFile::fail(const Message& doing) const
 {
-    throw Failure(Blame::file, "Cannot keep the views in " + folder_.string() + ": " + doing + " failed (" +
-                                   std::strerror(errno) +
-                                   "); free some space there, or let TMPDIR name a folder with more.");
+    throw Failure(Blame::file, message("Cannot keep the views in {1}: {2} failed ({3}); free some space there, or let "
+                                       "TMPDIR name a folder with more.",
+                                       folder_, doing, std::strerror(errno)));
 }
 
 void ScratchFile::append(const void* bytes, std::size_t count)
@@ -53,7 +54,7 @@ void ScratchFile::append(const void* bytes, std::size_t count)
         const ssize_t wrote = ::pwrite(file_.get(), at, count, static_cast<off_t>(size_));
         if (wrote < 0 && errno == EINTR) continue;
         if (wrote == 0) errno = ENOSPC;
-        if (wrote <= 0) fail("writing");
+        if (wrote <= 0) fail(message("writing"));
         at += wrote;
         size_ += static_cast<std::uint64_t>(wrote);
         count -= static_cast<std::size_t>(wrote);
@@ -69,7 +70,7 @@ void ScratchFile::align()
 const void* ScratchFile::map(std::uint64_t offset, std::size_t count) const
 {
     void* begin = ::mmap(nullptr, count, PROT_READ, MAP_SHARED, file_.get(), static_cast<off_t>(offset));
-    if (begin == MAP_FAILED) fail("mapping");
+    if (begin == MAP_FAILED) fail(message("mapping"));
     return begin;
 }
 

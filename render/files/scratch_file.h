@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/files/descriptor.h"
+#include "render/text/message.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -29,7 +30,7 @@ public:
     static constexpr std::uint64_t mapUnit = 65536;
 
 private:
-    [[noreturn]] void fail(const char* doing) const;
+    [[noreturn]] void fail(const Message& doing) const;
 
     std::filesystem::path folder_{};
     Descriptor file_{};

@@ -158,7 +158,7 @@ public:
     bool number_integer(number_integer_t x) override { return plain(JsonSpan::Type::number, x); }
     bool number_unsigned(number_unsigned_t x) override { return plain(JsonSpan::Type::number, x); }
     bool number_float(number_float_t x, const string_t& /*text*/) override { return plain(JsonSpan::Type::number, x); }
-    bool binary(binary_t& /*bytes*/) override { return refuse("JSON has no binary values"); }
+    bool binary(binary_t& /*bytes*/) override { return refuse(message("JSON has no binary values")); }
     bool string(string_t& x) override;
     bool start_object(std::size_t /*size*/) override { return open(JsonSpan::Type::object, Json::object()); }
     bool start_array(std::size_t /*size*/) override { return open(JsonSpan::Type::array, Json::array()); }
@@ -168,7 +168,7 @@ public:
     bool parse_error(std::size_t position, const std::string& lastToken, const nlohmann::detail::exception& e) override;
 
 private:
-    bool refuse(std::string why)
+    bool refuse(Message why)
     {
         problem_ = std::move(why);
         return false;
@@ -194,32 +194,37 @@ private:
     Json root_;
     std::vector<JsonLevel> levels_;
     std::size_t nodes_ = 0;
-    std::string problem_;
+    Message problem_;
     bool numberEnded_ = false;  ///< The error is in a number, which ends before the last character read.
     std::size_t longestFound_ = 0;
     int wantedLine_ = 1;
 };
 
-std::string shortenTo(std::size_t bytes)
+Message shortenTo(std::size_t bytes)
 {
-    return std::to_string(bytes) + " bytes; shorten it";
+    return message("{1} bytes; shorten it", bytes);
 }
 
 bool JsonReader::string(string_t& x)
 {
-    if (x.size() > limits_.stringBytes) return refuse("this string is longer than " + shortenTo(limits_.stringBytes));
-    if (x.find('\0') != std::string::npos) return refuse("this string contains the character U+0000; remove it");
+    if (x.size() > limits_.stringBytes)
+        return refuse(message("this string is longer than {1}", shortenTo(limits_.stringBytes)));
+    if (x.find('\0') != std::string::npos)
+        return refuse(message("this string contains the character U+0000; remove it"));
     return plain(JsonSpan::Type::string, std::move(x));
 }
 
 bool JsonReader::key(string_t& x)
 {
-    if (x.size() > limits_.stringBytes) return refuse("this key is longer than " + shortenTo(limits_.stringBytes));
+    if (x.size() > limits_.stringBytes)
+        return refuse(message("this key is longer than {1}", shortenTo(limits_.stringBytes)));
     const auto isControl = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
-    if (std::any_of(x.begin(), x.end(), isControl)) return refuse("a key contains a control character; remove it");
+    if (std::any_of(x.begin(), x.end(), isControl))
+        return refuse(message("a key contains a control character; remove it"));
     JsonLevel& level = levels_.back();
     level.key = x;
-    if (!level.keys.insert(std::move(x)).second) return refuse("this key appears twice; remove one of the two");
+    if (!level.keys.insert(std::move(x)).second)
+        return refuse(message("this key appears twice; remove one of the two"));
     if (recorder_) recorder_->key();
     comparePath();
     return true;
@@ -230,18 +235,17 @@ bool JsonReader::parse_error(std::size_t /*position*/, const std::string& lastTo
 {
     constexpr int outOfRange = 406;
     numberEnded_ = e.id == outOfRange;
-    if (numberEnded_) return refuse("the number " + lastToken + " is too large; numbers end at 1.8e308");
+    if (numberEnded_) return refuse(message("the number {1} is too large; numbers end at 1.8e308", lastToken));
     // "[json.exception.parse_error.101] parse error at line 3, column 5: syntax error while ...".
     std::string what = e.what();
     if (const std::size_t colon = what.find(": "); colon != std::string::npos) what.erase(0, colon + 2);
-    return refuse("this is not valid JSON (" + what + "); correct it there");
+    return refuse(message("this is not valid JSON ({1}); correct it there", what));
 }
 
 bool JsonReader::count()
 {
     if (!levels_.empty() && levels_.back().value.is_array()) comparePath();
-    if (++nodes_ > limits_.nodes)
-        return refuse("the file holds more than " + std::to_string(limits_.nodes) + " values");
+    if (++nodes_ > limits_.nodes) return refuse(message("the file holds more than {1} values", limits_.nodes));
     return true;
 }
 
@@ -249,7 +253,7 @@ bool JsonReader::open(JsonSpan::Type type, Json empty)
 {
     if (!count()) return false;
     if (levels_.size() >= limits_.depth)
-        return refuse("objects and arrays are nested more than " + std::to_string(limits_.depth) + " deep");
+        return refuse(message("objects and arrays are nested more than {1} deep", limits_.depth));
     if (recorder_) recorder_->open(type);
     levels_.push_back({std::move(empty)});
     return true;
@@ -320,26 +324,25 @@ bool isBinary(std::string_view bytes)
 Json JsonReader::read(const std::string& name)
 {
     const std::string_view text = source_.text;
-    const auto refuseWhole = [&](const std::string& why) { throw JsonFailure(name, 1, 1, "", why); };
+    const auto refuseWhole = [&](const Message& why) { throw JsonFailure(name, 1, 1, "", why); };
     if (text.size() > limits_.bytes) {
-        refuseWhole("the file has " + std::to_string(text.size()) + " bytes, more than the " +
-                    std::to_string(limits_.bytes) + " allowed for JSON");
+        refuseWhole(message("the file has {1} bytes, more than the {2} allowed for JSON", text.size(), limits_.bytes));
     }
-    if (text.empty()) refuseWhole("the file is empty; it should hold JSON");
-    if (text.starts_with("\xEF\xBB\xBF")) refuseWhole("the file starts with two byte order marks; delete one");
+    if (text.empty()) refuseWhole(message("the file is empty; it should hold JSON"));
+    if (text.starts_with("\xEF\xBB\xBF")) refuseWhole(message("the file starts with two byte order marks; delete one"));
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
-        refuseWhole("the file is UTF-16; save it as UTF-8");
-    if (isBinary(text)) refuseWhole("this is binary data and not JSON; choose another file");
+        refuseWhole(message("the file is UTF-16; save it as UTF-8"));
+    if (isBinary(text)) refuseWhole(message("this is binary data and not JSON; choose another file"));
     // The library takes a zero byte for the end of the text and would ignore everything after it.
-    if (const auto zero = zeroByteIn(text))
-        throw JsonFailure(name, zero->line, zero->column, "", std::string(zeroByteProblem));
+    if (const auto zero = zeroByteIn(text)) throw JsonFailure(name, zero->line, zero->column, "", zeroByteProblem());
     if (Json::sax_parse(CountingIterator(source_, 0), CountingIterator(source_, text.size()), this))
         return std::move(root_);
 
     std::size_t& taken = source_.taken;
     while (numberEnded_ && taken > 1 && (text[taken - 1] < '0' || text[taken - 1] > '9')) --taken;
     const TextPosition at = positionIn(source_);
-    throw JsonFailure(name, at.line, at.column, path(), problem_.empty() ? "this is not valid JSON" : problem_);
+    throw JsonFailure(name, at.line, at.column, path(),
+                      problem_.empty() ? message("this is not valid JSON") : problem_);
 }
 
 std::vector<JsonSpan> JsonReader::places(const std::string& name)
@@ -353,10 +356,10 @@ std::vector<JsonSpan> JsonReader::places(const std::string& name)
 
 }  // namespace
 
-JsonFailure::JsonFailure(const std::string& file, int line, int column, const std::string& key,
-                         const std::string& problem)
-    : Failure(Blame::file, file + ", line " + std::to_string(line) + ", column " + std::to_string(column) +
-                               (key.empty() ? "" : ", " + key) + ": " + problem + "."),
+JsonFailure::JsonFailure(const std::string& file, int line, int column, const std::string& key, const Message& problem)
+    : Failure(Blame::file,
+              key.empty() ? vitrine::message("{1}, line {2}, column {3}: {4}.", file, line, column, problem)
+                          : vitrine::message("{1}, line {2}, column {3}, {4}: {5}.", file, line, column, key, problem)),
       line_(line), column_(column), key_(key), problem_(problem)
 {
 }
@@ -369,13 +372,10 @@ int JsonDocument::lineOf(std::string_view keyPath) const
     return reader.wantedLine();
 }
 
-Failure JsonDocument::failure(std::string_view keyPath, std::string_view problem) const
+Failure JsonDocument::failure(std::string_view keyPath, const Message& problem) const
 {
-    std::string message = name_;
-    if (!keyPath.empty()) {
-        message += ", line " + std::to_string(lineOf(keyPath)) + ", " + std::string(keyPath);
-    }
-    return Failure(Blame::file, message + ": " + std::string(problem));
+    if (keyPath.empty()) return Failure(Blame::file, message("{1}: {2}", name_, problem));
+    return Failure(Blame::file, message("{1}, line {2}, {3}: {4}", name_, lineOf(keyPath), keyPath, problem));
 }
 
 JsonDocument parseJson(std::string text, std::string name, const JsonLimits& limits)
@@ -422,9 +422,10 @@ public:
     std::string out;
 
 private:
-    [[noreturn]] void fail(const std::string& problem) const
+    [[noreturn]] void fail(const Message& problem) const
     {
-        throw Failure(Blame::file, "Cannot write JSON: " + (path_.empty() ? "the value" : path_) + " " + problem);
+        throw Failure(Blame::file, path_.empty() ? message("Cannot write JSON: the value {1}", problem)
+                                                 : message("Cannot write JSON: {1} {2}", path_, problem));
     }
 
     void newline(int depth) { out += '\n' + std::string(2 * static_cast<std::size_t>(depth), ' '); }
@@ -468,7 +469,7 @@ private:
 
     void writeNumber(double x)
     {
-        if (!std::isfinite(x)) fail("is not a finite number; reset it.");
+        if (!std::isfinite(x)) fail(message("is not a finite number; reset it."));
         const std::string text = shortestNumber(x);
         out += text;
         if (text.find_first_of(".e") == std::string::npos) out += ".0";
@@ -479,7 +480,7 @@ private:
         try {
             out += quoted(text, false);
         } catch (const Json::type_error&) {
-            fail("holds text that is not UTF-8; retype it.");
+            fail(message("holds text that is not UTF-8; retype it."));
         }
     }
 
@@ -507,7 +508,7 @@ std::string asciiJson(std::string_view utf8Json)
             const std::string escaped = quoted(std::string(beyond, at), true);
             out.append(escaped, 1, escaped.size() - 2);
         } catch (const Json::type_error&) {
-            throw Failure(Blame::file, "Cannot write JSON: the text is not UTF-8.");
+            throw Failure(Blame::file, message("Cannot write JSON: the text is not UTF-8."));
         }
     }
     return out;

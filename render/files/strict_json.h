@@ -26,16 +26,17 @@ struct JsonLimits {
 class JsonFailure : public Failure {
 public:
     /// `key` is a path ("values.morph"), empty outside of objects; `problem` is a sentence without its full stop.
-    JsonFailure(const std::string& file, int line, int column, const std::string& key, const std::string& problem);
+    JsonFailure(const std::string& file, int line, int column, const std::string& key, const Message& problem);
 
     [[nodiscard]] int line() const { return line_; }      ///< From 1.
     [[nodiscard]] int column() const { return column_; }  ///< From 1, in bytes.
     [[nodiscard]] const std::string& key() const { return key_; }
-    [[nodiscard]] const std::string& problem() const { return problem_; }
+    [[nodiscard]] const Message& problem() const { return problem_; }
 
 private:
     int line_, column_;
-    std::string key_, problem_;
+    std::string key_;
+    Message problem_;
 };
 
 /// A parsed JSON text that can still give the line of each of its keys.
@@ -56,7 +57,7 @@ public:
     [[nodiscard]] int lineOf(std::string_view keyPath) const;
 
     /// Returns the error "<name>, line <n>, <key path>: <problem>", to be thrown. An empty path omits line and key.
-    [[nodiscard]] Failure failure(std::string_view keyPath, std::string_view problem) const;
+    [[nodiscard]] Failure failure(std::string_view keyPath, const Message& problem) const;
 
 private:
     Json root_;

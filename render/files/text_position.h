@@ -1,5 +1,7 @@
 #pragma once
 
+#include "render/text/message.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <optional>
@@ -22,8 +24,11 @@ struct TextPosition {
     return {static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1, static_cast<int>(column)};
 }
 
-/// Error text for a zero byte; a sentence without its full stop.
-inline constexpr std::string_view zeroByteProblem = "here is a zero byte, which no text has; remove it";
+/// Returns the error text for a zero byte; a sentence without its full stop.
+[[nodiscard]] inline Message zeroByteProblem()
+{
+    return message("here is a zero byte, which no text has; remove it");
+}
 
 /// Returns the position of the first zero byte, or nothing. No text file may contain one, because readers differ in
 /// whether it ends the text.

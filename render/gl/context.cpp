@@ -116,20 +116,20 @@ ContextInfo currentContextInfo()
     return info;
 }
 
-std::string whyUnusable(const ContextInfo& info)
+Message whyUnusable(const ContextInfo& info)
 {
     if (info.version.empty())
-        return "No OpenGL was found; OpenGL 4.5 is needed: install a graphics driver, or Mesa's software one "
-               "(libgl1-mesa-dri).";
+        return message("No OpenGL was found; OpenGL 4.5 is needed: install a graphics driver, or Mesa's software one "
+                       "(libgl1-mesa-dri).");
     if (info.major * 10 + info.minor >= 45) return {};
-    return "OpenGL " + std::to_string(info.major) + '.' + std::to_string(info.minor) + " found (" + info.renderer +
-           "), OpenGL 4.5 needed: update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1 to draw with Mesa's "
-           "software renderer.";
+    return message("OpenGL {1} found ({2}), OpenGL 4.5 needed: update the graphics driver, or set "
+                   "LIBGL_ALWAYS_SOFTWARE=1 to draw with Mesa's software renderer.",
+                   std::to_string(info.major) + '.' + std::to_string(info.minor), info.renderer);
 }
 
 HeadlessContext::HeadlessContext(bool debug) : state_(std::make_unique<State>())
 {
-    std::string found;
+    Message found;
     for (const EGLDisplay display : candidateDisplays()) {
         EGLint major = 0;
         EGLint minor = 0;
@@ -180,7 +180,8 @@ std::shared_ptr<SharedContext> HeadlessContext::shared() const
 {
     const EGLContext context = makeContext(state_->display, false, state_->context);
     if (context == EGL_NO_CONTEXT)
-        throw Failure(Blame::openGl, "The graphics driver makes no second context that shares with the first.");
+        throw Failure(Blame::openGl,
+                      message("The graphics driver makes no second context that shares with the first."));
     return std::make_shared<SharedEglContext>(state_->display, context);
 }
 

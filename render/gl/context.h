@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/gl/shared_context.h"
+#include "render/text/message.h"
 
 #include <memory>
 #include <string>
@@ -23,7 +24,7 @@ struct ContextInfo {
 [[nodiscard]] ContextInfo currentContextInfo();
 
 /// Returns one sentence that says why the context cannot be used; empty if it can.
-[[nodiscard]] std::string whyUnusable(const ContextInfo&);
+[[nodiscard]] Message whyUnusable(const ContextInfo&);
 
 /// An OpenGL 4.5 core context without window or display: EGL on a device (hardware first), else Mesa's surfaceless
 /// platform. It is current on the thread that created it. Throws Failure (Blame::openGl).

@@ -13,11 +13,11 @@ std::string identify(const ShaderKey& key)
            (key.sources ? '|' + std::to_string(key.sources->hash()) : std::string());
 }
 
-std::string placeOf(const ShaderKey& key, const ShaderMessage& problem)
+Message placeOf(const ShaderKey& key, const ShaderMessage& problem)
 {
-    const bool generated = key.sources && key.sources->textByPath().contains(problem.file);
-    return (generated ? "The generated shader " : "shaders/") + problem.file + ", line " +
-           std::to_string(problem.line) + ": " + problem.text;
+    if (key.sources && key.sources->textByPath().contains(problem.file))
+        return message("The generated shader {1}, line {2}: {3}", problem.file, problem.line, problem.text);
+    return message("shaders/{1}, line {2}: {3}", problem.file, problem.line, problem.text);
 }
 
 }  // namespace
@@ -75,10 +75,10 @@ ProgramInUse ProgramCache::use(const ShaderKey& key, Building building)
         return {entry.build.program.name()};
     }
     if (std::optional<ProgramInUse> other = standIn(entry)) return *other;
-    const std::string problem = placeOf(key, entry.build.problem);
+    const Message problem = placeOf(key, entry.build.problem);
     programs_.erase(found);
-    throw Failure(Blame::shader,
-                  problem + " (while building " + describe(key) + "); correct the shader or reinstall the program.");
+    throw Failure(Blame::shader, message("{1} (while building {2}); correct the shader or reinstall the program.",
+                                         problem, describe(key)));
 }
 
 bool ProgramCache::canWait(const ShaderKey& key) const
@@ -135,18 +135,19 @@ std::optional<ProgramInUse> ProgramCache::standIn(const Entry& entry)
 {
     const ShaderKey& key = entry.key;
     if (key.slot.empty()) return std::nullopt;
-    const std::string why = entry.building
-                                ? "while the new program is being built"
-                                : "because the new program does not build: " + placeOf(key, entry.build.problem);
+    const Message why = entry.building
+                            ? message("while the new program is being built")
+                            : message("because the new program does not build: {1}", placeOf(key, entry.build.problem));
     const bool building = entry.building;
     if (key.meanwhile)
-        return ProgramInUse{use(*key.meanwhile).program, "drawn with " + describe(*key.meanwhile) + ' ' + why,
-                            building};
+        return ProgramInUse{use(*key.meanwhile).program,
+                            message("drawn with {1} {2}", describe(*key.meanwhile), why).english(), building};
     const auto last = lastGood_.find(key.slot);
     const auto good = last == lastGood_.end() ? programs_.end() : programs_.find(last->second);
     if (good == programs_.end() || !good->second.build.program) return std::nullopt;
     good->second.lastUse = frame_;
-    ProgramInUse used{good->second.build.program.name(), "drawn with the last good program " + why, building};
+    ProgramInUse used{good->second.build.program.name(), message("drawn with the last good program {1}", why).english(),
+                      building};
     const auto hashOf = [](const ShaderKey& of) { return of.sources ? of.sources->hash() : 0; };
     if (hashOf(good->second.key) != hashOf(key)) used.ofSources = hashOf(good->second.key);
     return used;

@@ -33,8 +33,10 @@ BufferName makeBuffer(const BufferInfo& info)
     glNamedBufferStorage(name, static_cast<GLsizeiptr>(std::max<std::int64_t>(info.bytes, 16)), nullptr,
                          GL_DYNAMIC_STORAGE_BIT);
     if (glGetError() != GL_NO_ERROR) {
-        throw Failure(Blame::openGl, "The graphics driver cannot store the buffer \"" + info.name + "\" of " +
-                                         std::to_string(info.bytes) + " bytes; choose fewer or smaller things.");
+        throw Failure(
+            Blame::openGl,
+            message("The graphics driver cannot store the buffer \"{1}\" of {2} bytes; choose fewer or smaller things.",
+                    info.name, info.bytes));
     }
     glClearNamedBufferData(name, GL_R8, GL_RED, GL_UNSIGNED_BYTE, nullptr);
     glObjectLabel(GL_BUFFER, name, -1, info.name.c_str());

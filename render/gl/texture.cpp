@@ -118,9 +118,10 @@ Texture::Texture(const ImageInfo& info, glm::ivec2 size)
     else
         glTextureStorage2D(name, info.levels, internalFormat(info.format), size.x, size.y);
     if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
-        throw Failure(Blame::openGl, "The graphics driver cannot store the image \"" + info.name + "\" of " +
-                                         std::to_string(size.x) + " × " + std::to_string(size.y) +
-                                         " pixels; choose a smaller size.");
+        throw Failure(
+            Blame::openGl,
+            message("The graphics driver cannot store the image \"{1}\" of {2} × {3} pixels; choose a smaller size.",
+                    info.name, size.x, size.y));
     }
     const bool mipped = info.levels > 1;
     const bool nearest = info.nearest || info.hasOwnPixels();

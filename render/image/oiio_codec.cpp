@@ -12,7 +12,8 @@ std::atomic<bool> isOpen{false};
 OiioCodec* openOiio()
 {
     return static_cast<OiioCodec*>(openModule(
-        {"libvitrine_oiio.so", VITRINE_OIIO_BUILT, "vitrineOiio", "reads and writes pictures", "OpenImageIO"},
+        {"libvitrine_oiio.so", VITRINE_OIIO_BUILT, "vitrineOiio", message("reads and writes pictures"),
+         Message::verbatim("OpenImageIO")},
         [](void* symbol) -> void* { return reinterpret_cast<decltype(&vitrineOiio)>(symbol)(vitrineOiioVersion); }));
 }
 

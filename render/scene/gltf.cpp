@@ -71,8 +71,9 @@ tinygltf::Model parse(const JsonDocument& document)
     }
     if (!good) {
         while (!error.empty() && (error.back() == '\n' || error.back() == '.')) error.pop_back();
-        throw Failure(Blame::file, "Cannot read " + document.name() + ": " +
-                                       (error.empty() ? "it is not glTF" : error) + "; export it again.");
+        if (error.empty())
+            throw Failure(Blame::file, message("Cannot read {1}: it is not glTF; export it again.", document.name()));
+        throw Failure(Blame::file, message("Cannot read {1}: {2}; export it again.", document.name(), error));
     }
     model.bufferViews.pop_back();
     for (std::size_t i = 0; i < model.accessors.size(); ++i)
@@ -86,12 +87,12 @@ GltfFile readGltfFile(const std::string& bytes, const std::filesystem::path& pat
 {
     const std::string name = path.string();
     if (bytes.size() > std::min<std::uint64_t>(limits.fileBytes, 0x7FFFFFFF)) {
-        throw Failure(Blame::file, "Cannot read " + name + ": the file is too large; simplify the model.");
+        throw Failure(Blame::file, message("Cannot read {1}: the file is too large; simplify the model.", name));
     }
     JsonDocument document = guardGltf(bytes, name, limits);
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
     tinygltf::Model gltf = parse(document);
-    std::vector<std::string> warnings;
+    std::vector<Message> warnings;
     gltf.buffers = readBuffers(document, binOf(bytes, name), folder, limits, warnings);
     gltf.images = readImages(document, folder, limits, warnings);
     validateGltf(gltf, document, limits);
@@ -112,15 +113,16 @@ Model loadGltf(const std::filesystem::path& path, const GltfLimits& limits, cons
     return parseGltf(readFile(path, limits.fileBytes), path, limits, canceled);
 }
 
-std::string whyNothingIsSeen(const std::string& name, const Box& bounds)
+Message whyNothingIsSeen(const std::string& name, const Box& bounds)
 {
     if (bounds.empty())
-        return "Nothing of " + name +
-               " is to be seen: it has no triangles; choose another file, or export it with its meshes.";
+        return message(
+            "Nothing of {1} is to be seen: it has no triangles; choose another file, or export it with its meshes.",
+            name);
     const glm::dvec3 size = bounds.high - bounds.low;
     if ((size.x > 0) + (size.y > 0) + (size.z > 0) >= 2) return {};
-    return "Nothing of " + name +
-           " is to be seen: it is scaled to a point or a line; export it with a scale other than 0.";
+    return message(
+        "Nothing of {1} is to be seen: it is scaled to a point or a line; export it with a scale other than 0.", name);
 }
 
 }  // namespace vitrine::render

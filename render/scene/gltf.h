@@ -33,6 +33,6 @@ namespace vitrine::render {
 
 /// Returns a sentence, with the model's name, that says why a model with these bounds is invisible: it has no
 /// triangles, or they are scaled to a point or a line. Empty if it is visible.
-[[nodiscard]] std::string whyNothingIsSeen(const std::string& name, const Box& bounds);
+[[nodiscard]] Message whyNothingIsSeen(const std::string& name, const Box& bounds);
 
 }  // namespace vitrine::render

@@ -98,38 +98,39 @@ public:
                                     const std::string& path) const
     {
         const std::optional<std::size_t> found = optionalIndex(object, key, size, path);
-        if (!found) throw document_.failure(path, std::string("\"") + key + "\" is missing; export the file again.");
+        if (!found) throw document_.failure(path, message("\"{1}\" is missing; export the file again.", key));
         return *found;
     }
     [[nodiscard]] std::optional<std::size_t> optionalIndex(const Json& object, const char* key, std::size_t size,
                                                            const std::string& path) const
     {
-        if (!object.is_object()) throw document_.failure(path, "this must be an object; export the file again.");
+        if (!object.is_object())
+            throw document_.failure(path, message("this must be an object; export the file again."));
         const auto at = object.find(key);
         if (at == object.end()) return std::nullopt;
         if (!at->is_number_unsigned() || at->get<std::uint64_t>() >= size)
-            throw document_.failure(path + "." + key, "this names nothing; export the file again.");
+            throw document_.failure(path + "." + key, message("this names nothing; export the file again."));
         return static_cast<std::size_t>(at->get<std::uint64_t>());
     }
     [[nodiscard]] const Json& array(const Json& object, const char* key, const std::string& path) const
     {
         const auto at = object.is_object() ? object.find(key) : object.end();
         if (!object.is_object() || at == object.end() || !at->is_array())
-            throw document_.failure(path, std::string("\"") + key + "\" must be an array; export the file again.");
+            throw document_.failure(path, message("\"{1}\" must be an array; export the file again.", key));
         return *at;
     }
     /// Returns a top-level array; empty if it is missing.
     [[nodiscard]] const Json& rootArray(const char* key) const
     {
         const Json& found = arrayAt(document_, key);
-        if (!found.is_array()) throw document_.failure(key, "this must be an array; export the file again.");
+        if (!found.is_array()) throw document_.failure(key, message("this must be an array; export the file again."));
         return found;
     }
     [[nodiscard]] std::vector<float> floats(std::size_t accessor, const std::string& path) const
     {
         std::vector<float> values = readFloats(gltf_, static_cast<int>(accessor));
         if (!std::all_of(values.begin(), values.end(), [](float x) { return std::isfinite(x); }))
-            throw document_.failure(path, "one of its values is not a finite number; export the file again.");
+            throw document_.failure(path, message("one of its values is not a finite number; export the file again."));
         return values;
     }
     [[nodiscard]] const JsonDocument& document() const { return document_; }
@@ -174,9 +175,9 @@ std::optional<Channel> readChannel(const Reader& reader, const Json& animation, 
     const std::size_t keys = channel.times.size() * (channel.between == Between::cubic ? 3 : 1);
     const std::size_t wanted = *what == Path::rotation ? 4 : *what == Path::weights ? 0 : 3;
     if (keys == 0 || channel.values.size() % keys != 0 || (wanted > 0 && channel.values.size() != keys * wanted))
-        throw reader.document().failure(path, "its keys and values do not agree; export the file again.");
+        throw reader.document().failure(path, message("its keys and values do not agree; export the file again."));
     if (!std::is_sorted(channel.times.begin(), channel.times.end()))
-        throw reader.document().failure(path, "its times do not rise; export the file again.");
+        throw reader.document().failure(path, message("its times do not rise; export the file again."));
     channel.width = channel.values.size() / keys;
     return channel;
 }
@@ -186,14 +187,16 @@ Skin readSkin(const Reader& reader, const Json& json, const std::string& path)
     Skin skin;
     for (const Json& joint : reader.array(json, "joints", path)) {
         if (!joint.is_number_unsigned() || joint.get<std::uint64_t>() >= reader.gltf().nodes.size())
-            throw reader.document().failure(path + ".joints", "one of them names no node; export the file again.");
+            throw reader.document().failure(path + ".joints",
+                                            message("one of them names no node; export the file again."));
         skin.joints.push_back(static_cast<std::size_t>(joint.get<std::uint64_t>()));
     }
     skin.meshFromJointRest.assign(skin.joints.size(), glm::dmat4(1));
     if (const auto at = reader.optionalIndex(json, "inverseBindMatrices", reader.gltf().accessors.size(), path)) {
         const std::vector<float> values = reader.floats(*at, path);
         if (values.size() < 16 * skin.joints.size())
-            throw reader.document().failure(path + ".inverseBindMatrices", "there are too few; export the file again.");
+            throw reader.document().failure(path + ".inverseBindMatrices",
+                                            message("there are too few; export the file again."));
         for (std::size_t i = 0; i < skin.joints.size(); ++i)
             skin.meshFromJointRest[i] = glm::dmat4(glm::make_mat4(values.data() + 16 * i));
     }
@@ -256,7 +259,7 @@ void AnimatedModel::Parts::read()
     for (std::size_t i = 0; i < animationsJson.size(); ++i) {
         const std::string path = "animations[" + std::to_string(i) + "]";
         const Json& json = animationsJson[i];
-        Animation animation{"animation " + std::to_string(i), 0};
+        Animation animation{message("animation {1}", i).english(), 0};
         channels.emplace_back();
         for (const Json& channel : reader.array(json, "channels", path))
             if (auto made = readChannel(reader, json, channel, path)) {

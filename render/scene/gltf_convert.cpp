@@ -103,7 +103,7 @@ public:
             const glm::dmat4 modelFromNode = visit.modelFromParent * nodeTransform(node);
             if (!isFinite(modelFromNode)) {
                 throw document_.failure("nodes[" + std::to_string(visit.node) + "]",
-                                        "its place overflows; export the file again.");
+                                        message("its place overflows; export the file again."));
             }
             add(visit.node, modelFromNode);
             for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
@@ -134,16 +134,17 @@ private:
     void warnAboutTheRest()
     {
         const auto has = [this](const char* array) { return document_.root().contains(array); };
-        if (has("animations") && !pose_) warnings_.add("Animations are not supported; the model stands still.");
-        if (has("skins") && !pose_) warnings_.add("Skins are not supported; meshes keep their rest pose.");
-        if (has("cameras")) warnings_.add("Cameras are not supported; their nodes become markers.");
-        if (gltf_.scenes.size() > 1) warnings_.add("Only the default scene is shown.");
+        if (has("animations") && !pose_)
+            warnings_.add(message("Animations are not supported; the model stands still."));
+        if (has("skins") && !pose_) warnings_.add(message("Skins are not supported; meshes keep their rest pose."));
+        if (has("cameras")) warnings_.add(message("Cameras are not supported; their nodes become markers."));
+        if (gltf_.scenes.size() > 1) warnings_.add(message("Only the default scene is shown."));
         // Extensions that the file uses without listing them count, too: their effect is missing all the same.
         std::set<std::string> extensions(gltf_.extensionsUsed.begin(), gltf_.extensionsUsed.end());
         addExtensions(document_.root(), extensions);
         for (const std::string& name : extensions) {
             if (name == "KHR_materials_emissive_strength" || name == "KHR_mesh_quantization") continue;
-            warnings_.add("The extension " + name + " is not supported and was ignored.");
+            warnings_.add(message("The extension {1} is not supported and was ignored.", name));
         }
     }
 
@@ -181,7 +182,7 @@ private:
         const auto key = std::tuple(m, p, deformed ? node : -1);
         const auto known = meshes_.find(key);
         if (known != meshes_.end()) return known->second;
-        if (canceled_ && canceled_()) throw document_.failure({}, "loading was canceled.");
+        if (canceled_ && canceled_()) throw document_.failure({}, message("loading was canceled."));
         const tinygltf::Mesh& source = gltf_.meshes[static_cast<std::size_t>(m)];
         const std::string path = "meshes[" + std::to_string(m) + "].primitives[" + std::to_string(p) + "]";
         return meshes_[key] = convertPrimitive(source.primitives[p], source.name, path, material, deformed ? node : -1);
@@ -192,16 +193,16 @@ private:
     {
         const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
         if (mode < TINYGLTF_MODE_TRIANGLES || mode > TINYGLTF_MODE_TRIANGLE_FAN) {
-            warnings_.add("Lines and points are not supported and were left out of mesh " + name + ".");
+            warnings_.add(message("Lines and points are not supported and were left out of mesh {1}.", name));
             return nullptr;
         }
         const auto position = primitive.attributes.find("POSITION");
         if (position == primitive.attributes.end()) {
-            warnings_.add("Mesh " + name + " has a part without positions, which was left out.");
+            warnings_.add(message("Mesh {1} has a part without positions, which was left out.", name));
             return nullptr;
         }
         if (!primitive.targets.empty() && !pose_)
-            warnings_.add("Morph targets are not supported; mesh " + name + " keeps its first shape.");
+            warnings_.add(message("Morph targets are not supported; mesh {1} keeps its first shape.", name));
 
         auto mesh = std::make_shared<Mesh>();
         mesh->name = name;
@@ -224,7 +225,7 @@ private:
         keepUsedVertices(*mesh);
         if (!hasNormals) makeFlatNormals(*mesh);
         if (material.normalMap && !hasUv)
-            warnings_.add("Mesh " + name + " has a normal map but no texture coordinates.");
+            warnings_.add(message("Mesh {1} has a normal map but no texture coordinates.", name));
         if (material.normalMap && hasUv && (!hasTangents || !hasNormals)) makeTangents(*mesh);
         for (const Vertex& vertex : mesh->vertices) mesh->bounds.include(glm::dvec3(vertex.position));
         return mesh;
@@ -244,14 +245,13 @@ private:
             const std::size_t number = attribute.find('_') + 1;
             const bool ofSkin = attribute.starts_with("JOINTS_") || attribute.starts_with("WEIGHTS_");
             const bool drawn = ofSkin && GltfPose::takesSet(attribute.substr(number));
-            if (!drawn) warnings_.add("The vertex attribute " + attribute + " is not supported and was ignored.");
+            if (!drawn) warnings_.add(message("The vertex attribute {1} is not supported and was ignored.", attribute));
             return;
         }
         const auto components = static_cast<std::size_t>(entry->second);
         if (tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(
                 gltf_.accessors[static_cast<std::size_t>(accessor)].type)) != entry->second) {
-            throw document_.failure(path, "this must have " + std::to_string(components) +
-                                              " components; export the file again.");
+            throw document_.failure(path, message("this must have {1} components; export the file again.", components));
         }
         const std::vector<float> values = finiteFloats(accessor, path);
         for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
@@ -262,7 +262,7 @@ private:
     {
         std::vector<float> values = readFloats(gltf_, accessor);
         if (!std::all_of(values.begin(), values.end(), [](float x) { return std::isfinite(x); })) {
-            throw document_.failure(path, "one of its values is not a finite number; export the file again.");
+            throw document_.failure(path, message("one of its values is not a finite number; export the file again."));
         }
         return values;
     }
@@ -274,7 +274,7 @@ private:
         const tinygltf::Accessor& from = gltf_.accessors[static_cast<std::size_t>(accessor)];
         const int components = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(from.type));
         if (components != 3 && components != 4)
-            throw document_.failure(path, "this must have 3 or 4 components; export the file again.");
+            throw document_.failure(path, message("this must have 3 or 4 components; export the file again."));
         float largest = 1;
         if (!from.normalized && from.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE) largest = 255;
         if (!from.normalized && from.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT) largest = 65535;

@@ -20,7 +20,7 @@ struct GltfPose;
 struct GltfFile {
     JsonDocument document;
     tinygltf::Model gltf;
-    std::vector<std::string> warnings;
+    std::vector<Message> warnings;
 };
 /// Throws Failure as `loadGltf` does.
 [[nodiscard]] GltfFile readGltfFile(const std::string& bytes, const std::filesystem::path&, const GltfLimits&);

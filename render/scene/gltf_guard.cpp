@@ -15,9 +15,9 @@ namespace {
 constexpr std::uint64_t jsonChunk = 0x4E4F534A;
 constexpr std::uint64_t binChunk = 0x004E4942;
 
-[[noreturn]] void fail(const std::string& name, const std::string& problem)
+[[noreturn]] void fail(const std::string& name, const Message& problem)
 {
-    throw Failure(Blame::file, "Cannot read " + name + ": " + problem + "; export it again.");
+    throw Failure(Blame::file, message("Cannot read {1}: {2}; export it again.", name, problem));
 }
 
 /// Type and length of a chunk, and the offset of its first byte.
@@ -30,29 +30,29 @@ struct Chunk {
 std::vector<Chunk> chunksOf(const std::string& bytes, const std::string& name)
 {
     const std::uint64_t size = bytes.size();
-    if (size < 20) fail(name, "it is too short for a GLB container");
-    if (littleEndian(bytes, 4) != 2) fail(name, "it is not of glTF version 2");
-    if (littleEndian(bytes, 8) != size) fail(name, "its header gives another length than the file has");
+    if (size < 20) fail(name, message("it is too short for a GLB container"));
+    if (littleEndian(bytes, 4) != 2) fail(name, message("it is not of glTF version 2"));
+    if (littleEndian(bytes, 8) != size) fail(name, message("its header gives another length than the file has"));
     std::vector<Chunk> chunks;
     for (std::uint64_t next = 12; next < size;) {
-        const std::string after = chunks.empty()               ? "its header"
-                                  : chunks.size() == 1         ? "its JSON"
-                                  : chunks[1].type == binChunk ? "its BIN chunk"
-                                                               : "its second chunk";
-        if (next + 8 > size) fail(name, "something follows " + after + " that is no chunk");
+        const Message after = chunks.empty()               ? message("its header")
+                              : chunks.size() == 1         ? message("its JSON")
+                              : chunks[1].type == binChunk ? message("its BIN chunk")
+                                                           : message("its second chunk");
+        if (next + 8 > size) fail(name, message("something follows {1} that is no chunk", after));
         const Chunk chunk{littleEndian(bytes, next + 4), next + 8, littleEndian(bytes, next)};
-        const std::string self = chunk.type == jsonChunk  ? "JSON chunk"
-                                 : chunk.type == binChunk ? "BIN chunk"
-                                                          : "chunk number " + std::to_string(chunks.size() + 1);
+        const Message self = chunk.type == jsonChunk  ? message("JSON chunk")
+                             : chunk.type == binChunk ? message("BIN chunk")
+                                                      : message("chunk number {1}", chunks.size() + 1);
         // The length should be a multiple of four. Exporters that omit the padding still write valid data.
-        if (chunk.first + chunk.length > size) fail(name, "its " + self + " does not fit the file");
+        if (chunk.first + chunk.length > size) fail(name, message("its {1} does not fit the file", self));
         chunks.push_back(chunk);
         next = chunk.first + chunk.length;
     }
-    if (chunks[0].type != jsonChunk) fail(name, "its first chunk is not JSON");
+    if (chunks[0].type != jsonChunk) fail(name, message("its first chunk is not JSON"));
     for (std::size_t i = 1; i < chunks.size(); ++i) {
-        if (chunks[i].type == jsonChunk) fail(name, "it has two JSON chunks");
-        if (i > 1 && chunks[i].type == binChunk) fail(name, "its BIN chunk is not the second one");
+        if (chunks[i].type == jsonChunk) fail(name, message("it has two JSON chunks"));
+        if (i > 1 && chunks[i].type == binChunk) fail(name, message("its BIN chunk is not the second one"));
     }
     return chunks;
 }
@@ -78,8 +78,8 @@ void checkCount(const JsonDocument& document, const char* array, std::uint64_t m
 {
     const std::size_t count = arrayAt(document, array).size();
     if (count > most) {
-        throw document.failure(array, "there are " + std::to_string(count) + ", more than the " + std::to_string(most) +
-                                          " allowed; simplify the model.");
+        throw document.failure(array,
+                               message("there are {1}, more than the {2} allowed; simplify the model.", count, most));
     }
 }
 
@@ -89,12 +89,13 @@ void checkBuffers(const JsonDocument& document, const GltfLimits& limits)
     std::uint64_t total = 0;
     for (std::size_t i = 0; i < arrayAt(document, "buffers").size(); ++i) {
         const std::uint64_t length = sizeAt(arrayAt(document, "buffers")[i], "byteLength");
-        if (length < 1) throw document.failure(elementPath("buffers", i, "byteLength"), "a buffer cannot be empty.");
+        if (length < 1)
+            throw document.failure(elementPath("buffers", i, "byteLength"), message("a buffer cannot be empty."));
         // Two checks, so that nothing overflows: the sum of two numbers below 2^31 is safe.
         if (length > limits.bufferBytes || (total += length) > limits.bufferBytes) {
-            throw document.failure(elementPath("buffers", i, "byteLength"), "the buffers together are larger than " +
-                                                                                std::to_string(limits.bufferBytes) +
-                                                                                " bytes; simplify the model.");
+            throw document.failure(
+                elementPath("buffers", i, "byteLength"),
+                message("the buffers together are larger than {1} bytes; simplify the model.", limits.bufferBytes));
         }
         lengths.push_back(length);
     }
@@ -105,14 +106,16 @@ void checkBuffers(const JsonDocument& document, const GltfLimits& limits)
         const std::uint64_t length = sizeAt(view, "byteLength");
         const std::uint64_t stride = sizeAt(view, "byteStride", 4);
         if (buffer >= lengths.size())
-            throw document.failure(elementPath("bufferViews", i, "buffer"), "there is no such buffer.");
-        if (length < 1) throw document.failure(elementPath("bufferViews", i, "byteLength"), "a view cannot be empty.");
+            throw document.failure(elementPath("bufferViews", i, "buffer"), message("there is no such buffer."));
+        if (length < 1)
+            throw document.failure(elementPath("bufferViews", i, "byteLength"), message("a view cannot be empty."));
         if (offset > lengths[buffer] || length > lengths[buffer] - offset) {
-            throw document.failure(elementPath("bufferViews", i, "byteLength"), "this view reaches beyond its buffer.");
+            throw document.failure(elementPath("bufferViews", i, "byteLength"),
+                                   message("this view reaches beyond its buffer."));
         }
         if (stride < 4 || stride > 252 || stride % 4 != 0)
             throw document.failure(elementPath("bufferViews", i, "byteStride"),
-                                   "a stride is a multiple of 4 from 4 to 252; export the file again.");
+                                   message("a stride is a multiple of 4 from 4 to 252; export the file again."));
     }
 }
 
@@ -131,14 +134,14 @@ void checkAccessors(const JsonDocument& document, const GltfLimits& limits)
         if (!isOneOf(componentTypes, sizeAt(accessor, "componentType")) ||
             !isOneOf(types, accessor.at("type").get<std::string>()))
             throw document.failure(elementPath("accessors", i, "componentType"),
-                                   "its type or component type is none of glTF's; export the file again.");
+                                   message("its type or component type is none of glTF's; export the file again."));
         if (accessor.contains("bufferView")) continue;
         const std::uint64_t mostElements = limits.zeroBytes / (16 * sizeof(float));
         const std::uint64_t count = sizeAt(accessor, "count");
         if (count > mostElements || (zeros += count) > mostElements)
-            throw document.failure(elementPath("accessors", i, "count"), "accessors without data have more than " +
-                                                                             std::to_string(mostElements) +
-                                                                             " elements; give them a bufferView.");
+            throw document.failure(
+                elementPath("accessors", i, "count"),
+                message("accessors without data have more than {1} elements; give them a bufferView.", mostElements));
     }
 }
 
@@ -150,10 +153,11 @@ void checkReferences(const JsonDocument& document, const char* array)
         if (uri == object.end()) continue;
         const auto& text = uri->get_ref<const std::string&>();
         if (text.starts_with("data:")) continue;
-        if (const std::string why = whyRefused(gltfReference(text), Reach::parent); !why.empty()) {
-            throw document.failure(elementPath(array, i, "uri"),
-                                   "this reference is refused because " + why +
-                                       "; put the file beside the model and name it relatively.");
+        if (const Message why = whyRefused(gltfReference(text), Reach::parent); !why.empty()) {
+            throw document.failure(
+                elementPath(array, i, "uri"),
+                message("this reference is refused because {1}; put the file beside the model and name it relatively.",
+                        why));
         }
     }
 }
@@ -166,9 +170,9 @@ void checkExtensions(const JsonDocument& document)
     for (std::size_t i = 0; i < required.size(); ++i) {
         const auto name = required[i].get<std::string>();
         if (std::find(known.begin(), known.end(), name) == known.end()) {
-            throw document.failure(elementPath("extensionsRequired", i, ""),
-                                   "the file cannot be shown without " + name +
-                                       ", which is not supported; export it without that.");
+            throw document.failure(
+                elementPath("extensionsRequired", i, ""),
+                message("the file cannot be shown without {1}, which is not supported; export it without that.", name));
         }
     }
 }
@@ -178,12 +182,12 @@ void checkStrings(const JsonDocument& document, const Json& json, const std::str
     if (json.is_string()) {
         const auto& text = json.get_ref<const std::string&>();
         if (text.size() > most && !text.starts_with("data:")) {
-            throw document.failure(path, "this text is longer than " + std::to_string(most) + " bytes; shorten it.");
+            throw document.failure(path, message("this text is longer than {1} bytes; shorten it.", most));
         }
     } else if (json.is_object()) {
         for (const auto& [key, value] : json.items()) {
             if (key.size() > most)
-                throw document.failure(path, "one of its keys is longer than " + std::to_string(most) + " bytes.");
+                throw document.failure(path, message("one of its keys is longer than {1} bytes.", most));
             std::string next = path;
             if (!next.empty()) next += '.';
             checkStrings(document, value, next += key, most);
@@ -229,15 +233,15 @@ JsonDocument guardGltf(const std::string& bytes, const std::string& name, const 
     json.bytes = limits.jsonBytes;
     json.stringBytes = limits.jsonBytes;
     if (!beginsAsGltf(bytes))
-        throw Failure(Blame::file, "Cannot read " + name + ": this is not a glTF file; choose another file.");
+        throw Failure(Blame::file, message("Cannot read {1}: this is not a glTF file; choose another file.", name));
     JsonDocument document = parseJson(isGlb(bytes) ? jsonOf(bytes, name) : bytes, name, json);
-    if (!document.root().is_object()) fail(name, "its JSON is not an object");
+    if (!document.root().is_object()) fail(name, message("its JSON is not an object"));
     checkStrings(document, document.root(), {}, limits.stringBytes);
     makeWholeNumbersIntegers(document.root());
     checkGltfSchema(document);
     if (const auto version = document.root()["asset"]["version"].get<std::string>(); !version.starts_with("2."))
         throw document.failure("asset.version",
-                               "this is glTF " + version + ", and version 2 is read; export it as glTF 2.0.");
+                               message("this is glTF {1}, and version 2 is read; export it as glTF 2.0.", version));
     checkExtensions(document);
     checkCount(document, "nodes", limits.nodes);
     checkCount(document, "images", limits.images);

@@ -36,7 +36,7 @@ std::string named(const std::string& name, std::size_t i)
 
 }  // namespace
 
-void Warnings::add(const std::string& sentence)
+void Warnings::add(const Message& sentence)
 {
     constexpr std::size_t most = 100;
     if (list_.size() >= most || std::find(list_.begin(), list_.end(), sentence) != list_.end()) return;
@@ -80,7 +80,7 @@ Material GltfMaterials::convert(const tinygltf::Material& m)
     out.alphaMode = alphaModeOf(m.alphaMode);
     out.alphaCutoff = unit(m.alphaCutoff);
     out.doubleSided = m.doubleSided;
-    const std::string user = "material " + (m.name.empty() ? std::string("without a name") : m.name);
+    const Message user = m.name.empty() ? message("material without a name") : message("material {1}", m.name);
     out.baseColorMap = texture(pbr.baseColorTexture.index, pbr.baseColorTexture.texCoord, Content::color, user);
     out.metallicRoughnessMap =
         texture(pbr.metallicRoughnessTexture.index, pbr.metallicRoughnessTexture.texCoord, Content::data, user);
@@ -90,16 +90,16 @@ Material GltfMaterials::convert(const tinygltf::Material& m)
     return out;
 }
 
-GltfMaterials::Sampling GltfMaterials::samplingOf(const tinygltf::Texture& t, const std::string& user)
+GltfMaterials::Sampling GltfMaterials::samplingOf(const tinygltf::Texture& t, const Message& user)
 {
     Sampling sampling;
     if (t.sampler < 0) return sampling;
     const tinygltf::Sampler& s = model_.samplers[static_cast<std::size_t>(t.sampler)];
     sampling.repeat = s.wrapS != TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
     if (s.wrapS != s.wrapT)
-        warnings_.add("A texture of " + user + " wraps differently along u and v; both wrap as u does.");
+        warnings_.add(message("A texture of {1} wraps differently along u and v; both wrap as u does.", user));
     if (s.wrapS == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT)
-        warnings_.add("Mirrored repeat is not supported; textures repeat.");
+        warnings_.add(message("Mirrored repeat is not supported; textures repeat."));
     const int minify = s.minFilter;
     sampling.magnifyNearest = s.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
     sampling.mipmaps = minify != TINYGLTF_TEXTURE_FILTER_NEAREST && minify != TINYGLTF_TEXTURE_FILTER_LINEAR;
@@ -111,14 +111,14 @@ GltfMaterials::Sampling GltfMaterials::samplingOf(const tinygltf::Texture& t, co
     return sampling;
 }
 
-std::shared_ptr<const Texture> GltfMaterials::texture(int index, int texCoord, Content content, const std::string& user)
+std::shared_ptr<const Texture> GltfMaterials::texture(int index, int texCoord, Content content, const Message& user)
 {
     if (index < 0) return nullptr;
     if (texCoord != 0)
-        warnings_.add("A picture of " + user + " uses the second texture coordinates; the first are used.");
+        warnings_.add(message("A picture of {1} uses the second texture coordinates; the first are used.", user));
     const tinygltf::Texture& t = model_.textures[static_cast<std::size_t>(index)];
     if (t.source < 0) {
-        warnings_.add("A texture of " + user + " has no picture of a known kind and is left out.");
+        warnings_.add(message("A texture of {1} has no picture of a known kind and is left out.", user));
         return nullptr;
     }
     const TextureKey key{t.source, content, samplingOf(t, user)};
@@ -138,20 +138,20 @@ std::string_view GltfMaterials::bytesOf(const tinygltf::Image& image) const
 std::shared_ptr<const Texture> GltfMaterials::picture(const TextureKey& key)
 {
     const auto& [index, content, sampling] = key;
-    if (canceled_ && canceled_()) throw document_.failure({}, "loading was canceled.");
+    if (canceled_ && canceled_()) throw document_.failure({}, message("loading was canceled."));
     const tinygltf::Image& image = model_.images[static_cast<std::size_t>(index)];
-    const std::string shown = "picture " +
-                              named(image.uri.empty() ? image.name : image.uri, static_cast<std::size_t>(index)) +
-                              " of " + document_.name();
+    const Message shown =
+        message("picture {1} of {2}",
+                named(image.uri.empty() ? image.name : image.uri, static_cast<std::size_t>(index)), document_.name());
     const std::string_view bytes = bytesOf(image);
     if (bytes.empty()) {
-        warnings_.add("The " + shown + " is missing and is left out.");
+        warnings_.add(message("The {1} is missing and is left out.", shown));
         return nullptr;
     }
     try {
         ImageLimits limits;
         limits.decodedBytes = limits_.textureBytes - textureBytes_;  // The limit is checked before anything is decoded.
-        const auto texture = textureFromBytes(bytes, shown,
+        const auto texture = textureFromBytes(bytes, shown.english(),
                                               {.sRgb = content == Content::color,
                                                .repeat = sampling.repeat,
                                                .mipmaps = sampling.mipmaps,
@@ -164,7 +164,7 @@ std::shared_ptr<const Texture> GltfMaterials::picture(const TextureKey& key)
             std::min<std::uint64_t>(texture->bytes.size() + 4 * texture->floats.size(), limits.decodedBytes);
         return texture;
     } catch (const Failure& failure) {
-        warnings_.add("It is left out: " + std::string(failure.what()));
+        warnings_.add(message("It is left out: {1}", failure.message()));
         return nullptr;
     }
 }

@@ -18,11 +18,11 @@ namespace vitrine::render {
 /// List of sentences without repetition, at most 100.
 class Warnings {
 public:
-    explicit Warnings(std::vector<std::string>& list) : list_(list) {}
-    void add(const std::string& sentence);
+    explicit Warnings(std::vector<Message>& list) : list_(list) {}
+    void add(const Message& sentence);
 
 private:
-    std::vector<std::string>& list_;
+    std::vector<Message>& list_;
 };
 
 /// Materials and pictures of a validated file, each converted once.
@@ -44,8 +44,8 @@ private:
     using TextureKey = std::tuple<int, Content, Sampling>;  // The first element is the index of the image.
 
     Material convert(const tinygltf::Material&);
-    [[nodiscard]] Sampling samplingOf(const tinygltf::Texture&, const std::string& user);
-    std::shared_ptr<const Texture> texture(int index, int texCoord, Content, const std::string& user);
+    [[nodiscard]] Sampling samplingOf(const tinygltf::Texture&, const Message& user);
+    std::shared_ptr<const Texture> texture(int index, int texCoord, Content, const Message& user);
     std::shared_ptr<const Texture> picture(const TextureKey&);
     [[nodiscard]] std::string_view bytesOf(const tinygltf::Image&) const;
 

@@ -131,18 +131,18 @@ constexpr Rule rules[] = {
     {"materials[].pbrMetallicRoughness.metallicRoughnessTexture.texCoord", Kind::index},
 };
 
-const char* nameOf(Kind kind)
+Message nameOf(Kind kind)
 {
     switch (kind) {
-    case Kind::index: return "a whole number from 0 to 2147483647";
-    case Kind::size: return "a whole number from 0 up";
-    case Kind::number: return "a number";
-    case Kind::text: return "text";
-    case Kind::truth: return "true or false";
-    case Kind::object: return "an object";
-    case Kind::array: return "an array";
+    case Kind::index: return message("a whole number from 0 to 2147483647");
+    case Kind::size: return message("a whole number from 0 up");
+    case Kind::number: return message("a number");
+    case Kind::text: return message("text");
+    case Kind::truth: return message("true or false");
+    case Kind::object: return message("an object");
+    case Kind::array: return message("an array");
     }
-    return "";
+    return {};
 }
 
 bool isOf(const Json& json, Kind kind)
@@ -176,8 +176,7 @@ private:
     {
         if (rest.empty()) {
             if (!isOf(json, rule_->kind))
-                throw document_.failure(path, std::string("this must be ") + nameOf(rule_->kind) +
-                                                  "; export the file again.");
+                throw document_.failure(path, message("this must be {1}; export the file again.", nameOf(rule_->kind)));
         } else if (rest.starts_with("[]")) {
             for (std::size_t i = 0; i < json.size(); ++i)
                 walk(json[i], rest.substr(2), path + "[" + std::to_string(i) + "]");
@@ -192,7 +191,7 @@ private:
             if (at != json.end())
                 walk(*at, rest.substr(end), next);
             else if (end == rest.size() && rule_->need == Need::required)
-                throw document_.failure(next, "this is required and missing; export the file again.");
+                throw document_.failure(next, message("this is required and missing; export the file again."));
         }
     }
 

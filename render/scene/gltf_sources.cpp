@@ -58,7 +58,7 @@ Bytes dataOf(const JsonDocument& document, const std::string& path, const std::s
 {
     const std::size_t comma = uri.find(',');
     if (comma == std::string::npos)
-        throw document.failure(path, "a data: URI has a comma before its data; export the file again.");
+        throw document.failure(path, message("a data: URI has a comma before its data; export the file again."));
     const std::string_view head = std::string_view(uri).substr(0, comma);
     const std::string_view data = std::string_view(uri).substr(comma + 1);
     const bool encoded = data.find('%') != std::string_view::npos;
@@ -66,7 +66,7 @@ Bytes dataOf(const JsonDocument& document, const std::string& path, const std::s
     const std::string_view text = encoded ? std::string_view(plain) : data;
     if (!head.ends_with(";base64")) return {text.begin(), text.end()};
     std::optional<Bytes> bytes = base64Decoded(text);
-    if (!bytes) throw document.failure(path, "this data: URI is not base 64; export the file again.");
+    if (!bytes) throw document.failure(path, message("this data: URI is not base 64; export the file again."));
     return std::move(*bytes);
 }
 
@@ -80,9 +80,9 @@ Bytes fileOf(const std::string& uri, const std::filesystem::path& folder, const 
 Bytes ofLength(const JsonDocument& document, const std::string& path, Bytes bytes, std::size_t length)
 {
     if (bytes.size() < length) {
-        throw document.failure(path, "the buffer has " + std::to_string(bytes.size()) +
-                                         " bytes, fewer than its byteLength of " + std::to_string(length) +
-                                         "; export the file again.");
+        throw document.failure(
+            path, message("the buffer has {1} bytes, fewer than its byteLength of {2}; export the file again.",
+                          bytes.size(), length));
     }
     bytes.resize(length);
     return bytes;
@@ -115,7 +115,7 @@ std::string gltfReference(std::string_view uri)
 
 std::vector<tinygltf::Buffer> readBuffers(const JsonDocument& document, std::string_view bin,
                                           const std::filesystem::path& folder, const GltfLimits& limits,
-                                          std::vector<std::string>& warnings)
+                                          std::vector<Message>& warnings)
 {
     const Json& rows = arrayAt(document, "buffers");
     std::vector<tinygltf::Buffer> buffers(rows.size());
@@ -131,25 +131,26 @@ std::vector<tinygltf::Buffer> readBuffers(const JsonDocument& document, std::str
             try {
                 data = fileOf(uri, folder, limits);
             } catch (const Failure& failure) {
-                throw document.failure(path, failure.what());
+                throw document.failure(path, failure.message());
             }
             data = ofLength(document, path, std::move(data), length);
         } else if (i == 0 && !bin.empty()) {
             data = ofLength(document, path, Bytes(bin.begin(), bin.end()), length);
         } else {
             if ((zeros += length) > limits.zeroBytes) {
-                throw document.failure(path, "the buffers without data are larger than " +
-                                                 std::to_string(limits.zeroBytes) + " bytes; give them a uri.");
+                throw document.failure(
+                    path,
+                    message("the buffers without data are larger than {1} bytes; give them a uri.", limits.zeroBytes));
             }
             data.resize(length);
-            warnings.push_back("Buffer " + std::to_string(i) + " names no data; it is zeros.");
+            warnings.push_back(message("Buffer {1} names no data; it is zeros.", i));
         }
     }
     return buffers;
 }
 
 std::vector<tinygltf::Image> readImages(const JsonDocument& document, const std::filesystem::path& folder,
-                                        const GltfLimits& limits, std::vector<std::string>& warnings)
+                                        const GltfLimits& limits, std::vector<Message>& warnings)
 {
     const Json& rows = arrayAt(document, "images");
     std::vector<tinygltf::Image> images(rows.size());
@@ -161,15 +162,15 @@ std::vector<tinygltf::Image> readImages(const JsonDocument& document, const std:
         const std::string path = elementPath("images", i, "uri");
         const auto view = rows[i].find("bufferView");
         if ((view != rows[i].end()) == !uri.empty())
-            throw document.failure(path, "a picture has either a uri or a bufferView; export the file again.");
+            throw document.failure(path, message("a picture has either a uri or a bufferView; export the file again."));
         if (view != rows[i].end()) {
             image.bufferView = view->get<int>();  // Its bytes are read from the buffer after validation.
         } else if (uri.starts_with("data:")) {
             image.image = dataOf(document, path, uri);
         } else {
             image.uri = uri;
-            if (const std::string why = whyRefused(gltfReference(uri), Reach::parent); !why.empty())
-                warnings.push_back("The reference to the picture " + uri + " is not followed: " + why + ".");
+            if (const Message why = whyRefused(gltfReference(uri), Reach::parent); !why.empty())
+                warnings.push_back(message("The reference to the picture {1} is not followed: {2}.", uri, why));
             try {
                 image.image = fileOf(uri, folder, limits);
             } catch (const Failure&) {
@@ -177,8 +178,8 @@ std::vector<tinygltf::Image> readImages(const JsonDocument& document, const std:
             }
         }
         if ((total += image.image.size()) > limits.bufferBytes)
-            throw document.failure(path, "the pictures together are larger than " + std::to_string(limits.bufferBytes) +
-                                             " bytes; simplify the model.");
+            throw document.failure(path, message("the pictures together are larger than {1} bytes; simplify the model.",
+                                                 limits.bufferBytes));
     }
     return images;
 }

@@ -17,14 +17,14 @@ namespace vitrine::render {
 /// more zeros than `limits` allow.
 [[nodiscard]] std::vector<tinygltf::Buffer> readBuffers(const JsonDocument&, std::string_view bin,
                                                         const std::filesystem::path& folder, const GltfLimits& limits,
-                                                        std::vector<std::string>& warnings);
+                                                        std::vector<Message>& warnings);
 
 /// Reads the encoded bytes of every picture that is not in a buffer, from the same kinds of source, and the names and
 /// buffer views of all. A picture whose file cannot be read stays empty. If its reference leaves the allowed folders, a
 /// sentence in `warnings` says so. Throws Failure if a picture has no source or two, if a data: URI is broken, or if
 /// all together are larger than `limits` allow.
 [[nodiscard]] std::vector<tinygltf::Image> readImages(const JsonDocument&, const std::filesystem::path& folder,
-                                                      const GltfLimits& limits, std::vector<std::string>& warnings);
+                                                      const GltfLimits& limits, std::vector<Message>& warnings);
 
 /// Decodes a percent-encoded reference (RFC 3986).
 [[nodiscard]] std::string percentDecoded(std::string_view uri);

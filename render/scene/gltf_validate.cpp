@@ -46,14 +46,14 @@ public:
     }
 
 private:
-    [[noreturn]] void fail(const std::string& path, const std::string& problem) const
+    [[noreturn]] void fail(const std::string& path, const Message& problem) const
     {
-        throw document_.failure(path, problem + "; export the file again.");
+        throw document_.failure(path, message("{1}; export the file again.", problem));
     }
     void index(int i, std::size_t size, const std::string& path) const
     {
         if (i < 0 || static_cast<std::size_t>(i) >= size)
-            fail(path, std::to_string(i) + " names nothing: there are " + std::to_string(size));
+            fail(path, message("{1} names nothing: there are {2}", i, size));
     }
     void optionalIndex(int i, std::size_t size, const std::string& path) const
     {
@@ -61,9 +61,9 @@ private:
     }
     void finite(const std::vector<double>& numbers, std::size_t size, const std::string& path) const
     {
-        if (!numbers.empty() && numbers.size() != size) fail(path, "this must be " + std::to_string(size) + " numbers");
+        if (!numbers.empty() && numbers.size() != size) fail(path, message("this must be {1} numbers", size));
         for (const double x : numbers) {
-            if (!std::isfinite(x)) fail(path, "this is not a finite number");
+            if (!std::isfinite(x)) fail(path, message("this is not a finite number"));
         }
     }
 
@@ -76,7 +76,7 @@ private:
         const bool overflow = __builtin_mul_overflow(stride, count - 1, &end) ||
                               __builtin_add_overflow(end, offset, &end) || __builtin_add_overflow(end, size, &end);
         if (overflow || end > length)
-            fail(path, "its elements reach beyond the buffer view, which has " + std::to_string(length) + " bytes");
+            fail(path, message("its elements reach beyond the buffer view, which has {1} bytes", length));
     }
 
     void view(std::size_t i) const
@@ -86,10 +86,10 @@ private:
         const std::uint64_t size = model_.buffers[static_cast<std::size_t>(v.buffer)].data.size();
         if (v.byteLength < 1 || v.byteOffset > size || v.byteLength > size - v.byteOffset) {
             fail(at("bufferViews", i, ".byteLength"),
-                 "this view reaches beyond its buffer, which has " + std::to_string(size) + " bytes");
+                 message("this view reaches beyond its buffer, which has {1} bytes", size));
         }
         if (v.byteStride != 0 && (v.byteStride < 4 || v.byteStride > 252)) {
-            fail(at("bufferViews", i, ".byteStride"), "a stride must be 4 to 252");
+            fail(at("bufferViews", i, ".byteStride"), message("a stride must be 4 to 252"));
         }
     }
 
@@ -97,15 +97,16 @@ private:
     {
         const tinygltf::Accessor& a = model_.accessors[i];
         const std::uint64_t size = elementBytes(a);
-        if (size == 0) fail(at("accessors", i, ".componentType"), "its type or component type is none of glTF's");
+        if (size == 0)
+            fail(at("accessors", i, ".componentType"), message("its type or component type is none of glTF's"));
         if (a.count < 1 || a.count > limits_.indices) {
-            fail(at("accessors", i, ".count"), "this must be 1 to " + std::to_string(limits_.indices));
+            fail(at("accessors", i, ".count"), message("this must be 1 to {1}", limits_.indices));
         }
         optionalIndex(a.bufferView, model_.bufferViews.size(), at("accessors", i, ".bufferView"));
         if (a.bufferView >= 0) {
             const std::uint64_t stride = model_.bufferViews[static_cast<std::size_t>(a.bufferView)].byteStride;
             if (stride != 0 && stride < size)
-                fail(at("accessors", i, ".bufferView"), "its stride is smaller than an element");
+                fail(at("accessors", i, ".bufferView"), message("its stride is smaller than an element"));
             inside(a.bufferView, a.byteOffset, stride != 0 ? stride : size, a.count, size,
                    at("accessors", i, ".count"));
         }
@@ -117,11 +118,11 @@ private:
         const std::string path = at("accessors", i, ".sparse");
         const auto& s = a.sparse;
         if (s.count < 1 || static_cast<std::size_t>(s.count) > a.count)
-            fail(path + ".count", "this must be 1 to the accessor's count");
+            fail(path + ".count", message("this must be 1 to the accessor's count"));
         const int type = s.indices.componentType;
         if (type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE && type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
             type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) {
-            fail(path + ".indices.componentType", "sparse indices must be unsigned integers");
+            fail(path + ".indices.componentType", message("sparse indices must be unsigned integers"));
         }
         index(s.indices.bufferView, model_.bufferViews.size(), path + ".indices.bufferView");
         index(s.values.bufferView, model_.bufferViews.size(), path + ".values.bufferView");
@@ -130,7 +131,7 @@ private:
         for (const char* part : {"indices", "values"}) {
             const auto offset = written.at(part).find("byteOffset");
             if (offset != written.at(part).end() && offset->is_number() && offset->get<double>() < 0)
-                fail(path + '.' + part + ".byteOffset", "this must not be negative");
+                fail(path + '.' + part + ".byteOffset", message("this must not be negative"));
         }
         const auto count = static_cast<std::uint64_t>(s.count);
         const auto indexBytes =
@@ -142,7 +143,7 @@ private:
         std::int64_t last = -1;
         for (const std::uint32_t position : readSparsePositions(model_, a)) {
             if (position <= last || position >= a.count)
-                fail(path + ".indices", "these must rise and stay below the accessor's count");
+                fail(path + ".indices", message("these must rise and stay below the accessor's count"));
             last = position;
         }
     }
@@ -170,7 +171,7 @@ private:
     {
         for (std::size_t p = 0; p < model_.meshes[i].primitives.size(); ++p) {
             if (++primitives_ > limits_.primitives)
-                fail(at("meshes", i), "there are more than " + std::to_string(limits_.primitives) + " primitives");
+                fail(at("meshes", i), message("there are more than {1} primitives", limits_.primitives));
             primitive(model_.meshes[i].primitives[p], at("meshes", i, at(".primitives", p)));
         }
     }
@@ -184,12 +185,12 @@ private:
             index(accessor, model_.accessors.size(), path + ".attributes." + name);
             const std::size_t count = model_.accessors[static_cast<std::size_t>(accessor)].count;
             if (vertices != 0 && count != vertices)
-                fail(path + ".attributes." + name, "its count differs from that of other attributes");
+                fail(path + ".attributes." + name, message("its count differs from that of other attributes"));
             vertices = count;
         }
         // Counted per use: many primitives may share one accessor, but each gets its own vertices.
         if ((vertices_ += verticesMade(p, vertices)) > limits_.vertices) {
-            fail(path, "there are more than " + std::to_string(limits_.vertices) + " vertices");
+            fail(path, message("there are more than {1} vertices", limits_.vertices));
         }
         if (p.indices >= 0) indices(p.indices, vertices, path + ".indices");
     }
@@ -210,12 +211,12 @@ private:
         const bool isUnsigned = a.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
                                 a.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
                                 a.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
-        if (a.type != TINYGLTF_TYPE_SCALAR || !isUnsigned) fail(path, "indices must be unsigned integers");
+        if (a.type != TINYGLTF_TYPE_SCALAR || !isUnsigned) fail(path, message("indices must be unsigned integers"));
         if ((indices_ += a.count) > limits_.indices)
-            fail(path, "there are more than " + std::to_string(limits_.indices) + " indices");
+            fail(path, message("there are more than {1} indices", limits_.indices));
         const std::vector<std::uint32_t> values = readIndices(model_, accessor);
         if (*std::max_element(values.begin(), values.end()) >= vertices) {
-            fail(path, "one of them names a vertex beyond the " + std::to_string(vertices) + " that there are");
+            fail(path, message("one of them names a vertex beyond the {1} that there are", vertices));
         }
     }
 
@@ -237,8 +238,7 @@ private:
         for (std::size_t i = 0; i < model_.nodes.size(); ++i) {
             for (const int child : model_.nodes[i].children) {
                 const auto c = static_cast<std::size_t>(child);
-                if (hasParent[c])
-                    fail(at("nodes", i, ".children"), "node " + std::to_string(child) + " has two parents");
+                if (hasParent[c]) fail(at("nodes", i, ".children"), message("node {1} has two parents", child));
                 hasParent[c] = true;
             }
         }
@@ -263,13 +263,12 @@ private:
             open.pop_back();
             ++reached;
             if (place.depth > limits_.nodeDepth) {
-                fail(at("nodes", place.node),
-                     "nodes are nested more than " + std::to_string(limits_.nodeDepth) + " deep");
+                fail(at("nodes", place.node), message("nodes are nested more than {1} deep", limits_.nodeDepth));
             }
             for (const int child : model_.nodes[place.node].children)
                 open.push_back({static_cast<std::size_t>(child), place.depth + 1});
         }
-        if (reached != model_.nodes.size()) fail("nodes", "some nodes are their own ancestors");
+        if (reached != model_.nodes.size()) fail("nodes", message("some nodes are their own ancestors"));
     }
 
     /// Checks that a scene names roots, each once. Its conversion then visits every node at most once.
@@ -279,8 +278,8 @@ private:
         for (const int n : s.nodes) {
             index(n, model_.nodes.size(), path);
             const auto i = static_cast<std::size_t>(n);
-            if (hasParent[i]) fail(path, "node " + std::to_string(n) + " is not a root");
-            if (named[i]) fail(path, "node " + std::to_string(n) + " is named twice");
+            if (hasParent[i]) fail(path, message("node {1} is not a root", n));
+            if (named[i]) fail(path, message("node {1} is named twice", n));
             named[i] = true;
         }
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/image/texture.h"
+#include "render/text/message.h"
 
 #include <glm/glm.hpp>
 
@@ -90,8 +91,8 @@ struct Marker {
 struct Model {
     std::vector<MeshInstance> parts;
     std::vector<Marker> markers;
-    Box bounds;                         ///< Bounds of all parts, in model space.
-    std::vector<std::string> warnings;  ///< Features of the file that this program does not support, a sentence each.
+    Box bounds;                     ///< Bounds of all parts, in model space.
+    std::vector<Message> warnings;  ///< Features of the file that this program does not support, a sentence each.
 };
 
 }  // namespace vitrine::render

@@ -260,41 +260,33 @@ Catalog::Catalog(Entries entries)
 
 Catalog::~Catalog() = default;
 
-namespace {
-
-std::string withPlaces(std::string_view sentence, std::span<const std::string> places)
-{
-    std::string made;
-    for (std::size_t i = 0; i < sentence.size(); ++i) {
-        const bool asIs = sentence.substr(i).starts_with("{=");
-        const auto place = asIs ? placeAt("{" + std::string(sentence.substr(i + 2, 2)), 0) : placeAt(sentence, i);
-        if (!place || static_cast<std::size_t>(*place) > places.size()) {
-            made += sentence[i];
-            continue;
-        }
-        made += places[static_cast<std::size_t>(*place) - 1];
-        i += asIs ? 3 : 2;
-    }
-    return made;
-}
-
-}  // namespace
-
-std::string Catalog::filled(std::string_view sentence, std::span<const std::string> places) const
+std::string Catalog::filled(std::string_view sentence, const std::vector<std::string>& places) const
 {
     const auto known = texts_->sentences.find(std::string(sentence));
     return withPlaces(known == texts_->sentences.end() ? sentence : std::string_view(known->second), places);
 }
 
-std::string Catalog::translated(std::string_view english) const
+std::string Catalog::translated(const Message& message) const
 {
-    if (english.empty() || english.size() > longestText) return std::string(english);
-    const std::string key(english);
+    if (message.kind_ == Message::Kind::verbatim) return message.text_;
+    if (!message.isMarked()) return recognized(message.english());  // Completely or not at all.
+    if (message.arguments_.empty()) {
+        const auto known = texts_->whole.find(std::string(message.text()));
+        return known == texts_->whole.end() ? std::string(message.text()) : known->second;
+    }
+    std::vector<std::string> places;
+    for (const Message& argument : message.arguments_) places.push_back(translated(argument));
+    return filled(message.text(), places);
+}
+
+std::string Catalog::recognized(const std::string& key) const
+{
+    if (key.empty() || key.size() > longestText) return key;
     {
         const std::lock_guard lock(texts_->mutex);
         if (const auto known = texts_->kept.find(key); known != texts_->kept.end()) return known->second;
     }
-    const std::optional<Said> said = Reading(texts_->whole, texts_->patterns).of(english, 0);
+    const std::optional<Said> said = Reading(texts_->whole, texts_->patterns).of(key, 0);
     std::string made = said ? said->text : key;
     const std::lock_guard lock(texts_->mutex);
     if (texts_->kept.size() >= mostKept) texts_->kept.clear();
@@ -340,17 +332,16 @@ std::string language()
     return chosen.code;
 }
 
-std::string translated(std::string_view english)
+std::string translated(const Message& message)
 {
     const std::shared_ptr<const Catalog> texts = chosenTexts();
-    return texts ? texts->translated(english) : std::string(english);
+    return texts ? texts->translated(message) : message.english();
 }
 
 std::string translated(std::string_view sentence, std::initializer_list<std::string> places)
 {
     const std::shared_ptr<const Catalog> texts = chosenTexts();
-    const std::span<const std::string> all(places.begin(), places.size());
-    return texts ? texts->filled(sentence, all) : withPlaces(sentence, all);
+    return texts ? texts->filled(sentence, places) : withPlaces(sentence, places);
 }
 
 }  // namespace vitrine

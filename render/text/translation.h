@@ -1,8 +1,9 @@
 #pragma once
 
+#include "render/text/message.h"
+
 #include <initializer_list>
 #include <memory>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,9 +16,12 @@ namespace vitrine {
 /// The program compares, stores and writes English everywhere. A text is translated only where it is displayed. So
 /// files, reports and tests are the same in every language, and the language can be changed at any time.
 ///
-/// A sentence with placeholders, "Cannot read {1}: {2}; choose another picture.", is recognized by the text around
-/// them; the text in their place is translated in the same way. A text is translated completely or not at all: if a
-/// part of it has no entry, and is no name or number either, all of it stays English.
+/// A message is looked up by its English text with placeholders, "Cannot read {1}: {2}; choose another picture.", and
+/// filled with its translated arguments.
+///
+/// A finished text that no message gives (of code that is not converted yet) is recognized by the text around the
+/// placeholders; the text in their place is translated in the same way. Such a text is translated completely or not at
+/// all: if a part of it has no entry, and is no name or number either, all of it stays English.
 class Catalog {
 public:
     /// Pairs of English text and translation, with placeholders {1} to {9} in both. In a translation, {=1} inserts the
@@ -29,13 +33,15 @@ public:
     Catalog(const Catalog&) = delete;
     Catalog& operator=(const Catalog&) = delete;
 
-    /// Returns the translation, or the text itself if the catalog lacks any part of it. Thread-safe.
-    [[nodiscard]] std::string translated(std::string_view english) const;
+    /// Returns the translation of the message, or English if the catalog lacks it. Thread-safe.
+    [[nodiscard]] std::string translated(const Message&) const;
     /// Returns the translation of a sentence with placeholders, given as in the catalog. They are filled with texts
     /// that are already translated.
-    [[nodiscard]] std::string filled(std::string_view sentence, std::span<const std::string> places) const;
+    [[nodiscard]] std::string filled(std::string_view sentence, const std::vector<std::string>& places) const;
 
 private:
+    [[nodiscard]] std::string recognized(const std::string& english) const;
+
     struct Texts;
     std::unique_ptr<const Texts> texts_;
 };
@@ -44,8 +50,8 @@ private:
 void setLanguage(std::string code, std::shared_ptr<const Catalog>);
 /// Returns the code that was set last; "en" at first.
 [[nodiscard]] std::string language();
-/// Translates to the program's language; returns `english` itself for English. Thread-safe.
-[[nodiscard]] std::string translated(std::string_view english);
+/// Translates to the program's language. Thread-safe.
+[[nodiscard]] std::string translated(const Message&);
 /// Translates a sentence with placeholders, "“{1}” is above {2}". They are filled with texts that are already
 /// translated.
 [[nodiscard]] std::string translated(std::string_view sentence, std::initializer_list<std::string> places);

@@ -102,7 +102,7 @@ void CompareDesk::hold(const SceneState& sceneState, const QString& name)
             return [this, read, name, number] {
                 if (number != holds_) return;
                 QStringList unreadable;
-                for (const std::string& why : read.unreadable) unreadable << tr("B: %1").arg(said(why));
+                for (const Message& why : read.unreadable) unreadable << tr("B: %1").arg(said(why));
                 workbench_.setProblems(QStringLiteral("files of B"), unreadable);
                 if (name.isNull())
                     other_->readAgain(read.sceneState);

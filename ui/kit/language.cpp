@@ -172,9 +172,9 @@ bool languageAsked()
     return currentLanguage().asked;
 }
 
-QString said(std::string_view english)
+QString said(const Message& message)
 {
-    return text(translated(english));
+    return text(translated(message));
 }
 
 QString within(const QString& name)
@@ -182,12 +182,12 @@ QString within(const QString& name)
     return currentLanguage().code == QLatin1String("en") ? name.toLower() : name;
 }
 
-std::string saidInLocale(std::string_view english)
+std::string saidInLocale(const Message& message)
 {
     const QString code = currentLanguage().code == QLatin1String("en") ? languageOfLocale() : currentLanguage().code;
     const std::unique_ptr<QTranslator> translator = translatorFor(code);
     const std::shared_ptr<const Catalog> texts = translator ? catalogOf(code, *translator) : nullptr;
-    return texts ? texts->translated(english) : std::string(english);
+    return texts ? texts->translated(message) : message.english();
 }
 
 QMenu* languageMenu(QWidget* parent, const std::function<void(const QString& message)>& chosen)

@@ -1,11 +1,12 @@
 #pragma once
 
+#include "render/text/message.h"
+
 #include <QString>
 #include <QStringList>
 
 #include <functional>
 #include <string>
-#include <string_view>
 
 class QMenu;
 class QWidget;
@@ -35,11 +36,11 @@ void speak(const QString& code);
 [[nodiscard]] bool languageAsked();
 
 /// Translates a text of the lower layers (a label, a help text, a reason, a failure) to the present language.
-[[nodiscard]] QString said(std::string_view english);
+[[nodiscard]] QString said(const Message&);
 /// Returns the name in the form used within a sentence: in lower case in English, unchanged in German.
 [[nodiscard]] QString within(const QString& name);
 /// Translates a failure's sentence to the locale's language, for standard error.
-[[nodiscard]] std::string saidInLocale(std::string_view english);
+[[nodiscard]] std::string saidInLocale(const Message&);
 
 /// Makes the menu "Language" with the system's language and all others. Calls `chosen` with a message after a choice,
 /// which takes effect at the next start.

@@ -216,7 +216,7 @@ std::optional<ParameterValues> allFromJson(const Parameters& table, const QStrin
         if (problem) *problem = notes.join(QLatin1Char('\n'));
         return read.values;
     } catch (const Failure& failure) {
-        if (problem) *problem = said(failure.what());
+        if (problem) *problem = said(failure.message());
         return std::nullopt;
     }
 }

@@ -7,6 +7,7 @@
 #include "render/video/carried_settings.h"
 #include "ui/kit/file_patterns.h"
 #include "ui/kit/language.h"
+#include "ui/kit/message_of.h"
 #include "ui/kit/name_dialog.h"
 #include "ui/kit/picture_file.h"
 #include "ui/kit/text.h"
@@ -52,7 +53,7 @@ void PresetShelf::trySafely(const std::function<void()>& work, const QString& ca
         window_.setProblems(cause, {});
     } catch (const std::exception& failure) {
         window_.setProblems(cause, {});
-        window_.setProblems(cause, {said(failure.what())});
+        window_.setProblems(cause, {messageOf(failure)});
     }
 }
 

@@ -44,7 +44,7 @@ bool isPrint(const QString& path)
 }
 
 /// Returns a sentence for each unreadable file that the scene state needs.
-std::vector<std::string> unreadableFiles(const Museum& museum, const SceneState& sceneState)
+std::vector<Message> unreadableFiles(const Museum& museum, const SceneState& sceneState)
 {
     FrameRequest request;
     request.camera = sceneState.camera;
@@ -67,8 +67,8 @@ void FileOpener::setHallFile(const char* parameter, const QString& path)
     // On the render thread, because reading a large file takes seconds.
     window_.viewport().renderThread().post(
         [this, &museum = window_.museum(), next, row = *row, parameter, path]() -> std::function<void()> {
-            for (const std::string& why : unreadableFiles(museum, next))
-                if (why.starts_with(label(next.hall().rows()[row]) + " of "))
+            for (const Message& why : unreadableFiles(museum, next))
+                if (why.english().starts_with(label(next.hall().rows()[row]) + " of "))
                     return [this, why, path] {
                         window_.setProblems(openingOf(path), {tr("%1 Nothing was changed.").arg(said(why))});
                     };

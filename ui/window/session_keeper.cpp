@@ -5,6 +5,7 @@
 #include "render/files/read_file.h"
 #include "ui/kit/ini_file.h"
 #include "ui/kit/language.h"
+#include "ui/kit/message_of.h"
 #include "ui/kit/text.h"
 #include "ui/kit/window_place.h"
 #include "ui/parameters/parameter_panel.h"
@@ -126,7 +127,7 @@ bool SessionKeeper::writeJournal()
         journal_.write(journalText());
         return true;
     } catch (const std::exception& failure) {
-        window_.say(MessageStrip::Mood::problem, said(failure.what()));
+        window_.say(MessageStrip::Mood::problem, messageOf(failure));
         return false;
     }
 }
@@ -141,7 +142,7 @@ std::optional<std::vector<std::string>> SessionKeeper::restoreSceneState(const s
         window_.choose(chosen);
         return notes;
     } catch (const std::exception& failure) {
-        window_.say(MessageStrip::Mood::problem, said(failure.what()));
+        window_.say(MessageStrip::Mood::problem, messageOf(failure));
         return std::nullopt;
     }
 }
@@ -209,7 +210,7 @@ bool SessionKeeper::restore()
     try {
         notes = restoreSceneState(render::readFile(file, presetLimits.bytes), file.string());
     } catch (const std::exception& failure) {
-        window_.say(MessageStrip::Mood::problem, said(failure.what()));
+        window_.say(MessageStrip::Mood::problem, messageOf(failure));
     }
     if (notes && notes->empty()) return true;
     const QString kept = putSessionAside();

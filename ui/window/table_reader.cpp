@@ -49,7 +49,7 @@ void TableReader::readAgain()
 void TableReader::take(const TabledSceneState& tabled)
 {
     QStringList unreadable;
-    for (const std::string& why : tabled.unreadable) unreadable << said(why);
+    for (const Message& why : tabled.unreadable) unreadable << said(why);
     window_.setProblems(QStringLiteral("files that give parameters"), unreadable);
     for (const std::string& note : tabled.notes) window_.say(MessageStrip::Mood::notice, said(note));
     taking_ = true;

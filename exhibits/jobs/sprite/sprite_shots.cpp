@@ -158,7 +158,9 @@ std::vector<std::string> SpriteSubject::animations() const
 std::vector<std::string> SpriteSubject::warnings() const
 {
     if (!model_) return {};
-    return model_->posed(-1, 0).warnings;
+    std::vector<std::string> sentences;
+    for (const Message& warning : model_->posed(-1, 0).warnings) sentences.push_back(warning.english());
+    return sentences;
 }
 
 std::vector<WorldPart> SpriteSubject::parts(const SpriteRequest& request, int i) const
@@ -259,7 +261,7 @@ void SpriteShots::pose()
         all.include(boxes[i].low - gone);
         all.include(boxes[i].high - gone);
     }
-    if (const std::string why = render::whyNothingIsSeen(subject_->name(), all); !why.empty())
+    if (const Message why = render::whyNothingIsSeen(subject_->name(), all); !why.empty())
         throw Failure(Blame::file, why);
     const glm::dvec3 middle = turningPoint(all);
     SpriteExtent& extent = scene->extent;

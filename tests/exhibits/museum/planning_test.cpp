@@ -192,7 +192,7 @@ TEST(Planning, OpensNoFile)
         prepared.emplace(name, own.prepare(scene.sceneState, scene.request));
     }
     std::map<std::string, std::string> found;
-    std::vector<std::string> control;
+    std::vector<Message> control;
     bool opened = true;
     {
         const NoFileCanBeOpened closed;

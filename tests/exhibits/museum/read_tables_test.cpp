@@ -91,8 +91,8 @@ TEST_F(ReadTables, AFileThatCannotBeReadKeepsTheTableAndSaysSoOnce)
     EXPECT_EQ(&tabled.sceneState.values[0].table(), &values.table());
     EXPECT_EQ(rowOf(tabled.sceneState.values[0], "redRadius"), Value(4.5));
     ASSERT_EQ(tabled.unreadable.size(), 1U);
-    EXPECT_NE(tabled.unreadable[0].find("gone.json"), std::string::npos);
-    EXPECT_EQ(tabled.unreadable[0].rfind("Scene of Balls: ", 0), 0U) << tabled.unreadable[0];
+    EXPECT_NE(tabled.unreadable[0].english().find("gone.json"), std::string::npos);
+    EXPECT_EQ(tabled.unreadable[0].english().rfind("Scene of Balls: ", 0), 0U) << tabled.unreadable[0];
 }
 
 TEST_F(ReadTables, PresetsBringBackWhatWasSetInTheRowsOfAFile)

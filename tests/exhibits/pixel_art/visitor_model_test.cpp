@@ -357,7 +357,7 @@ TEST_F(SpriteFraming, FailsWhereNothingIsToBeSeen)
         values.set(modelRows().model, path);
         const PosedModel posed = posedModel(modelRows(), values, 0, assets);
         EXPECT_FALSE(posed.model);
-        EXPECT_NE(posed.failure.find(why), std::string::npos) << posed.failure;
+        EXPECT_NE(posed.failure.english().find(why), std::string::npos) << posed.failure;
     }
 }
 

@@ -28,7 +28,7 @@ const SdfScenesTable& table()
 /// Test scene with the exhibit showing a scene file, seen from the front of its frame.
 struct Shown : test::Scene {
     std::size_t exhibit = *museum().find("sdf_scenes");
-    std::vector<std::string> unreadable;
+    std::vector<Message> unreadable;
 
     explicit Shown(const std::string& file = {})
     {
@@ -167,8 +167,9 @@ TEST(SceneExhibit, AFileThatCannotBeReadKeepsTheLastSceneAndIsReadAgain)
     write(R"({"kind": "sphere", "raduis": 1})");
     shown.read();
     ASSERT_EQ(shown.unreadable.size(), 1U);
-    EXPECT_NE(shown.unreadable.front().find("a.json:3:"), std::string::npos) << shown.unreadable.front();
-    EXPECT_NE(shown.unreadable.front().find("did you mean \"radius\"?"), std::string::npos) << shown.unreadable.front();
+    EXPECT_NE(shown.unreadable.front().english().find("a.json:3:"), std::string::npos) << shown.unreadable.front();
+    EXPECT_NE(shown.unreadable.front().english().find("did you mean \"radius\"?"), std::string::npos)
+        << shown.unreadable.front();
     const render::FramePlan kept = shown.plan();
     EXPECT_EQ(kept.find("sdf_scenes/scene")->shader, good.find("sdf_scenes/scene")->shader);
     EXPECT_EQ(kept.find("sdf_scenes/scene")->blocks, good.find("sdf_scenes/scene")->blocks);
@@ -227,7 +228,7 @@ TEST(SceneExhibit, WithoutTheSceneThatIsThereAtFirstShowsASphereAndSaysWhy)
     EXPECT_EQ(SdfScenes().tableFor(table().initial(), assets).why, "");
     const test::TemporaryFolder folder;
     const SdfScenes alone(folder.path() / "mercury.json");
-    const std::string why = alone.tableFor(alone.parameters().initial(), assets).why;
+    const std::string why = alone.tableFor(alone.parameters().initial(), assets).why.english();
     EXPECT_NE(why.find("mercury.json"), std::string::npos) << why;
     EXPECT_TRUE(why.ends_with('.')) << why;
     EXPECT_GT(alone.bestView(alone.parameters().initial()).fovY, 0);

@@ -33,7 +33,7 @@ struct SceneShot {
     }
     [[nodiscard]] ParameterValues& values() { return sceneState.values[subject]; }
     /// Reads the named file. Returns the sentences on unreadable files.
-    std::vector<std::string> read()
+    std::vector<Message> read()
     {
         TabledSceneState tabled = gallery().museum.readTables(sceneState);
         sceneState = std::move(tabled.sceneState);

@@ -39,7 +39,7 @@ struct Edited : test::Scene {
     test::TemporaryFolder folder;
     std::size_t exhibit = *museum().find("sdf_scenes");
     render::AssetStore assets = museum().assets();
-    std::vector<std::string> unreadable;
+    std::vector<Message> unreadable;
 
     explicit Edited(const std::string& text = written)
     {
@@ -377,11 +377,12 @@ TEST(SceneTree, AnotherFileTakesTheDocumentWithItAndPresetsCarryIt)
     Edited e;
     e.set("root.children[0]", "radius", 0.75);
     ParameterValues loaded(e.row());
+    std::vector<std::string> notes;
     for (const SdfScenesTable* table = &e.row(); const File row : {table->scene, table->document})
         loaded.setRow(row.row,
                       valueFromText(table->rows()[row.row],
                                     render::writeJson(jsonFromValue(table->rows()[row.row], e.values().row(row.row))),
-                                    e.unreadable)
+                                    notes)
                           .value());
     e.values() = loaded;
     e.read();

@@ -102,7 +102,7 @@ TEST(AssetStore, MemoryThatIsNotThereIsAFailureLikeAnyOther)
     const TemporaryFolder folder;
     writeBytes(folder / "a", "huge");
     Reader reader;
-    const std::string why = reader.get(folder / "a").failure;
+    const std::string why = reader.get(folder / "a").failure.english();
     EXPECT_NE(why.find((folder / "a").string()), std::string::npos) << why;
     EXPECT_NE(why.find("memory"), std::string::npos) << why;
 }

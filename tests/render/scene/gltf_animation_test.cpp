@@ -146,7 +146,7 @@ TEST(GltfAnimation, SkinsHaveEightJointsAVertexAndNameWhatIsBeyond)
     attributes["JOINTS_2"] = joints;
     const Model more = animatedModelOf(b).posed(0, 1);
     ASSERT_EQ(more.warnings.size(), 1U);
-    EXPECT_NE(more.warnings.front().find("JOINTS_2"), std::string::npos);
+    EXPECT_NE(more.warnings.front().english().find("JOINTS_2"), std::string::npos);
 }
 
 TEST(GltfAnimation, MorphTargetsAreAddedByTheirWeights)

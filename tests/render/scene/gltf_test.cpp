@@ -25,7 +25,7 @@ Model modelOf(const GltfBuilder& builder)
 bool warnsOf(const Model& model, const std::string& part)
 {
     return std::any_of(model.warnings.begin(), model.warnings.end(),
-                       [&](const std::string& w) { return w.find(part) != std::string::npos; });
+                       [&](const Message& w) { return w.english().find(part) != std::string::npos; });
 }
 
 std::string smallPng()

@@ -271,7 +271,8 @@ TEST(HostileGltf, ThatReachesForOtherFilesIsRefused)
         builder.node({{"mesh", builder.triangle()}});
         builder.json["images"] = Json::array({Json{{"uri", uri}}});
         const Model model = parseGltf(builder.text(), "a.gltf");
-        const std::string all = std::accumulate(model.warnings.begin(), model.warnings.end(), std::string());
+        std::string all;
+        for (const Message& warning : model.warnings) all += warning.english();
         EXPECT_PRED_FORMAT2(::testing::IsSubstring, "is not followed: ", all) << uri;
     }
 }

@@ -34,21 +34,21 @@ std::vector<std::unique_ptr<Exhibit>> completeExhibits()
     return exhibits;
 }
 
-struct Message {
+struct CatalogEntry {
     QString source, comment;
     QStringList translations;  ///< Two for texts with numbers.
     bool finished = true;
 };
 
-QList<Message> messagesOfTheFile()
+QList<CatalogEntry> messagesOfTheFile()
 {
     QFile file(QStringLiteral(VITRINE_SOURCE_DIR "/assets/translations/vitrine_de.ts"));
     if (!file.open(QIODevice::ReadOnly)) return {};
     QXmlStreamReader xml(&file);
-    QList<Message> all;
+    QList<CatalogEntry> all;
     while (!xml.atEnd()) {
         if (xml.readNext() != QXmlStreamReader::StartElement) continue;
-        if (xml.name() == QLatin1String("message")) all << Message{};
+        if (xml.name() == QLatin1String("message")) all << CatalogEntry{};
         if (xml.name() == QLatin1String("source")) all.last().source = xml.readElementText();
         if (xml.name() == QLatin1String("comment")) all.last().comment = xml.readElementText();
         if (xml.name() == QLatin1String("translation")) {
@@ -62,7 +62,7 @@ QList<Message> messagesOfTheFile()
             if (!text.trimmed().isEmpty()) all.last().translations << text;
         }
     }
-    return xml.hasError() ? QList<Message>{} : all;
+    return xml.hasError() ? QList<CatalogEntry>{} : all;
 }
 
 /// Returns the placeholders "%1", "%n", "{1}" as often as they occur; "{=1}" counts as "{1}".
@@ -108,7 +108,7 @@ bool englishIn(const QString& text)
 std::set<std::string> knownTexts()
 {
     std::set<std::string> known;
-    for (const Message& message : messagesOfTheFile()) known.insert(message.source.toStdString());
+    for (const CatalogEntry& message : messagesOfTheFile()) known.insert(message.source.toStdString());
     return known;
 }
 
@@ -122,9 +122,9 @@ private slots:
 
     void everyMessageIsFinishedWithTheSamePlacesAndMnemonics()
     {
-        const QList<Message> all = messagesOfTheFile();
+        const QList<CatalogEntry> all = messagesOfTheFile();
         QVERIFY(all.size() > 2000);
-        for (const Message& message : all) {
+        for (const CatalogEntry& message : all) {
             QVERIFY2(message.finished, qPrintable(message.source));
             QVERIFY2(!message.translations.isEmpty(), qPrintable(message.source));
             for (const QString& translation : message.translations) {
@@ -183,7 +183,7 @@ private slots:
         static const QRegularExpression place(QStringLiteral("\\{=?(\\d)\\}"));
         const auto filled = [](QString text) { return text.replace(place, QStringLiteral("x\\1")); };
         int sentences = 0;
-        for (const Message& message : messagesOfTheFile()) {
+        for (const CatalogEntry& message : messagesOfTheFile()) {
             if (!message.source.contains(place) || message.translations.size() != 1) continue;
             ++sentences;
             QCOMPARE(ui::said(filled(message.source).toStdString()), filled(message.translations.front()));
