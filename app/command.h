@@ -21,7 +21,6 @@ void addOpenCommand(CLI::App&, Action& chosen, int& argc, char** argv);
 void addListCommand(CLI::App&, Action& chosen);
 void addRenderCommand(CLI::App&, Action& chosen);
 void addTourCommand(CLI::App&, Action& chosen);
-void addRecordCommand(CLI::App&, Action& chosen);
 void addPresetCommand(CLI::App&, Action& chosen);
 void addLessonCommand(CLI::App&, Action& chosen);
 void addDoctorCommand(CLI::App&, Action& chosen);

@@ -72,7 +72,6 @@ int parseAndRun(int argc, char** argv)
     vitrine::app::addListCommand(parser, chosen);
     vitrine::app::addRenderCommand(parser, chosen);
     vitrine::app::addTourCommand(parser, chosen);
-    vitrine::app::addRecordCommand(parser, chosen);
     vitrine::app::addPresetCommand(parser, chosen);
     vitrine::app::addLessonCommand(parser, chosen);
     vitrine::app::addCompareCommand(parser, chosen);

@@ -7,6 +7,7 @@
 #include "exhibits/framework/preset.h"
 #include "exhibits/framework/value_text.h"
 #include "exhibits/hall/hall_table.h"
+#include "exhibits/museum/picture_settings.h"
 #include "render/failure.h"
 #include "render/files/number_text.h"
 #include "render/text/joined.h"
@@ -387,14 +388,15 @@ int chosenSamples(const RequestedPicture& job, int supersamples)
     const HallTable names;
     const ParameterValues& hall = job.sceneState.hall();
     const bool setHere = hall[names.supersamples] != supersamples;
-    if (job.taken && !setHere) return job.taken->samples;
-    return setHere || !hall.isInitial(names.supersamples.row) ? hall[names.supersamples] : 4;
+    if (setHere) return hall[names.supersamples];
+    return job.taken ? job.taken->samples : usualSamples(hall);
 }
 
 }  // namespace
 
 RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& options, SceneState start,
-                                  const std::optional<render::Camera>& startCamera)
+                                  const std::optional<render::Camera>& startCamera,
+                                  std::optional<PictureRecord> startTaken)
 {
     const auto subject = museum.find(options.subject);
     if (!subject)
@@ -409,6 +411,7 @@ RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& op
     job.sceneState = std::move(start);
     if (startCamera) job.sceneState.camera = *startCamera;
     job.cameraFromPreset = startCamera.has_value();
+    job.taken = std::move(startTaken);
     if (!options.preset.empty()) {
         const std::string leftOut = applyPreset(museum, options.preset, job);
         if (options.settingsOnly)

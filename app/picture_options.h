@@ -62,8 +62,10 @@ struct RequestedPicture {
 };
 [[nodiscard]] RequestedPicture requestedPicture(const Museum&, const PictureOptions&);
 /// The same with another scene state than the initial one. `camera`, if set, replaces the best view of the subject.
+/// `taken` says how the picture was taken whose settings it starts from.
 [[nodiscard]] RequestedPicture requestedPicture(const Museum&, const PictureOptions&, SceneState,
-                                                const std::optional<render::Camera>&);
+                                                const std::optional<render::Camera>&,
+                                                std::optional<PictureRecord> taken = std::nullopt);
 
 /// Makes several assignments "name=value". Files that add parameters are set first, whatever the order.
 void applySets(const Museum&, SceneState&, std::size_t subject, const std::vector<std::string>& assignments,

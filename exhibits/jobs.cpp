@@ -2,6 +2,7 @@
 
 #include "exhibits/jobs/mesh/mesh_job.h"
 #include "exhibits/jobs/proof/proof_job.h"
+#include "exhibits/jobs/record/record_job.h"
 #include "exhibits/jobs/sprite/sprite_job.h"
 
 #include <algorithm>
@@ -12,6 +13,7 @@ const std::vector<std::unique_ptr<const Job>>& allJobs()
 {
     static const auto jobs = [] {
         std::vector<std::unique_ptr<const Job>> all;
+        all.push_back(std::make_unique<RecordJob>());
         all.push_back(std::make_unique<ProofJob>());
         all.push_back(std::make_unique<SpriteJob>());
         all.push_back(std::make_unique<MeshJob>());

@@ -1,11 +1,11 @@
 #include "app/jobs/run_job.h"
 
 #include "app/progress.h"
+#include "app/queue/parts.h"
 #include "app/say.h"
 #include "app/stop_signal.h"
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
-#include "render/files/strict_json.h"
 #include "render/gl/context.h"
 #include "render/gl/renderer.h"
 #include "render/text/joined.h"
@@ -19,19 +19,27 @@ namespace {
 
 using render::Json;
 
-class HeadlessBackend final : public render::RenderBackend {
+/// Draws with a renderer that others may use as well.
+class SharedBackend final : public render::RenderBackend {
 public:
-    render::FrameReport draw(const render::FramePlan& plan) override { return renderer_.draw(plan); }
-    [[nodiscard]] render::Image read(const std::string& image) override { return renderer_.read(image); }
+    explicit SharedBackend(std::shared_ptr<render::gl::Renderer> renderer) : renderer_(std::move(renderer)) {}
+
+    render::FrameReport draw(const render::FramePlan& plan) override { return renderer_->draw(plan); }
+    [[nodiscard]] render::Image read(const std::string& image) override { return renderer_->read(image); }
     [[nodiscard]] const render::PersistentState& persistentState() const override
     {
-        return renderer_.persistentState();
+        return renderer_->persistentState();
     }
-    [[nodiscard]] int largestSide() const override { return renderer_.largestSide(); }
+    [[nodiscard]] int largestSide() const override { return renderer_->largestSide(); }
 
 private:
-    render::gl::HeadlessContext context_;
-    render::gl::Renderer renderer_;
+    std::shared_ptr<render::gl::Renderer> renderer_;
+};
+
+/// Renderer that draws without a window.
+struct HeadlessRenderer {
+    render::gl::HeadlessContext context;
+    render::gl::Renderer renderer;
 };
 
 /// "frames 12, volume 0.523 m³".
@@ -61,21 +69,6 @@ void print(const Json& json)
     std::fputs(render::writeJson(json).c_str(), stdout);
 }
 
-void printReport(const jobs::Job& job, const jobs::JobReport& report, bool asJson)
-{
-    for (const std::string& warning : report.warnings) say(warning);
-    if (asJson) {
-        Json files = Json::array();
-        for (const auto& file : report.files) files.push_back(file.string());
-        print({{"job", std::string(job.name())},
-               {"files", files},
-               {"facts", factsJson(report.facts)},
-               {"warnings", report.warnings}});
-        return;
-    }
-    std::printf("%s: %s\n", report.files.front().c_str(), factsText(report.facts).c_str());
-}
-
 /// Shows the progress of a run, a line for each kind of step.
 class ProgressLines {
 public:
@@ -86,6 +79,7 @@ public:
         if (run_.doing() != doing_) {
             doing_ = run_.doing();
             line_.emplace(doing_);
+            line_->estimate();
         }
         return line_->show(part);
     }
@@ -110,42 +104,99 @@ void stepThrough(jobs::JobRun& run)
     run.publish();
 }
 
-}  // namespace
-
-std::unique_ptr<render::RenderBackend> headlessBackend()
+/// Runs the job to its end and prints its warnings. Returns nullopt if it was stopped.
+std::optional<jobs::JobReport> reportOf(const jobs::Job& job, jobs::JobOrder order, const jobs::JobPlan& plan)
 {
-    return std::make_unique<HeadlessBackend>();
-}
-
-int runJob(const jobs::Job& job, jobs::JobOrder order, const jobs::JobPlan& plan, bool asJson)
-{
-    if (!plan.refusal.empty()) throw Failure(Blame::usage, plan.refusal);
-    for (const std::string& warning : plan.warnings) say(warning);
-    for (const jobs::PlannedFile& file : plan.files) const render::PartFile writable(file.path);
     const StopSignal stop;
     try {
         const std::unique_ptr<jobs::JobRun> run = job.start(std::move(order));
         stepThrough(*run);
-        printReport(job, run->report(), asJson);
-        return 0;
+        for (const std::string& warning : run->report().warnings) say(warning);
+        return run->report();
     } catch (const jobs::Stopped&) {
         if (!plan.ifStopped.empty()) say(plan.ifStopped);
-        return StopSignal::exitCode;
+        return std::nullopt;
     }
+}
+
+/// Makes one part of a job whose parts have to be merged.
+int runPartOf(const jobs::Job& job, jobs::JobOrder order, const jobs::JobPlan& plan, const Shard& shard)
+{
+    return runPart(order.out, shard, [&](Parts& parts) -> std::optional<std::string> {
+        std::string renderer;
+        order.out = parts.file(job.partItems(order.out));
+        order.backend = [&renderer] { return headlessBackend(&renderer); };
+        const std::optional<jobs::JobReport> report = reportOf(job, std::move(order), plan);
+        if (!report) return std::nullopt;
+        for (const auto& file : report->files) parts.wrote(file.filename().string());
+        return renderer;
+    });
+}
+
+}  // namespace
+
+std::unique_ptr<render::RenderBackend> headlessBackend(std::string* name)
+{
+    const auto made = std::make_shared<HeadlessRenderer>();
+    if (name) *name = made->context.info().renderer;
+    return sharedBackend({made, &made->renderer});
+}
+
+std::unique_ptr<render::RenderBackend> sharedBackend(std::shared_ptr<render::gl::Renderer> renderer)
+{
+    return std::make_unique<SharedBackend>(std::move(renderer));
+}
+
+int runJob(const jobs::Job& job, jobs::JobOrder order, const jobs::JobPlan& plan, const PartOptions& part, bool asJson)
+{
+    if (!plan.refusal.empty()) throw Failure(Blame::usage, plan.refusal);
+    for (const std::string& warning : plan.warnings) say(warning);
+    const std::filesystem::path out = order.out;
+    const std::string items = job.partItems(out);
+    order.backend = [] { return headlessBackend(); };
+    if (part.fromParts) order.share.from = Parts(out).file(items);
+    if (!part.shard.empty()) {
+        const Shard shard = parseShard(part.shard);
+        order.share.makes = [shard](int k) { return shard.makes(static_cast<std::size_t>(k)); };
+        if (!items.empty()) return runPartOf(job, std::move(order), plan, shard);
+    }
+    for (const jobs::PlannedFile& file : plan.files) const render::PartFile writable(file.path);
+    const std::optional<jobs::JobReport> report = reportOf(job, std::move(order), plan);
+    if (!report) return StopSignal::exitCode;
+    if (asJson)
+        print(reportJson(job, *report));
+    else
+        std::printf("%s: %s\n", out.c_str(), factsText(report->facts).c_str());
+    return 0;
+}
+
+Json reportJson(const jobs::Job& job, const jobs::JobReport& report)
+{
+    Json files = Json::array();
+    for (const auto& file : report.files) files.push_back(file.string());
+    return {{"job", std::string(job.name())},
+            {"files", files},
+            {"facts", factsJson(report.facts)},
+            {"warnings", report.warnings}};
+}
+
+Json planJson(const jobs::Job& job, const jobs::JobPlan& plan)
+{
+    Json files = Json::array();
+    for (const jobs::PlannedFile& file : plan.files)
+        files.push_back({{"path", file.path.string()}, {"content", file.content}});
+    Json json{{"job", std::string(job.name())},
+              {"files", files},
+              {"facts", factsJson(plan.facts)},
+              {"warnings", plan.warnings}};
+    if (!plan.refusal.empty()) json["refusal"] = plan.refusal;
+    return json;
 }
 
 void printPlan(const jobs::Job& job, const jobs::JobPlan& plan, bool asJson)
 {
     if (asJson) {
-        Json files = Json::array();
-        for (const jobs::PlannedFile& file : plan.files)
-            files.push_back({{"path", file.path.string()}, {"content", file.content}});
-        Json json{{"job", std::string(job.name())},
-                  {"files", files},
-                  {"facts", factsJson(plan.facts)},
-                  {"warnings", plan.warnings}};
-        if (!plan.refusal.empty()) json["refusal"] = plan.refusal;
-        print(json);
+        print(planJson(job, plan));
         return;
     }
     for (const std::string& warning : plan.warnings) say(warning);

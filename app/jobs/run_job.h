@@ -1,18 +1,31 @@
 #pragma once
 
+#include "app/queue/shard.h"
 #include "exhibits/jobs/kit/job.h"
+#include "render/files/strict_json.h"
+
+namespace vitrine::render::gl {
+class Renderer;
+}
 
 namespace vitrine::app {
 
-/// Creates a backend that draws without a window: an OpenGL context and a renderer that uses it. Throws Failure
+/// Creates a backend that draws without a window, and stores the name of its renderer in `name`. Throws Failure
 /// (Blame::openGl).
-[[nodiscard]] std::unique_ptr<render::RenderBackend> headlessBackend();
+[[nodiscard]] std::unique_ptr<render::RenderBackend> headlessBackend(std::string* name = nullptr);
+/// Creates a backend that draws with this renderer.
+[[nodiscard]] std::unique_ptr<render::RenderBackend> sharedBackend(std::shared_ptr<render::gl::Renderer>);
 
-/// Runs a job to its end on this thread and prints what it did, as text or JSON. A stop signal stops it in an orderly
-/// way. Returns the exit code. Throws Failure (Blame::usage) for what the plan refuses, else as the run does.
-int runJob(const jobs::Job&, jobs::JobOrder, const jobs::JobPlan&, bool asJson);
+/// Runs a job, or the part of it that the options say, to its end on this thread and prints what it did, as text or
+/// JSON. A stop signal stops it in an orderly way. Returns the exit code. Throws Failure (Blame::usage) for what the
+/// plan refuses, else as the run does.
+int runJob(const jobs::Job&, jobs::JobOrder, const jobs::JobPlan&, const PartOptions&, bool asJson);
 
-/// Prints what the job would do.
+/// Returns what the job did.
+[[nodiscard]] render::Json reportJson(const jobs::Job&, const jobs::JobReport&);
+
+/// Returns or prints what the job would do.
+[[nodiscard]] render::Json planJson(const jobs::Job&, const jobs::JobPlan&);
 void printPlan(const jobs::Job&, const jobs::JobPlan&, bool asJson);
 
 }  // namespace vitrine::app

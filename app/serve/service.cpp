@@ -1,6 +1,8 @@
 #include "app/serve/service.h"
 
 #include "app/apply_preset.h"
+#include "app/jobs/job_arguments.h"
+#include "app/jobs/run_job.h"
 #include "app/ledger_json.h"
 #include "app/picture_options.h"
 #include "app/report.h"
@@ -12,6 +14,7 @@
 #include "app/table_json.h"
 #include "exhibits/framework/preset_store.h"
 #include "exhibits/framework/preset_values.h"
+#include "exhibits/jobs.h"
 #include "exhibits/museum/picture_settings.h"
 #include "exhibits/study/study.h"
 #include "exhibits/study/study_text.h"
@@ -64,10 +67,14 @@ const std::vector<Service::Entry>& Service::methods()
 std::string Service::methodsText()
 {
     std::string text;
-    for (const Entry& entry : methods()) {
-        std::string name = entry.name;
+    const auto add = [&](std::string name, const std::string& help) {
         name.resize(10, ' ');
-        text += "  " + name + entry.help + "\n";
+        text += "  " + name + help + "\n";
+    };
+    for (const Entry& entry : methods()) add(entry.name, entry.help);
+    for (const auto& job : jobs::allJobs()) {
+        const std::string name(job->name());
+        add(name, "{out, ...} as of `vitrine " + name + "`: its files and facts; with dry_run, what it would write");
     }
     return text;
 }
@@ -78,6 +85,10 @@ Json Service::answer(const std::string& method, const Json& params, const Watch&
     for (const Entry& entry : methods()) {
         if (method == entry.name) return (this->*entry.method)(params, watch);
         names += std::string(entry.name) + ", ";
+    }
+    for (const auto& job : jobs::allJobs()) {
+        if (method == job->name()) return runJob(*job, params, watch);
+        names += std::string(job->name()) + ", ";
     }
     throw RpcFailure(RpcCode::method,
                      "There is no method \"" + method + "\"; there are " + names + "events and cancel.");
@@ -327,6 +338,36 @@ Json Service::runStudy(const Json& params, const Watch& watch)
     while (study.step());
     Json answer = studyJson(museum_.subjects(), study.request(), study.result(), machineJson(gl_));
     answer["notes"] = notesJson(notes, {});
+    return answer;
+}
+
+Json Service::runJob(const jobs::Job& job, const Json& params, const Watch& watch)
+{
+    JobArguments arguments;
+    CLI::App options;
+    addJobArguments(options, job, arguments);
+    readParams(options, std::string(job.name()), params);
+    OrderedJob ordered = orderedJob(options, job, arguments,
+                                    {[this]() -> const Museum& { return museum_; }, &sceneState_,
+                                     [this](const std::string& exhibit) { return cameraOf(exhibit); }});
+    Json answer;
+    if (arguments.dryRun) {
+        answer = planJson(job, ordered.plan);
+    } else {
+        if (!ordered.plan.refusal.empty()) throw Failure(Blame::usage, ordered.plan.refusal);
+        ordered.order.backend = [this] { return sharedBackend({std::shared_ptr<void>(), &renderer_}); };
+        const std::unique_ptr<jobs::JobRun> run = job.start(std::move(ordered.order));
+        const auto show = [&] { watch(run->progress(), std::string(run->doing())); };
+        for (show(); run->next() != jobs::JobRun::Next::done; show())
+            run->step([&](double part) {
+                watch(part, std::string(run->doing()));
+                return true;
+            });
+        run->publish();
+        answer = reportJson(job, run->report());
+    }
+    for (const std::string& warning : ordered.plan.warnings) ordered.notes.push_back(warning);
+    answer["notes"] = notesJson(ordered.notes, {});
     return answer;
 }
 

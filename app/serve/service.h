@@ -1,5 +1,6 @@
 #pragma once
 
+#include "exhibits/jobs/kit/job.h"
 #include "exhibits/museum/museum.h"
 #include "render/files/strict_json.h"
 #include "render/gl/context.h"
@@ -52,6 +53,7 @@ private:
     render::Json planPicture(const render::Json&, const Watch&);
     render::Json renderPicture(const render::Json&, const Watch&);
     render::Json runStudy(const render::Json&, const Watch&);
+    render::Json runJob(const jobs::Job&, const render::Json&, const Watch&);
 
     [[nodiscard]] std::size_t subjectNamed(const std::string& name) const;
     [[nodiscard]] std::optional<render::Camera> cameraOf(const std::string& name) const;

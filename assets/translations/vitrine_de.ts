@@ -29,11 +29,6 @@
         <translation> bei {1} bis {2} m</translation>
     </message>
     <message>
-        <location filename="ui/record/record_dialog.cpp"/>
-        <source> frames a second</source>
-        <translation> Frames pro Sekunde</translation>
-    </message>
-    <message>
         <location filename="exhibits/museum/picture.cpp"/>
         <source> GB of memory while it is made and written, and this machine has </source>
         <translation> GB Speicher, während es erzeugt und geschrieben wird, und dieser Rechner hat </translation>
@@ -54,15 +49,9 @@
         <translation> Pixeln braucht </translation>
     </message>
     <message>
-        <location filename="ui/record/record_dialog.cpp"/>
         <location filename="ui/window/screenshot_dialog.cpp"/>
         <source> px</source>
         <translation> px</translation>
-    </message>
-    <message>
-        <location filename="ui/record/record_dialog.cpp"/>
-        <source> s</source>
-        <translation> s</translation>
     </message>
     <message>
         <location filename="exhibits/study/study_judge.cpp"/>
@@ -1166,13 +1155,12 @@ Zeiten nach: %2.</translation>
         <translation>--palette own</translation>
     </message>
     <message>
-        <source>--path still</source>
-        <translation>--path still</translation>
+        <source>--path other than still</source>
+        <translation>--path anders als still</translation>
     </message>
     <message>
-        <location filename="app/record_command.cpp"/>
-        <source>--path tour: the tour goes through the hall; record hall, or choose turntable or still.</source>
-        <translation>--path tour: Der Rundgang führt durch die Halle; nehmen Sie hall auf, oder wählen Sie turntable oder still.</translation>
+        <source>--path tour</source>
+        <translation>--path tour</translation>
     </message>
     <message>
         <source>--path turntable</source>
@@ -1237,6 +1225,10 @@ Zeiten nach: %2.</translation>
         <location filename="app/print/print_command.cpp"/>
         <source>--shard {1}: only views that are rendered are made in parts; give an --exhibit and --out.</source>
         <translation>--shard {=1}: Nur gerenderte Ansichten entstehen in Teilen; geben Sie --exhibit und --out an.</translation>
+    </message>
+    <message>
+        <source>--shutter above 0</source>
+        <translation>--shutter über 0</translation>
     </message>
     <message>
         <location filename="app/serve/listener.cpp"/>
@@ -1697,13 +1689,13 @@ Zeiten nach: %2.</translation>
         <translation>ein Knopf wurde gedrückt</translation>
     </message>
     <message>
-        <source>a camera that stands still</source>
-        <translation>einer Kamera, die stillsteht</translation>
+        <source>a camera that follows a tour</source>
+        <translation>einer Kamera, die einer Tour folgt</translation>
     </message>
     <message>
-        <location filename="app/record_command.cpp"/>
-        <source>A camera that turns by {1} degrees round {2} runs into a wall or what stands in the hall; give a smaller --turn, or --alone.</source>
-        <translation>Eine Kamera, die sich um {1} Grad um {=2} dreht, stößt an eine Wand oder etwas, das in der Halle steht; geben Sie ein kleineres --turn an, oder --alone.</translation>
+        <location filename="exhibits/jobs/record/record_job.cpp"/>
+        <source>A camera that turns by {1} degrees runs into a wall or what stands in the hall; turn by a smaller angle, or show the exhibit alone.</source>
+        <translation>Eine Kamera, die sich um {1} Grad dreht, stößt an eine Wand oder etwas, das in der Halle steht; drehen Sie um einen kleineren Winkel, oder zeigen Sie das Exponat allein.</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
@@ -2234,13 +2226,14 @@ Zeiten nach: %2.</translation>
         <translation>Ein Torus (Ring) um die y-Achse.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/record/record_job.cpp"/>
+        <source>A tour goes through the hall, in which an exhibit that is shown alone does not stand; choose turntable or still, or show it in the hall.</source>
+        <translation>Eine Tour führt durch die Halle, in der ein allein gezeigtes Exponat nicht steht; wählen Sie Drehteller oder still, oder zeigen Sie es in der Halle.</translation>
+    </message>
+    <message>
         <location filename="exhibits/recording/tour.cpp"/>
         <source>a tour is a JSON object; choose a tour of Vitrine.</source>
         <translation>ein Rundgang ist ein JSON-Objekt; wählen Sie einen Rundgang von Vitrine.</translation>
-    </message>
-    <message>
-        <source>a tour's file, which says how the camera moves</source>
-        <translation>der Datei eines Rundgangs, die sagt, wie sich die Kamera bewegt</translation>
     </message>
     <message>
         <location filename="exhibits/museum/museum_plan.cpp"/>
@@ -2584,11 +2577,6 @@ Zeiten nach: %2.</translation>
         <translation>Alles, was sich öffnen lässt (%1)</translation>
     </message>
     <message>
-        <location filename="ui/record/record_dialog.cpp"/>
-        <source>Along the bookmarks</source>
-        <translation>Entlang der Lesezeichen</translation>
-    </message>
-    <message>
         <location filename="exhibits/hall/hall.cpp"/>
         <location filename="exhibits/hall/hall_table.h"/>
         <source>along the floor</source>
@@ -2806,11 +2794,6 @@ Zeiten nach: %2.</translation>
         </translation>
     </message>
     <message>
-        <location filename="ui/record/record_dialog.cpp"/>
-        <source>Angle</source>
-        <translation>Winkel</translation>
-    </message>
-    <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
         <source>Angle around the sun within which the sky gives rays: 180° uses the whole sky.</source>
         <extracomment>tables</extracomment>
@@ -2836,6 +2819,11 @@ Zeiten nach: %2.</translation>
         <location filename="ui/preferences/preferences_dialog.cpp"/>
         <source>Angle by which dragging turns the view, or orbits an exhibit.</source>
         <translation>Winkel, um den Ziehen den Blick dreht oder um ein Exponat führt.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/record/record_table.h"/>
+        <source>Angle by which the camera turns around its target, counter-clockwise from above. Auto: once around an exhibit that is shown alone, 60° in the hall.</source>
+        <translation>Winkel, um den sich die Kamera um ihr Ziel dreht, von oben gesehen gegen den Uhrzeigersinn. Auto: einmal um ein allein gezeigtes Exponat, 60° in der Halle.</translation>
     </message>
     <message>
         <location filename="exhibits/noise/noise_table.h"/>
@@ -3141,6 +3129,7 @@ Zeiten nach: %2.</translation>
         <translation>Am Anfang</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/record/record_table.h"/>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
         <location filename="exhibits/printing/print_table.h"/>
@@ -3502,6 +3491,11 @@ Zeiten nach: %2.</translation>
         <translation>Lesezeichen {1}</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/record/record_table.h"/>
+        <source>bookmarks</source>
+        <translation>Lesezeichen</translation>
+    </message>
+    <message>
         <location filename="exhibits/printing/print_table.h"/>
         <source>Border</source>
         <translation>Rand</translation>
@@ -3708,7 +3702,7 @@ Zeiten nach: %2.</translation>
         <translation>Testchart</translation>
     </message>
     <message>
-        <location filename="ui/record/record_dialog.cpp"/>
+        <location filename="exhibits/jobs/record/record_table.h"/>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
         <source>Camera</source>
@@ -3722,11 +3716,6 @@ Zeiten nach: %2.</translation>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
         <source>Camera from which the scene is seen.</source>
         <translation>Kamera, von der aus die Szene gesehen wird.</translation>
-    </message>
-    <message>
-        <location filename="ui/record/record_dialog.cpp"/>
-        <source>Camera moves</source>
-        <translation>Kamerabewegung</translation>
     </message>
     <message>
         <location filename="exhibits/framework/preset_values.cpp"/>
@@ -3763,11 +3752,6 @@ Zeiten nach: %2.</translation>
         <location filename="ui/study/table_export.cpp"/>
         <source>Canceled; no table was written.</source>
         <translation>Abgebrochen; keine Tabelle wurde geschrieben.</translation>
-    </message>
-    <message>
-        <location filename="ui/record/record_dialog.cpp"/>
-        <source>Canceled; whole frames stay, a video leaves no file.</source>
-        <translation>Abgebrochen; fertige Frames bleiben, ein Video hinterlässt keine Datei.</translation>
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
@@ -5502,6 +5486,11 @@ Zeiten nach: %2.</translation>
         <translation>Konsole von 1983</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/record/record_table.h"/>
+        <source>constant</source>
+        <translation>gleichmäßig</translation>
+    </message>
+    <message>
         <location filename="exhibits/hall/hall_table.h"/>
         <source>Contact shadows</source>
         <extracomment>tables</extracomment>
@@ -6710,6 +6699,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Übergang</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/record/record_table.h"/>
+        <source>eased</source>
+        <translation>sanft</translation>
+    </message>
+    <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <source>Edge angle</source>
         <extracomment>tables</extracomment>
@@ -7319,11 +7313,6 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Füllt den Bildschirm.</translation>
     </message>
     <message>
-        <location filename="ui/record/record_dialog.cpp"/>
-        <source>Films (*.mp4 *.webm *.gif *.webp *.apng)</source>
-        <translation>Filme (*.mp4 *.webm *.gif *.webp *.apng)</translation>
-    </message>
-    <message>
         <location filename="exhibits/hall/hall_table.h"/>
         <source>Filter of the shadow edges: hard, a fixed number of texels (tent), or as wide as the sun's disk makes them at that distance.</source>
         <extracomment>tables</extracomment>
@@ -7375,6 +7364,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <location filename="render/video/ffmpeg/writer.cpp"/>
         <source>finding a filter</source>
         <translation>das Suchen eines Filters</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/record/record_job.cpp"/>
+        <source>finding the way</source>
+        <translation>Weg wird gesucht</translation>
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
@@ -7697,12 +7691,13 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Frame-Verlauf</translation>
     </message>
     <message>
-        <location filename="ui/record/record_dialog.cpp"/>
+        <location filename="exhibits/jobs/record/record_table.h"/>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <source>Frame rate</source>
         <translation>Bildrate</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/record/record_job.cpp"/>
         <location filename="exhibits/jobs/sprite/sprite_job.cpp"/>
         <source>Frame size</source>
         <translation>Bildgröße</translation>
@@ -7728,6 +7723,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>die Frames hängen nicht voneinander ab</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/record/record_table.h"/>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <source>Frames per second</source>
         <translation>Frames pro Sekunde</translation>
@@ -8261,9 +8257,9 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Heatmap-Skala</translation>
     </message>
     <message>
-        <location filename="ui/record/record_dialog.cpp"/>
         <location filename="ui/window/screenshot_dialog.cpp"/>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
+        <location filename="exhibits/jobs/record/record_table.h"/>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <location filename="exhibits/printing/print_table.h"/>
         <location filename="exhibits/sdf_scenes/operation_kinds.cpp"/>
@@ -9541,7 +9537,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <location filename="ui/study/study_dock.cpp"/>
         <source>Kept</source>
-        <translation>Aufbewahrt</translation>
+        <translation>Behalten</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
@@ -9831,8 +9827,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Linker Stick</translation>
     </message>
     <message>
-        <location filename="ui/record/record_dialog.cpp"/>
         <location filename="exhibits/fur/fur_table.h"/>
+        <location filename="exhibits/jobs/record/record_table.h"/>
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
         <source>Length</source>
         <translation>Länge</translation>
@@ -9890,6 +9886,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Length of the object's largest side.</source>
         <extracomment>tables</extracomment>
         <translation>Länge der größten Seite des Objekts.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/record/record_table.h"/>
+        <source>Length of the recording.</source>
+        <translation>Länge der Aufnahme.</translation>
     </message>
     <message>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
@@ -10888,9 +10889,14 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Bewegung</translation>
     </message>
     <message>
-        <location filename="ui/record/record_dialog.cpp"/>
+        <location filename="exhibits/jobs/record/record_table.h"/>
         <source>Motion blur</source>
         <translation>Bewegungsunschärfe</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/record/record_table.h"/>
+        <source>Motion blur: fraction of a frame's time for which it is exposed. 0 is without blur.</source>
+        <translation>Bewegungsunschärfe: Anteil der Zeit eines Frames, für den er belichtet wird. 0 ist ohne Unschärfe.</translation>
     </message>
     <message>
         <location filename="exhibits/fur/fur_table.h"/>
@@ -11141,11 +11147,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/hall/own_objects.cpp"/>
         <source>no file is chosen for it</source>
         <translation>dafür ist keine Datei gewählt</translation>
-    </message>
-    <message>
-        <location filename="ui/record/film_maker.cpp"/>
-        <source>No film can be recorded: there is no graphics context.</source>
-        <translation>Es kann kein Film aufgenommen werden: Es gibt keinen Grafikkontext.</translation>
     </message>
     <message>
         <location filename="ui/window/frame_graph.cpp"/>
@@ -11520,11 +11521,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Nicht bei allen Einstellungen wurde die Zeit gemessen: Verglichen wird ihre Arbeit, die überall gleich zählt.</translation>
     </message>
     <message>
-        <location filename="ui/record/record_dialog.cpp"/>
-        <source>Not at all</source>
-        <translation>Gar nicht</translation>
-    </message>
-    <message>
         <location filename="ui/parameters/pick_editors.cpp"/>
         <source>not in the file yet</source>
         <translation>noch nicht in der Datei</translation>
@@ -11559,6 +11555,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="ui/study/table_export.cpp"/>
         <source>Nothing can be measured: there is no graphics context.</source>
         <translation>Es kann nichts gemessen werden: Es gibt keinen Grafikkontext.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/record/record_job.cpp"/>
+        <source>Nothing can be recorded: there is no graphics context.</source>
+        <translation>Nichts kann aufgenommen werden: Es gibt keinen Grafikkontext.</translation>
     </message>
     <message>
         <location filename="exhibits/study/study_judge.cpp"/>
@@ -11673,7 +11674,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <location filename="ui/jobs/job_dialog.cpp"/>
         <location filename="ui/print/print_dialog.cpp"/>
-        <location filename="ui/record/record_dialog.cpp"/>
         <source>Nothing was written.</source>
         <translation>Nichts wurde geschrieben.</translation>
     </message>
@@ -11731,6 +11731,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <source>Number of frames per direction, evenly spaced over the animation. Auto: 12 of what is animated, else 1.</source>
         <translation>Anzahl der Bilder je Richtung, gleichmäßig über die Animation verteilt. Automatisch: 12, wo etwas animiert ist, sonst 1.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/record/record_table.h"/>
+        <source>Number of frames per second.</source>
+        <translation>Anzahl der Frames pro Sekunde.</translation>
     </message>
     <message>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
@@ -11919,6 +11924,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Number of times that the water may reflect a ray: 0 shows no reflections.</source>
         <extracomment>tables</extracomment>
         <translation>Wie oft das Wasser einen Strahl spiegeln darf: 0 zeigt keine Spiegelungen.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/record/record_table.h"/>
+        <source>Number of times within the exposure whose pictures are averaged.</source>
+        <translation>Anzahl der Zeitpunkte innerhalb der Belichtung, deren Bilder gemittelt werden.</translation>
     </message>
     <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
@@ -12115,11 +12125,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/hall/hall_table.h"/>
         <source>on</source>
         <translation>ein</translation>
-    </message>
-    <message>
-        <location filename="ui/record/record_dialog.cpp"/>
-        <source>On its way round the camera runs into a wall or what stands in the hall; turn by a smaller angle.</source>
-        <translation>Auf ihrem Weg ringsum stößt die Kamera an eine Wand oder etwas, das in der Halle steht; drehen Sie um einen kleineren Winkel.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/kit/job_options.cpp"/>
@@ -12519,6 +12524,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>eigener Sockel</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/record/record_table.h"/>
+        <source>Pace</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <source>Palette</source>
@@ -12690,11 +12700,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Passes</translation>
     </message>
     <message>
-        <location filename="ui/record/record_dialog.cpp"/>
-        <source>Past all exhibits</source>
-        <translation>An allen Exponaten vorbei</translation>
-    </message>
-    <message>
         <location filename="ui/parameters/parameter_panel.cpp"/>
         <source>Paste</source>
         <translation>Einfügen</translation>
@@ -12713,6 +12718,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="ui/parameters/parameter_panel.cpp"/>
         <source>Paste all values</source>
         <translation>Alle Werte einfügen</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/record/record_table.h"/>
+        <source>Path</source>
+        <translation>Weg</translation>
     </message>
     <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
@@ -12877,6 +12887,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/hall/hall_table.h"/>
+        <location filename="exhibits/jobs/record/record_table.h"/>
         <source>Picture</source>
         <extracomment>tables</extracomment>
         <translation>Bild</translation>
@@ -13975,14 +13986,14 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>&amp;Aufnehmen…</translation>
     </message>
     <message>
-        <location filename="ui/record/record_dialog.cpp"/>
+        <location filename="exhibits/jobs/record/record_job.h"/>
         <source>Record</source>
         <translation>Aufnehmen</translation>
     </message>
     <message>
-        <location filename="ui/record/record_dialog.cpp"/>
-        <source>Recording</source>
-        <translation>Aufnahme</translation>
+        <location filename="exhibits/jobs/record/record_job.h"/>
+        <source>Record a video or frames: around an exhibit, through the hall, or along the bookmarks of a tour</source>
+        <translation>Nimmt ein Video oder Frames auf: um ein Exponat herum, durch die Halle, oder entlang der Lesezeichen einer Tour</translation>
     </message>
     <message>
         <location filename="exhibits/recording/record.cpp"/>
@@ -14862,11 +14873,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>runde Kanten</translation>
     </message>
     <message>
-        <location filename="ui/record/record_dialog.cpp"/>
-        <source>Round what you look at</source>
-        <translation>Um das Betrachtete herum</translation>
-    </message>
-    <message>
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
         <source>Rounding</source>
         <translation>Rundung</translation>
@@ -14924,6 +14930,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
+        <location filename="exhibits/jobs/record/record_table.h"/>
         <location filename="exhibits/printing/print_table.h"/>
         <source>Samples</source>
         <extracomment>tables</extracomment>
@@ -14950,7 +14957,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>behaltene Samples</translation>
     </message>
     <message>
-        <location filename="ui/record/record_dialog.cpp"/>
         <location filename="ui/window/screenshot_dialog.cpp"/>
         <source>Samples per pixel</source>
         <translation>Samples pro Pixel</translation>
@@ -14961,9 +14967,9 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Samples pro Pixel einer gerenderten Ansicht, jede Ansicht mit eigenem Rauschen.</translation>
     </message>
     <message>
-        <location filename="ui/record/record_dialog.cpp"/>
-        <source>Samples per pixel: edges are stairs at 1, smooth at 16.</source>
-        <translation>Samples pro Pixel: Kanten sind bei 1 Treppen, bei 16 glatt.</translation>
+        <location filename="exhibits/jobs/record/record_table.h"/>
+        <source>Samples per pixel: edges are stairs at 1, smooth at 16. Auto: as in the picture whose settings are taken, else the supersamples of the hall where they are set, else 4.</source>
+        <translation>Samples pro Pixel: Kanten sind bei 1 Treppen, bei 16 glatt. Auto: wie in dem Bild, dessen Einstellungen übernommen werden, sonst die Supersamples der Halle, wo sie gesetzt sind, sonst 4.</translation>
     </message>
     <message>
         <location filename="ui/window/screenshot_dialog.cpp"/>
@@ -15088,7 +15094,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <location filename="ui/presets/preset_shelf.cpp"/>
         <location filename="ui/record/bookmarks.cpp"/>
-        <location filename="ui/record/record_dialog.cpp"/>
         <location filename="ui/window/screenshot_dialog.cpp"/>
         <source>Saved %1.</source>
         <translation>%1 gespeichert.</translation>
@@ -15293,6 +15298,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Zweites Objekt</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/record/record_table.h"/>
+        <source>Seconds</source>
+        <translation>Sekunden</translation>
+    </message>
+    <message>
         <location filename="ui/explore/explore_dock.cpp"/>
         <location filename="exhibits/noise/noise_table.h"/>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
@@ -15379,7 +15389,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Sonne nach</translation>
     </message>
     <message>
-        <location filename="ui/record/record_dialog.cpp"/>
+        <location filename="exhibits/jobs/record/record_job.cpp"/>
         <source>Set two bookmarks at least: one where you stand, then another elsewhere (Bookmarks menu).</source>
         <translation>Setzen Sie mindestens zwei Lesezeichen: eines, wo Sie stehen, dann ein anderes anderswo (Menü „Lesezeichen“).</translation>
     </message>
@@ -15994,6 +16004,16 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Zeigt die aufbewahrten Studien: zum Wiederansehen, Vergleichen, Umbenennen, Löschen, Öffnen und Speichern.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/record/record_table.h"/>
+        <source>Shutter</source>
+        <translation>Verschluss</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/record/record_table.h"/>
+        <source>Shutter samples</source>
+        <translation>Zeitpunkte des Verschlusses</translation>
+    </message>
+    <message>
         <location filename="ui/compare/compare_actions.cpp"/>
         <source>Side by &amp;side</source>
         <translation>&amp;Nebeneinander</translation>
@@ -16078,7 +16098,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <location filename="ui/print/print_numbers.cpp"/>
-        <location filename="ui/record/record_dialog.cpp"/>
         <location filename="ui/window/screenshot_dialog.cpp"/>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
         <location filename="exhibits/sdf_scenes/operation_kinds.cpp"/>
@@ -16087,6 +16106,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Größe</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/record/record_table.h"/>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <source>Size of a frame in pixels.</source>
         <translation>Größe eines Bildes in Pixeln.</translation>
@@ -16386,6 +16406,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Geschwindigkeit der Kamera um ihr Ziel, pro Sekunde: 0 steht still.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/record/record_table.h"/>
+        <source>Speed of the camera: constant, or from rest to rest. Auto: as the tour says; constant in a loop, else eased.</source>
+        <translation>Geschwindigkeit der Kamera: gleichmäßig, oder von Stillstand zu Stillstand. Auto: wie es die Tour sagt; in einer Schleife gleichmäßig, sonst sanft.</translation>
+    </message>
+    <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <source>Speed of the model's animation: 1 is as in its file, 0 stops it.</source>
         <extracomment>tables</extracomment>
@@ -16676,6 +16701,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Steifheit des Fells als Frequenz, mit der es schwingt: Niedrige Werte schwanken, hohe schnellen zurück.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/record/record_table.h"/>
+        <source>still</source>
+        <translation>still</translation>
+    </message>
+    <message>
         <location filename="ui/window/close_guard.cpp"/>
         <source>Still being written: %1.</source>
         <translation>Wird noch geschrieben: %1.</translation>
@@ -16715,14 +16745,14 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>vorzeitig angehalten</translation>
     </message>
     <message>
-        <location filename="app/record_command.cpp"/>
+        <location filename="exhibits/jobs/record/record_job.cpp"/>
         <source>Stopped; nothing was written.</source>
         <translation>Abgebrochen; nichts wurde geschrieben.</translation>
     </message>
     <message>
-        <location filename="app/record_command.cpp"/>
-        <source>Stopped; the frames so far are whole, and the same command goes on with the next one.</source>
-        <translation>Abgebrochen; die bisherigen Frames sind vollständig, und derselbe Befehl fährt mit dem nächsten fort.</translation>
+        <location filename="exhibits/jobs/record/record_job.cpp"/>
+        <source>Stopped; the frames so far are whole, and the same settings go on with the next one.</source>
+        <translation>Abgebrochen; die bisherigen Frames sind vollständig, und dieselben Einstellungen fahren mit dem nächsten fort.</translation>
     </message>
     <message>
         <location filename="ui/print/print_dialog.cpp"/>
@@ -17658,11 +17688,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>die Datei beginnt mit zwei Byte-Reihenfolge-Markierungen; löschen Sie eine</translation>
     </message>
     <message>
-        <location filename="ui/record/record_dialog.cpp"/>
-        <source>The film: .mp4, .webm, .gif, .webp or .apng, or frames as in frames/%04d.png.</source>
-        <translation>Der Film: .mp4, .webm, .gif, .webp oder .apng, oder Frames wie in frames/%04d.png.</translation>
-    </message>
-    <message>
         <location filename="exhibits/hall/hall_floor.cpp"/>
         <source>the floor is in view</source>
         <translation>der Boden ist im Blick</translation>
@@ -18262,11 +18287,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/kit/sdf_passes.cpp"/>
         <source>the shadow method is none</source>
         <translation>das Schattenverfahren ist „keines“</translation>
-    </message>
-    <message>
-        <location filename="ui/record/record_dialog.cpp"/>
-        <source>The share of a frame's time for which it is exposed, by eight pictures; 0: none.</source>
-        <translation>Der Anteil der Dauer eines Frames, in dem belichtet wird, durch acht Bilder; 0: keiner.</translation>
     </message>
     <message>
         <location filename="exhibits/printing/sheet.cpp"/>
@@ -19747,6 +19767,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Neigung der Kegel: Negative Werte neigen sie zur Achse hin.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/record/record_table.h"/>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
         <location filename="exhibits/fur/fur_table.h"/>
         <source>Time after a jump at which the bodies are frozen; 0 lets them move with button and clock.</source>
         <extracomment>tables</extracomment>
@@ -19827,6 +19852,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Zeitpunkt der Runde, der gezeigt wird oder mit dem die Animation beginnt.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/record/record_table.h"/>
+        <source>Times in the exposure</source>
+        <translation>Zeitpunkte der Belichtung</translation>
+    </message>
+    <message>
         <location filename="ui/window/frame_graph.cpp"/>
         <source>Times of the last frames</source>
         <translation>Zeiten der letzten Frames</translation>
@@ -19904,6 +19934,21 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <source>Toss</source>
         <extracomment>tables</extracomment>
         <translation>Startwert des Sprungs</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/record/record_table.h"/>
+        <source>Tour</source>
+        <translation>Tour</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/record/record_table.h"/>
+        <source>tour</source>
+        <translation>Tour</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/record/record_table.h"/>
+        <source>Tour that the camera follows. Without one, past all exhibits.</source>
+        <translation>Tour, der die Kamera folgt. Ohne eine führt sie an allen Exponaten vorbei.</translation>
     </message>
     <message>
         <location filename="ui/window/window_dialogs.cpp"/>
@@ -20059,6 +20104,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <location filename="ui/print/place_bar.cpp"/>
         <location filename="ui/tree/tree_dock.cpp"/>
+        <location filename="exhibits/jobs/record/record_table.h"/>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <source>Turn</source>
         <translation>Drehung</translation>
@@ -20095,6 +20141,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <source>Turned</source>
         <extracomment>tables</extracomment>
         <translation>Zufallsdrehung</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/record/record_table.h"/>
+        <source>turntable</source>
+        <translation>Drehteller</translation>
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
@@ -20157,6 +20208,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="render/plan/frame_plan.cpp"/>
         <source>unchanged since it last ran</source>
         <translation>unverändert, seit er zuletzt lief</translation>
+    </message>
+    <message>
+        <source>Uncompressed</source>
+        <translation>Unkomprimiert</translation>
     </message>
     <message>
         <location filename="ui/print/print_numbers.cpp"/>
@@ -20752,6 +20807,11 @@ steht in assets/SOURCES.md.</translation>
         <translation>Wachs</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/record/record_table.h"/>
+        <source>Way of the camera: around its target, not at all, along a tour, or along the bookmarks that are set in the window. Auto: around an exhibit, along a tour of the hall.</source>
+        <translation>Weg der Kamera: um ihr Ziel, gar keiner, entlang einer Tour, oder entlang der Lesezeichen, die im Fenster gesetzt sind. Auto: um ein Exponat, in der Halle entlang einer Tour.</translation>
+    </message>
+    <message>
         <location filename="exhibits/printing/print_table.h"/>
         <source>Way that a printed dot chooses among the views under it: the one at its middle, all by area, or by area with blended strip edges.</source>
         <translation>Art, wie ein gedruckter Punkt unter den Ansichten darunter wählt: die in seiner Mitte, alle nach Fläche oder nach Fläche mit überblendeten Streifenrändern.</translation>
@@ -21223,8 +21283,8 @@ steht in assets/SOURCES.md.</translation>
         <translation>Warum hat das keine Wirkung?</translation>
     </message>
     <message>
-        <location filename="ui/record/record_dialog.cpp"/>
         <location filename="ui/window/screenshot_dialog.cpp"/>
+        <location filename="exhibits/jobs/record/record_table.h"/>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <location filename="exhibits/printing/print_table.h"/>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
@@ -22214,11 +22274,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1}: In diesem Bild steckt kein Preset; geben Sie eine Preset-Datei an, oder ein Bild, das Vitrine erzeugt hat.</translation>
     </message>
     <message>
-        <location filename="app/record_command.cpp"/>
-        <source>{1}: this picture is transparent; give --transparent for a recording that is, too.</source>
-        <translation>{=1}: Dieses Bild ist durchsichtig; geben Sie --transparent an, damit es auch die Aufnahme ist.</translation>
-    </message>
-    <message>
         <location filename="app/picture_options.cpp"/>
         <source>{1}: {2} has no parameter of that name{3} `vitrine list --json` names them.</source>
         <translation>{=1}: {=2} hat keinen Parameter dieses Namens{3} `vitrine list --json` nennt alle.</translation>
@@ -22313,17 +22368,13 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1}` kennt keine Option {2} `{=3} --help` nennt alle.</translation>
     </message>
     <message>
-        <location filename="app/jobs/job_command.cpp"/>
-        <source>{1}` needs --out; `{2} --help` says what it is.</source>
-        <translation>{=1}` braucht --out; `{=2} --help` sagt, was das ist.</translation>
-    </message>
-    <message>
         <location filename="app/usage_error.cpp"/>
         <source>{1}` needs a command; `{2} --help` lists what it has.</source>
         <translation>{=1}` braucht einen Befehl; `{=2} --help` nennt alle.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/kit/given_values.cpp"/>
+        <location filename="app/jobs/job_arguments.cpp"/>
         <location filename="app/usage_error.cpp"/>
         <source>{1}` needs {2}; `{3} --help` says what it is.</source>
         <translation>{=1}` braucht {=2}; `{=3} --help` sagt, was das ist.</translation>
@@ -22337,11 +22388,6 @@ steht in assets/SOURCES.md.</translation>
         <location filename="exhibits/jobs/sprite/sprite_sheet.cpp"/>
         <source>{1}direction {2}</source>
         <translation>{=1}direction {=2}</translation>
-    </message>
-    <message>
-        <location filename="ui/record/record_dialog.cpp"/>
-        <source>°</source>
-        <translation>°</translation>
     </message>
     <message>
         <location filename="ui/compare/compare_bar.cpp"/>

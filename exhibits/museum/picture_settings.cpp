@@ -2,6 +2,8 @@
 
 #include "render/text/translation.h"
 
+#include <optional>
+
 namespace vitrine {
 
 PictureRecord pictureRecord(const PictureRequest& request, const render::Camera& ofExhibition)
@@ -20,6 +22,12 @@ PictureRecord pictureRecord(const PictureRequest& request, const render::Camera&
     if (!(frame.camera == ofExhibition)) record.camera = frame.camera;
     record.language = language();
     return record;
+}
+
+int usualSamples(const ParameterValues& hall)
+{
+    const std::optional<std::size_t> row = hall.table().find(supersamplesRow);
+    return row && !hall.isInitial(*row) ? pictureQuality(hall).supersamples : 4;
 }
 
 std::string pictureSettings(const Museum& museum, std::size_t subject, const SceneState& sceneState,

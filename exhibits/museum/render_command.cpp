@@ -35,27 +35,37 @@ std::string settingOf(const ParameterInfo& row, const Value& value)
 
 }  // namespace
 
-std::string renderCommand(const Museum& museum, const SceneState& sceneState, const FrameRequest& request, int samples,
-                          const std::string& out)
+std::vector<std::string> sceneWords(const Museum& museum, const SceneState& sceneState, const FrameRequest& request,
+                                    bool withCamera)
 {
-    const glm::ivec2 size = request.raster.size;
-    std::string line = "vitrine render hall --size " + std::to_string(size.x) + 'x' + std::to_string(size.y) +
-                       " --samples " + std::to_string(samples) + " --time=" + render::shortestNumber(request.time) +
-                       " --seed " + std::to_string(request.seed) + " --eye=" + triple(request.camera.eye) +
-                       " --target=" + triple(request.camera.target) + " --fov " +
-                       render::shortestNumber(degreesOf(request.camera.fovY));
+    std::vector<std::string> words{"--time=" + render::shortestNumber(request.time),
+                                   "--seed=" + std::to_string(request.seed)};
+    if (withCamera) {
+        words.push_back("--eye=" + triple(request.camera.eye));
+        words.push_back("--target=" + triple(request.camera.target));
+        words.push_back("--fov=" + render::shortestNumber(degreesOf(request.camera.fovY)));
+    }
     for (std::size_t i = 0; i < museum.subjects().size(); ++i) {
         const ParameterValues& values = sceneState.values[i];
         for (std::size_t row = 0; row < values.rows().size(); ++row) {
             const ParameterInfo& info = values.rows()[row];
             const std::string name = std::string(museum.subject(i).name()) + '.' + std::string(info.name) + '=';
-            if (!values.isInitial(row)) line += " --set " + render::shellWord(name + settingOf(info, values.row(row)));
+            if (!values.isInitial(row)) words.push_back("--set=" + name + settingOf(info, values.row(row)));
             if (const Motion* motion = values.motion(row))
-                line += " --animate " + render::shellWord(name + motionText(*motion, [&](const Value& end) {
-                                                              return settingOf(info, end);
-                                                          }));
+                words.push_back("--animate=" + name +
+                                motionText(*motion, [&](const Value& end) { return settingOf(info, end); }));
         }
     }
+    return words;
+}
+
+std::string renderCommand(const Museum& museum, const SceneState& sceneState, const FrameRequest& request, int samples,
+                          const std::string& out)
+{
+    const glm::ivec2 size = request.raster.size;
+    std::string line = "vitrine render hall --size " + std::to_string(size.x) + 'x' + std::to_string(size.y) +
+                       " --samples " + std::to_string(samples);
+    for (const std::string& word : sceneWords(museum, sceneState, request)) line += ' ' + render::shellWord(word);
     return line + " --out " + render::shellWord(out);
 }
 

@@ -37,11 +37,6 @@ std::optional<NumberPlace> numberPlace(const std::string& name)
     return place;
 }
 
-bool isFrames(const fs::path& out)
-{
-    return numberPlace(out.filename().string()) && render::lowerExtension(out) == ".png";
-}
-
 render::VideoSpec specOf(const RecordingRequest& request, render::VideoFormat format)
 {
     const FrameRequest& frame = request.picture.frame;
@@ -64,16 +59,18 @@ bool isThere(const fs::path& path, const std::string& preset, const std::string&
 
 }  // namespace
 
-void requireRecordable(const RecordingRequest& request, const fs::path& out)
+bool isFramePattern(const fs::path& out)
 {
-    if (isFrames(out)) return;
+    return numberPlace(out.filename().string()) && render::lowerExtension(out) == ".png";
+}
+
+std::string whyNotRecordable(const RecordingRequest& request, const fs::path& out)
+{
+    if (isFramePattern(out)) return {};
     const std::optional<render::VideoFormat> format = render::videoFormatOf(out);
-    if (!format)
-        throw Failure(Blame::usage, "\"" + out.string() +
-                                        "\" is no name of a recording; give one that ends in .mp4, .webm, .gif, .webp "
-                                        "or .apng, or frames/%04d.png.");
-    if (const std::string why = render::whyNoVideo(specOf(request, *format)); !why.empty())
-        throw Failure(Blame::usage, why);
+    if (format) return render::whyNoVideo(specOf(request, *format));
+    return "\"" + out.string() +
+           "\" is no name of a recording; give one that ends in .mp4, .webm, .gif, .webp or .apng, or frames/%04d.png.";
 }
 
 fs::path framePath(const fs::path& pattern, int k)
@@ -91,8 +88,8 @@ Recording::Recording(const Museum& museum, render::RenderBackend& backend, Scene
     : museum_(museum), backend_(backend), sceneState_(std::move(sceneState)), subject_(subject),
       request_(std::move(request)), out_(std::move(out)), share_(std::move(share))
 {
-    requireRecordable(request_, out_);
-    if (!isFrames(out_)) {
+    if (const std::string why = whyNotRecordable(request_, out_); !why.empty()) throw Failure(Blame::usage, why);
+    if (!isFramePattern(out_)) {
         render::VideoSpec spec = specOf(request_, *render::videoFormatOf(out_));
         spec.comment = presetAt(0);
         video_ = std::make_unique<render::VideoFile>(out_, spec);
@@ -161,11 +158,13 @@ bool Recording::step()
         maker_->step();
         if (maker_->finished()) endFrame();
     }
-    if (next_ == request_.frames()) {
-        if (video_) video_->finish();
-        finished_ = true;
-    }
+    finished_ = next_ == request_.frames();
     return true;
+}
+
+void Recording::publish()
+{
+    if (video_) video_->finish();
 }
 
 double Recording::progress() const

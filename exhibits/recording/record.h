@@ -13,10 +13,13 @@ class VideoFile;
 
 namespace vitrine {
 
-/// Throws Failure (Blame::usage) that says what to give instead. `out` must be the name of a video
-/// (render::videoFormatOf) or of frames, "folder/%04d.png". The request's size, frame rate and transparency must suit
-/// that kind of video.
-void requireRecordable(const RecordingRequest&, const std::filesystem::path& out);
+/// Returns whether the name is that of frames: "folder/%04d.png".
+[[nodiscard]] bool isFramePattern(const std::filesystem::path& out);
+
+/// Returns why nothing can be recorded under this name, as a sentence with an alternative; empty if it can. `out` must
+/// be the name of a video (render::videoFormatOf) or of frames. The request's size, frame rate and transparency must
+/// suit that kind of video.
+[[nodiscard]] std::string whyNotRecordable(const RecordingRequest&, const std::filesystem::path& out);
 
 /// Returns the file of frame `k` (from 0); names count from 1: "folder/0001.png".
 [[nodiscard]] std::filesystem::path framePath(const std::filesystem::path& pattern, int k);
@@ -34,8 +37,8 @@ struct RecordingShare {
 /// made with the same settings and the same program are kept.
 class Recording {
 public:
-    /// Museum and backend must outlive it. Throws Failure like `requireRecordable` and render::VideoFile, and if the
-    /// frames' folder cannot be created.
+    /// Museum and backend must outlive it. Throws Failure for what `whyNotRecordable` refuses, like render::VideoFile,
+    /// and if the frames' folder cannot be created.
     Recording(const Museum&, render::RenderBackend&, SceneState, std::size_t subject, RecordingRequest,
               std::filesystem::path out, RecordingShare = {});
     ~Recording();
@@ -48,6 +51,9 @@ public:
     bool step();
     [[nodiscard]] double progress() const;  ///< 0 to 1.
     [[nodiscard]] bool finished() const { return finished_; }
+    /// Puts a finished video in place. Frames are in place already. On any thread. Throws Failure like
+    /// render::VideoFile.
+    void publish();
     [[nodiscard]] int drawn() const { return drawn_; }  ///< Frames that this object drew.
     [[nodiscard]] int kept() const { return kept_; }    ///< Frames that existed already.
 

@@ -13,11 +13,11 @@ namespace vitrine {
 struct RecordingRequest {
     PictureRequest picture;  ///< Request of every frame. Its time is that of the first frame; its camera is not used.
     CameraMotion camera;
-    double seconds = 8;
-    double framesPerSecond = 30;
+    double seconds = 0;
+    double framesPerSecond = 1;
     bool closed = false;     ///< Whether the frame after the last one equals the first, so the recording can be looped.
     double shutter = 0;      ///< Share of a frame's duration for which it is exposed, 0 to 1.
-    int shutterSamples = 8;  ///< Number of averaged times within the exposure; 1 if the shutter is 0.
+    int shutterSamples = 1;  ///< Number of averaged times within the exposure; 1 if the shutter is 0.
 
     /// Returns the number of frames, at least 1.
     [[nodiscard]] int frames() const;

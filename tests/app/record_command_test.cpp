@@ -1,5 +1,7 @@
 // `vitrine record`, as users call it.
 
+#include "exhibits/jobs.h"
+#include "exhibits/jobs/kit/job_options.h"
 #include "exhibits/recording/tour.h"
 #include "render/image/image_io.h"
 #include "tests/app/child_process.h"
@@ -14,6 +16,8 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <regex>
+#include <set>
 #include <thread>
 
 namespace vitrine {
@@ -54,7 +58,7 @@ TEST(RecordCommand, TurnsRoundAnExhibitAndGivesTheSameBytesAgain)
         const test::Ended ended =
             test::vitrine(recording("sdf_morph", folder / name, {"--alone", "--seconds", "1", "--set", "morph=1"}));
         ASSERT_EQ(ended.code, 0) << ended.err;
-        EXPECT_EQ(ended.out, (folder / name).string() + ": 4 frames of 32 x 18\n");
+        EXPECT_EQ(ended.out, (folder / name).string() + ": frames 4, frame size 32 × 18 px, uncompressed 0.00691 MB\n");
     }
     EXPECT_EQ(test::bytesOf(folder / "a.apng"), test::bytesOf(folder / "b.apng"));
 }
@@ -65,7 +69,8 @@ TEST(RecordCommand, AFramesTimeIsItsNumberOverTheRateAndItsPresetBringsItBack)
     const Words film{"--alone", "--seconds", "1", "--path", "still", "--set", "animate=on", "--time", "1"};
     const test::Ended ended = test::vitrine(recording("sdf_morph", folder / "f/%03d.png", film));
     ASSERT_EQ(ended.code, 0) << ended.err;
-    EXPECT_EQ(folder.files(), (Words{"f/001.png", "f/002.png", "f/003.png", "f/004.png"}));
+    EXPECT_EQ(folder.files(),
+              (Words{"f/%03d.png.vitrine-job.json", "f/001.png", "f/002.png", "f/003.png", "f/004.png"}));
     // The third frame, at 2 / 4 s, compared with pictures of that time and of the preset inside it.
     const Words picture{"render", "sdf_morph", "--alone", "--size", "32x18", "--samples", "1", "--time", "1.5"};
     Words plain = picture, preset = picture;
@@ -87,14 +92,15 @@ TEST(RecordCommand, FollowsATourAndSaysWhatItLeftOut)
     Tour tour{"Short", {{"a", {}}, {"b", {}}}, false, Pace::constant};
     tour.bookmarks[1].camera.eye = {0.5, 1.65, 10};
     test::writeBytes(folder / "tour.json", tourText(tour));
-    const test::Ended ended = test::vitrine(recording(folder / "tour.json", folder / "a.mp4", {"--seconds", "0.5"}));
+    const test::Ended ended =
+        test::vitrine(recording("hall", folder / "a.mp4", {"--seconds", "0.5", "--tour", folder / "tour.json"}));
     ASSERT_EQ(ended.code, 0) << ended.err;
-    EXPECT_EQ(folder.files(), (Words{"a.mp4", "tour.json"}));
+    EXPECT_EQ(folder.files(), (Words{"a.mp4", "a.mp4.vitrine-job.json", "tour.json"}));
     test::writeBytes(folder / "tour.json", "{\"format\": \"vitrine-tour\",\n\"version\": 1}");
-    const test::Ended broken = test::vitrine(recording(folder / "tour.json", folder / "b.mp4"));
+    const test::Ended broken = test::vitrine(recording("hall", folder / "b.mp4", {"--tour", folder / "tour.json"}));
     EXPECT_EQ(broken.code, 5);
     test::expectOneSentence(broken, {"tour.json", "bookmarks", "missing"});
-    EXPECT_EQ(folder.files(), (Words{"a.mp4", "tour.json"}));
+    EXPECT_EQ(folder.files(), (Words{"a.mp4", "a.mp4.vitrine-job.json", "tour.json"}));
 }
 
 TEST(RecordCommand, WhatCannotBeRecordedIsUsage)
@@ -105,16 +111,55 @@ TEST(RecordCommand, WhatCannotBeRecordedIsUsage)
         EXPECT_EQ(ended.code, 2) << ended.err;
         test::expectOneSentence(ended, parts);
     };
-    refused("sdf_morph", "a.avi", {}, {"a.avi", ".mp4", "%04d.png"});
+    refused("sdf_morph", "a.avi", {}, {"a.avi", ".mp4", ".png"});
     refused("sdf_morph", "a.mp4", {"--size", "33x18"}, {"34x18"});
     refused("sdf_morph", "a.gif", {"--fps", "60"}, {"50"});
     refused("sdf_morph", "a.mp4", {"--alone", "--transparent"}, {"transparent"});
     refused("nothing", "a.mp4", {}, {"nothing", "vitrine list"});
-    refused("sdf_morph", "a.mp4", {"--path", "tour"}, {"--path tour"});
-    refused("noise", "a.mp4", {"--turn", "360"}, {"--turn", "--alone"});
+    refused("sdf_morph", "a.mp4", {"--alone", "--path", "tour"}, {"tour", "alone"});
+    refused("sdf_morph", "a.png", {}, {"a.png", "%04d.png"});
+    refused("noise", "a.mp4", {"--turn", "360"}, {"turn", "alone"});
     for (const Words& more : {Words{"--seconds", "0"}, {"--fps", "nan"}, {"--shutter", "2"}, {"--path", "up"}})
         EXPECT_EQ(test::vitrine(recording("sdf_morph", folder / "a.mp4", more)).code, 2) << more.front();
     EXPECT_TRUE(folder.files().empty());
+}
+
+/// Returns the options that `vitrine COMMAND --help` names.
+std::set<std::string> optionsOf(const std::string& command)
+{
+    const std::string help = test::vitrine({command, "--help"}).out;
+    std::set<std::string> names;
+    const std::regex name("(?:^|\n) +(?:-h,)?(--[a-z-]+)");
+    for (std::sregex_iterator at(help.begin(), help.end(), name), end; at != end; ++at) names.insert((*at)[1]);
+    return names;
+}
+
+TEST(RecordCommand, HasTheOptionsOfItsTableOfEverySceneAndOfEveryJobAndNoOther)
+{
+    std::set<std::string> expected{"--help", "--out", "--like", "--dry-run", "--json", "--shard"};
+    for (const std::string& option : optionsOf("render"))
+        if (const std::set<std::string> own{"--size", "--samples", "--run-everything", "--channels", "--sixteen-bit",
+                                            "--report"};
+            own.count(option) == 0)
+            expected.insert(option);
+    for (const jobs::JobOption& option : jobs::optionsOf(jobs::findJob("record")->parameters()))
+        expected.insert(option.name);
+    EXPECT_EQ(optionsOf("record"), expected);
+}
+
+TEST(RecordCommand, GoesOnFromTheSettingsBesideAFilm)
+{
+    const TemporaryFolder folder;
+    const Words film{"--alone", "--seconds", "1", "--shutter", "0.5", "--shutter-samples", "2", "--set", "morph=0.8"};
+    ASSERT_EQ(test::vitrine(recording("sdf_morph", folder / "a.apng", film)).code, 0);
+    const test::Ended again = test::vitrine({"record", "--like", folder / "a.apng", "--out", folder / "b.apng"});
+    ASSERT_EQ(again.code, 0) << again.err;
+    EXPECT_EQ(test::bytesOf(folder / "a.apng"), test::bytesOf(folder / "b.apng"));
+    const test::Ended longer = test::vitrine(
+        {"record", "--like", folder / "a.apng", "--seconds", "2", "--dry-run", "--json", "--out", folder / "c.apng"});
+    ASSERT_EQ(longer.code, 0) << longer.err;
+    EXPECT_NE(longer.out.find("\"value\": 8"), std::string::npos) << longer.out;
+    EXPECT_FALSE(std::filesystem::exists(folder / "c.apng"));
 }
 
 TEST(RecordCommand, StoppedByCtrlCLeavesWholeFramesAndGoesOnLater)

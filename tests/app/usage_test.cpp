@@ -324,7 +324,7 @@ TEST(Usage, WhatWasMistypedIsNamedWithItsCommandAndWhatIsNear)
         {{"list", "--set", "sdfmorph.morph=1"}, "did you mean sdf_morph?"},
         {{"sprite", "--out", "x.png", "--palette", "isel"}, "--palette isel: give one of own, "},
         {{"--language", "xx", "list"}, "--language \"xx\": give one of en, de."},
-        {{"record", "fur", "--out", "x.mp4", "--pace", "slow"}, "--pace \"slow\": give one of constant, eased."},
+        {{"record", "fur", "--out", "x.mp4", "--pace", "slow"}, "--pace slow: give one of auto, constant, eased."},
         {{"open", "/nowhere/a.json"}, "Cannot open /nowhere/a.json: there is no such file"},
         {{"study", "fur", "--out", "x", "--metric", "ssm"}, "give one of rmse, max, beyond, flip, normal, depth."},
     };

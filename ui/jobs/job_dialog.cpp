@@ -1,5 +1,6 @@
 #include "ui/jobs/job_dialog.h"
 
+#include "exhibits/framework/acting.h"
 #include "exhibits/framework/state_folder.h"
 #include "exhibits/jobs/kit/command_line.h"
 #include "exhibits/jobs/kit/job_document.h"
@@ -69,12 +70,13 @@ QString filtersOf(const jobs::Job& job)
     return filters.join(QStringLiteral(";;"));
 }
 
-/// The files that the values name.
+/// The files that the values name, where they have an effect.
 std::vector<std::string> filesOf(const ParameterValues& values)
 {
     std::vector<std::string> files;
     for (std::size_t i = 0; i < values.rows().size(); ++i)
-        if (values.rows()[i].kind == Kind::file) files.push_back(std::get<std::string>(values.row(i)));
+        if (values.rows()[i].kind == Kind::file)
+            files.push_back(acts(values, i) ? std::get<std::string>(values.row(i)) : std::string());
     return files;
 }
 
@@ -87,7 +89,7 @@ struct JobDialog::Planned {
     jobs::JobPlan plan;
 };
 
-JobDialog::JobDialog(const jobs::Job& job, jobs::JobScene scene, Renderers& renderers, RenderThread& thread,
+JobDialog::JobDialog(const jobs::Job& job, SceneSource scene, Renderers& renderers, RenderThread& thread,
                      QWidget* parent)
     : QDialog(parent), job_(job), scene_(std::move(scene)), setup_(job, this), draft_(renderers, thread, this),
       full_(renderers, thread, this), plan_(this), show_(this)
@@ -243,6 +245,12 @@ void JobDialog::follow()
     showButtons();
 }
 
+void JobDialog::refresh()
+{
+    inputs_.reset();
+    follow();
+}
+
 std::filesystem::path JobDialog::output() const
 {
     return path().toStdString();
@@ -250,13 +258,13 @@ std::filesystem::path JobDialog::output() const
 
 jobs::JobOrder JobDialog::order(const ParameterValues& values) const
 {
-    return {values, scene_, inputs_, {}, {}};
+    return {values, scene_(), inputs_, {}, {}};
 }
 
 void JobDialog::plan()
 {
     const ParameterValues values = setup_.values();
-    plan_.start([this, values, inputs = inputs_, scene = scene_,
+    plan_.start([this, values, inputs = inputs_, scene = scene_(),
                  &job = job_](const ProgressJob::Progress&) -> ProgressJob::Outcome {
         const auto read = inputs ? inputs : job.read(values);
         const Planned planned{values, job.draft(values, *read), read, job.plan(values, scene, *read, {})};
@@ -284,7 +292,7 @@ void JobDialog::takePlan(const Planned& planned)
 
 void JobDialog::showDraft(const JobRunner::Run& run)
 {
-    const bool whole = job_.plan(*drawn_, scene_, *inputs_, {}).facts == planned_->facts;
+    const bool whole = job_.plan(*drawn_, scene_(), *inputs_, {}).facts == planned_->facts;
     show_.start([this, run, whole, all = setup_.values(), drawn = *drawn_,
                  preview = preview_](const ProgressJob::Progress&) -> ProgressJob::Outcome {
         return [this, run, whole, show = preview->prepare(*run, all, drawn)] {
@@ -354,7 +362,7 @@ void JobDialog::chooseDocument()
 void JobDialog::load(const QString& file)
 {
     try {
-        const jobs::JobDocument document = jobs::readDocument(file.toStdString(), job_, scene_.museum);
+        const jobs::JobDocument document = jobs::readDocument(file.toStdString(), job_, scene_().museum);
         messages_->setProblems(jobExportCause(), {});
         for (const std::string& note : document.notes) messages_->say(MessageStrip::Mood::notice, said(note));
         setup_.change(tr("Load settings"), document.values);
@@ -367,11 +375,12 @@ void JobDialog::startExport()
 {
     if (exporting() || !inputs_) return;
     messages_->setProblems(jobExportCause(), {});
-    const jobs::JobPlan plan = job_.plan(setup_.values(), scene_, *inputs_, output());
+    const jobs::JobPlan plan = job_.plan(setup_.values(), scene_(), *inputs_, output());
     if (!plan.refusal.empty()) {
         messages_->setProblems(jobExportCause(), {said(plan.refusal)});
         return;
     }
+    ifStopped_ = plan.ifStopped.empty() ? tr("Canceled; no file was written.") : said(plan.ifStopped);
     QStringList beside;
     for (const jobs::PlannedFile& file : plan.files) beside << QString::fromStdString(file.path.string());
     beside.removeFirst();
@@ -401,7 +410,7 @@ void JobDialog::reject()
         QDialog::reject();
     } else if (!full_.publishing()) {
         full_.cancel();
-        endExport(tr("Canceled; no file was written."));
+        endExport(ifStopped_);
     }
 }
 

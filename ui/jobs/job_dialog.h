@@ -10,6 +10,7 @@
 #include <QTimer>
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,8 +30,11 @@ class JobDialog final : public QDialog {
     Q_OBJECT
 
 public:
-    /// All must outlive it, and the museum of the scene as well.
-    JobDialog(const jobs::Job&, jobs::JobScene, Renderers&, RenderThread&, QWidget* parent);
+    /// Returns the scene as it is now. Its museum must outlive the dialog.
+    using SceneSource = std::function<jobs::JobScene()>;
+
+    /// All must outlive it. Plans and exports take the scene as it is when they begin.
+    JobDialog(const jobs::Job&, SceneSource, Renderers&, RenderThread&, QWidget* parent);
     ~JobDialog() override;
 
     [[nodiscard]] const jobs::Job& job() const { return job_; }
@@ -46,6 +50,8 @@ public:
     void startExport();
     /// Sets what a settings document says, or the one beside an output. One undo step.
     void load(const QString& file);
+    /// Reads the inputs and plans anew: something outside of the settings has changed.
+    void refresh();
     /// The command line that writes the same files, for a terminal.
     [[nodiscard]] QString commandLine() const;
 
@@ -79,13 +85,14 @@ private:
     [[nodiscard]] jobs::JobOrder order(const ParameterValues&) const;
 
     const jobs::Job& job_;
-    jobs::JobScene scene_;
+    SceneSource scene_;
     JobSetup setup_;
     JobRunner draft_, full_;
     ProgressJob plan_, show_;
     QTimer soon_;                                    ///< Not at every step of a slider.
     std::shared_ptr<const jobs::JobInputs> inputs_;  ///< Null while they are read.
     std::vector<std::string> files_;                 ///< That the inputs were read from.
+    QString ifStopped_;                              ///< What is left of the export when it is stopped.
     std::optional<jobs::JobPlan> planned_;
     std::optional<ParameterValues> drawn_;  ///< Values of the draft.
     bool remembered_ = false;

@@ -26,6 +26,7 @@ void JobRunner::start(const jobs::Job& job, jobs::JobOrder order)
 {
     cancel();
     publishes_ = !order.out.empty();
+    order.largestTile = RenderThread::taskTile;
     order.backend = [&renderers = renderers_] { return renderers.makeBackend(false); };
     running_ = true;
     elapsed_.start();

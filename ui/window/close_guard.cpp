@@ -1,7 +1,7 @@
 #include "ui/window/close_guard.h"
 
+#include "ui/jobs/job_dialog.h"
 #include "ui/print/print_dialog.h"
-#include "ui/record/record_dialog.h"
 #include "ui/window/picture_export.h"
 
 #include <QFileInfo>
@@ -19,8 +19,8 @@ QStringList unfinished(const QWidget& window)
         if (work->running() && !work->replaces()) files << QString::fromStdString(work->path().filename().string());
     for (const PrintDialog* dialog : window.findChildren<PrintDialog*>())
         if (dialog->exporting()) files << QFileInfo(dialog->path()).fileName();
-    for (const RecordDialog* dialog : window.findChildren<RecordDialog*>())
-        if (dialog->recording()) files << QFileInfo(dialog->path()).fileName();
+    for (const JobDialog* dialog : window.findChildren<JobDialog*>())
+        if (dialog->exporting()) files << QFileInfo(dialog->path()).fileName();
     return files;
 }
 
@@ -108,9 +108,9 @@ void CloseGuard::closeWhenDone()
                 if (saved) closeIfDone();
             },
             Qt::QueuedConnection);
-    for (const RecordDialog* dialog : window_.findChildren<RecordDialog*>())
+    for (const JobDialog* dialog : window_.findChildren<JobDialog*>())
         connect(
-            dialog, &RecordDialog::recordingEnded, this,
+            dialog, &JobDialog::exportEnded, this,
             [this](bool written) {
                 if (written) closeIfDone();
             },

@@ -242,7 +242,7 @@ void WindowActions::addFileMenu(Maker& make, MainWindow& window)
         tr("No picture was exported yet; use “Export picture…” first."));
     make.add(tr("Recor&d…"), {QKeySequence(Qt::SHIFT | Qt::Key_F12)},
              tr("Records a video or frames: along bookmarks, around the current target, or as a tour of all exhibits."),
-             [&window] { window.dialogs().openRecord(); });
+             [&window] { window.dialogs().openJob(*jobs::findJob("record")); });
     make.add(tr("Export le&nticular print…"), {QKeySequence(Qt::CTRL | Qt::Key_P)},
              tr("Exports a print for a lenticular sheet from views of the exhibit or your own pictures, or a "
                 "calibration chart."),

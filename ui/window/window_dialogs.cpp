@@ -11,7 +11,6 @@
 #include "ui/print/print_dialog.h"
 #include "ui/print/shown_views.h"
 #include "ui/record/bookmarks.h"
-#include "ui/record/record_dialog.h"
 #include "ui/study/table_export.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/about_dialog.h"
@@ -30,6 +29,18 @@ void bringUp(QWidget& dialog)
     dialog.show();
     dialog.raise();
     dialog.activateWindow();
+}
+
+/// Returns the scene that is shown, for a job.
+jobs::JobScene sceneOf(Workbench& workbench, const jobs::Job& job)
+{
+    const Museum& museum = workbench.museum();
+    jobs::JobScene scene{&museum, workbench.history().sceneState(), workbench.chosen(), {}};
+    if (!job.needs().anyScene) scene.subject = museum.find(job.needs().subject).value();
+    scene.frame.camera = scene.state.camera;
+    scene.frame.time = workbench.viewport().time();
+    if (scene.subject != hallIndex) scene.frame.subject = scene.subject;
+    return scene;
 }
 
 }  // namespace
@@ -62,22 +73,14 @@ void WindowDialogs::openPrint(const QString& print)
 
 void WindowDialogs::openJob(const jobs::Job& job)
 {
-    const Museum& museum = workbench_.museum();
-    const std::optional<std::size_t> subject = museum.find(job.needs().subject);
-    if (!subject) return;  // Its action is not enabled then.
     JobDialog* dialog = nullptr;
     for (JobDialog* open : window_.findChildren<JobDialog*>())
         if (&open->job() == &job) dialog = open;
     if (!dialog)
-        dialog = new JobDialog(job, {&museum, workbench_.history().sceneState(), *subject, {}}, workbench_.renderers(),
-                               workbench_.viewport().renderThread(), &window_);
-    bringUp(*dialog);
-}
-
-void WindowDialogs::openRecord()
-{
-    auto* dialog = window_.findChild<RecordDialog*>();
-    if (!dialog) dialog = new RecordDialog(workbench_, bookmarks_, &window_);
+        dialog = new JobDialog(
+            job, [&workbench = workbench_, &job] { return sceneOf(workbench, job); }, workbench_.renderers(),
+            workbench_.viewport().renderThread(), &window_);
+    connect(&bookmarks_, &Bookmarks::changed, dialog, &JobDialog::refresh, Qt::UniqueConnection);
     bringUp(*dialog);
 }
 
@@ -117,7 +120,6 @@ void WindowDialogs::closeAll()
     qDeleteAll(window_.findChildren<PreferencesDialog*>());
     qDeleteAll(window_.findChildren<PrintDialog*>());
     qDeleteAll(window_.findChildren<JobDialog*>());
-    qDeleteAll(window_.findChildren<RecordDialog*>());
     qDeleteAll(window_.findChildren<TableExport*>());
     qDeleteAll(window_.findChildren<PictureExport*>());
 }

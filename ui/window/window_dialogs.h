@@ -31,9 +31,8 @@ public:
     void openScreenshot();
     /// Opens the print dialog, with this print if the path is not empty.
     void openPrint(const QString& print = {});
-    /// Opens the dialog of a job for the exhibit that the job needs. Does nothing if the museum lacks it.
+    /// Opens the dialog of a job. The museum must have the exhibit that it needs.
     void openJob(const jobs::Job&);
-    void openRecord();
     /// Asks for a file, and writes the bookmarks to it.
     void saveTour();
     /// Opens the page about this subject.

@@ -2,6 +2,7 @@
 
 #include "exhibits/framework/value_text.h"
 #include "exhibits/jobs/kit/given_values.h"
+#include "exhibits/museum/render_command.h"
 #include "render/files/number_text.h"
 
 namespace vitrine::jobs {
@@ -20,8 +21,16 @@ std::vector<std::string> commandOf(const Job& job, const JobOrder& order)
 {
     std::vector<std::string> words{std::string(job.name())};
     for (std::string& word : wordsOf(order.values)) words.push_back(std::move(word));
-    if (order.scene.museum) {
-        const ParameterValues& values = order.scene.state.values[order.scene.subject];
+    const JobScene& scene = order.scene;
+    if (scene.museum && job.needs().anyScene) {
+        words.insert(words.begin() + 1, std::string(scene.museum->subject(scene.subject).name()));
+        if (scene.frame.alone) words.emplace_back("--alone");
+        if (scene.frame.transparent) words.emplace_back("--transparent");
+        for (std::string& word :
+             sceneWords(*scene.museum, scene.state, scene.frame, job.usesCamera(order.values, scene)))
+            words.push_back(std::move(word));
+    } else if (scene.museum) {
+        const ParameterValues& values = scene.state.values[scene.subject];
         for (std::size_t i = 0; i < values.rows().size(); ++i)
             if (!values.isInitial(i))
                 words.push_back("--set=" + std::string(values.rows()[i].name) + '=' +

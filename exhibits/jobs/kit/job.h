@@ -23,15 +23,21 @@ struct JobScene {
     SceneState state = {};
     std::size_t subject = 0;  ///< In `Museum::subjects`.
     FrameRequest frame = {};
+    int samples = 0;  ///< Samples per pixel of the picture whose settings were taken; 0: unknown.
 };
 
 /// Inputs of a job besides its parameters, and the formats that it writes.
 struct JobNeeds {
-    /// Exhibit whose settings the job takes (`--preset`, `--set`); empty: the job has no scene.
+    /// Exhibit whose settings the job takes (`--preset`, `--set`); empty: none.
     std::string_view subject = {};
+    /// Whether the job shows any exhibit or the hall, with all options of a scene.
+    bool anyScene = false;
     /// Extensions of the output, the usual one first: "png".
     std::vector<std::string_view> extensions;
     bool inWindow = false;  ///< Whether the window offers it.
+    bool inParts = false;   ///< Whether several processes can share it.
+
+    [[nodiscard]] bool hasScene() const { return anyScene || !subject.empty(); }
 };
 
 /// A measured or computed property of a job's output: "Frames 12", "Volume 0.523 m³".
@@ -114,6 +120,13 @@ public:
 /// Creates the backend on the thread that draws, when the job first needs it.
 using BackendMaker = std::function<std::unique_ptr<render::RenderBackend>()>;
 
+/// Items of a job, such as frames, that this process makes where several share it.
+struct JobShare {
+    std::function<bool(int)> makes = {};  ///< Whether it makes item k (from 0). Empty: all.
+    /// Pattern of the items that the parts made ("folder/%06d.png"), which are taken in place of making them.
+    std::filesystem::path from = {};
+};
+
 /// Everything that a job needs in order to start.
 struct JobOrder {
     ParameterValues values;
@@ -121,6 +134,8 @@ struct JobOrder {
     std::shared_ptr<const JobInputs> inputs = {};
     std::filesystem::path out = {};  ///< Empty: nothing will be published, as for a preview.
     BackendMaker backend = {};
+    JobShare share = {};
+    int largestTile = 2048;  ///< Largest side of what is drawn in one step, in pixels.
 };
 
 /// A job: turns a scene or files into files. Described by its parameter table, of which command line, dialog, settings
@@ -145,6 +160,11 @@ public:
                                        const std::filesystem::path& out) const = 0;
     /// Starts what was planned. Cheap: opens nothing.
     [[nodiscard]] virtual std::unique_ptr<JobRun> start(JobOrder) const = 0;
+    /// Returns whether the camera of the scene has an effect. For jobs with `JobNeeds::anyScene`.
+    [[nodiscard]] virtual bool usesCamera(const ParameterValues&, const JobScene&) const { return true; }
+    /// Returns the pattern of the files that a part makes instead of `out`: "%06d.png". Empty: a part makes its items
+    /// of `out` itself, and there is nothing to merge.
+    [[nodiscard]] virtual std::string partItems(const std::filesystem::path&) const { return {}; }
     /// Values of a smaller run that shows what the whole one will look like.
     [[nodiscard]] virtual ParameterValues draft(const ParameterValues& values, const JobInputs&) const
     {

@@ -3,6 +3,7 @@
 #include "exhibits/framework/acting.h"
 #include "exhibits/framework/preset.h"
 #include "exhibits/jobs/kit/given_values.h"
+#include "exhibits/museum/picture_settings.h"
 #include "render/failure.h"
 #include "render/files/extension.h"
 #include "render/files/read_file.h"
@@ -17,25 +18,34 @@ using render::Json;
 
 constexpr const char* documentFormat = "vitrine-job";
 
-Json sceneJson(const JobScene& scene)
+Json sceneJson(const Job& job, const JobScene& scene)
 {
-    if (!scene.museum) return nullptr;
-    Exhibition exhibition{"Settings of a job", namedValues(scene.museum->subjects(), scene.state.values),
-                          scene.state.camera};
-    exhibition.chosen = scene.museum->subject(scene.subject).name();
-    return exhibitionJson(exhibition);
+    const bool any = job.needs().anyScene;
+    PictureRequest picture;
+    picture.frame = scene.frame;
+    picture.samples = scene.samples != 0 ? scene.samples : usualSamples(scene.state.hall());
+    Json json = render::parseJson(pictureSettings(*scene.museum, scene.subject, scene.state, picture,
+                                                  "Settings of a job", any ? nullptr : &scene.state.camera),
+                                  "scene")
+                    .root();
+    if (any)
+        json["picture"].erase("size");  // A parameter of the job.
+    else
+        json.erase("picture");
+    return json;
 }
 
-SceneState readScene(const Json& json, const std::string& name, const Museum& museum, std::vector<std::string>& notes)
+void readScene(const Json& json, const std::string& name, const Museum& museum, JobDocument& document)
 {
-    const SceneState initial = museum.initialSceneState();
-    Exhibition read = parseExhibition(render::writeJson(json), name, namedValues(museum.subjects(), initial.values));
-    SceneState state = initial;
+    document.scene = museum.initialSceneState();
+    Exhibition read =
+        parseExhibition(render::writeJson(json), name, namedValues(museum.subjects(), document.scene.values));
     for (auto& [subject, values] : read.values)
-        if (const auto i = museum.find(subject)) state.values[*i] = std::move(values);
-    state.camera = read.camera;
-    notes.insert(notes.end(), read.notes.begin(), read.notes.end());
-    return state;
+        if (const auto i = museum.find(subject)) document.scene.values[*i] = std::move(values);
+    document.scene.camera = read.camera;
+    document.chosen = read.chosen;
+    document.taken = read.picture;
+    document.notes.insert(document.notes.end(), read.notes.begin(), read.notes.end());
 }
 
 /// "Cells near the surface" as a key: "cellsNearTheSurface".
@@ -120,7 +130,7 @@ std::string documentText(const Job& job, const JobOrder& order, const std::vecto
     json["app"] = render::programVersion();
     json["job"] = std::string(job.name());
     json["values"] = jsonOf(order.values);
-    if (order.scene.museum) json["scene"] = sceneJson(order.scene);
+    if (order.scene.museum) json["scene"] = sceneJson(job, order.scene);
     json["out"] = order.out.filename().string();
     json["report"] = Json::object();
     for (const Fact& fact : facts) json["report"][keyOf(fact.label)] = valueText(fact);
@@ -147,7 +157,7 @@ JobDocument parseDocument(std::string text, const std::string& name, const Job& 
     given.read(root["values"], {document, "values"}, notes);
     JobDocument read{given.settled({})};
     read.notes = std::move(notes);
-    if (has("scene") && museum) read.scene = readScene(root["scene"], name, *museum, read.notes);
+    if (has("scene") && museum) readScene(root["scene"], name, *museum, read);
     if (has("out")) {
         if (!root["out"].is_string()) throw document.failure("out", "this must be a file name; correct it there.");
         const std::string out = root["out"].get<std::string>();

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "exhibits/framework/picture_record.h"
 #include "exhibits/jobs/kit/job.h"
 #include "render/files/strict_json.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,7 +30,10 @@ inline constexpr int jobDocumentVersion = 1;
 /// `values` has all parameters, in SI, so that a document outlives a change of an initial value.
 struct JobDocument {
     ParameterValues values;
-    SceneState scene = {};           ///< Without values for a job without a scene.
+    SceneState scene = {};    ///< Without values for a job without a scene.
+    std::string chosen = {};  ///< Exhibit that is shown, of a job with `JobNeeds::anyScene`.
+    /// How it is shown, of such a job.
+    std::optional<PictureRecord> taken = {};
     std::filesystem::path out = {};  ///< Beside the document.
     std::vector<std::string> notes = {};
 };

@@ -2,10 +2,14 @@
 
 #include "app/serve/base64.h"
 #include "app/serve/json_rpc.h"
+#include "exhibits/jobs.h"
+#include "exhibits/jobs/kit/job_options.h"
 #include "tests/app/serve/served_program.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <memory>
 
 namespace vitrine {
@@ -160,6 +164,31 @@ TEST_F(Serve, RendersTheBytesOfTheCommandLine)
     EXPECT_EQ(test::bytesOf(folder_ / "file.exr"), commandLine(exr, {"--channels", "color,depth,normal"}));
     params.erase("out");
     EXPECT_EQ(client_.call("render", params)["error"]["code"], -32602) << "PNG has no place for depth";
+}
+
+TEST_F(Serve, RecordsTheBytesOfTheCommandLineByTheSameOptions)
+{
+    const std::string wanted = folder_ / "wanted.apng", out = folder_ / "out.apng";
+    ASSERT_EQ(test::vitrine({"record", "sdf_morph", "--alone", "--size", "32x18", "--samples", "1", "--fps", "4",
+                             "--seconds", "0.5", "--shutter", "0.5", "--set", "morph=0.3", "--out", wanted})
+                  .code,
+              0);
+    Json params{{"exhibit", "sdf_morph"}, {"alone", true},  {"size", {32, 18}},        {"samples", 1}, {"fps", 4},
+                {"seconds", 0.5},         {"shutter", 0.5}, {"set", {{"morph", 0.3}}}, {"out", out}};
+    params["dry_run"] = true;
+    EXPECT_EQ(client_.result("record", params)["facts"][0]["value"], 2);
+    EXPECT_FALSE(std::filesystem::exists(out));
+    params["dry_run"] = false;
+    const Json answer = client_.result("record", params);
+    EXPECT_EQ(answer["files"], Json::array({out, out + ".vitrine-job.json"}));
+    EXPECT_EQ(test::bytesOf(out), test::bytesOf(wanted));
+    params["frames"] = 3;
+    const std::string refused = messageOf(client_.call("record", params));
+    for (const jobs::JobOption& option : jobs::optionsOf(jobs::findJob("record")->parameters())) {
+        std::string key = option.name.substr(option.positional ? 0 : 2);
+        std::replace(key.begin(), key.end(), '-', '_');
+        EXPECT_NE(refused.find(key), std::string::npos) << key << ": " << refused;
+    }
 }
 
 TEST_F(Serve, LoadsPresetsByNameAndByFile)

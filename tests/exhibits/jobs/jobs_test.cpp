@@ -102,7 +102,11 @@ TEST(EveryJob, HasAnOptionAKeyAndAHelpTextForEachParameter)
 {
     for (const Job* job : everyJob()) {
         std::set<std::string> names{"--out", "--like", "--dry-run", "--json", "--preset", "--help", "--language"};
-        if (!job->needs().subject.empty()) names.insert("--set");
+        if (job->needs().hasScene()) names.insert("--set");
+        if (job->needs().anyScene)
+            names.insert({"exhibit", "--settings-only", "--animate", "--time", "--seed", "--eye", "--target", "--fov",
+                          "--scale", "--rotate", "--alone", "--transparent", "--environment", "--model"});
+        if (job->needs().inParts) names.insert({"--shard", "--from-parts"});
         std::set<std::size_t> given;
         const render::Json schema = schemaOf(*job);
         const render::Json initial = jsonOf(job->parameters().initial());
@@ -310,6 +314,7 @@ struct SmallOrders {
         const std::map<std::string_view, std::vector<std::string>> words{
             {"contact", {inputs / "a.png", inputs / "b.png", "--title=T"}},
             {"mesh", {inputs / "ball.json", "--cell=5cm"}},
+            {"record", {"--turn=360", "--seconds=0.5", "--fps=4", "--size=32x18", "--samples=1"}},
             {"sprite", {"--directions=2", "--frames=1", "--size=12x10"}}};
         const auto found = words.find(job.name());
         if (found == words.end()) return std::nullopt;
@@ -317,6 +322,12 @@ struct SmallOrders {
         order.inputs = job.read(order.values);
         if (!job.needs().subject.empty())
             order.scene = {&museum, museum.initialSceneState(), museum.find(job.needs().subject).value(), {}};
+        if (job.needs().anyScene) {
+            const std::size_t shown = museum.find("sdf_morph").value();
+            order.scene = {&museum, museum.initialSceneState(), shown, {}};
+            order.scene.frame.alone = shown;
+            order.scene.frame.camera = museum.subject(shown).bestView(order.scene.state.values[shown]);
+        }
         order.backend = [] { return std::make_unique<TestBackend>(); };
         return order;
     }
@@ -361,7 +372,7 @@ TEST(EveryJob, WritesExactlyThePlannedFilesAndItsDocumentRunsItAgain)
             EXPECT_EQ(test::bytesOf(folder / file), test::bytesOf(again / file)) << job->name() << ' ' << file;
         ++ran;
     }
-    EXPECT_EQ(ran, 3);
+    EXPECT_EQ(ran, 4);
 }
 
 TEST(EveryJob, LeavesNothingWhereItIsCanceledAfterAnyStep)
@@ -410,6 +421,84 @@ TEST(EveryJob, PlansRandomValuesWithoutItsFilesAndTheSameOnAnyThread)
             EXPECT_EQ(plan(), other.get()) << job->name();
         }
     }
+}
+
+TEST(RecordJob, TellsFramesAndWhatCannotBeBeforeItStarts)
+{
+    const Job& job = *findJob("record");
+    const SmallOrders small;
+    const JobOrder order = small.of(job).value();
+    const auto planned = [&](const std::vector<std::string>& words, const std::string& out = {}) {
+        return job.plan(typedValues(job, words), order.scene, *order.inputs, out);
+    };
+    // 2.5 s at 12 frames a second, of 40 x 20 pixels with 3 bytes.
+    const JobPlan plan = planned({"--seconds=2.5", "--fps=12", "--size=40x20"});
+    EXPECT_EQ(plan.refusal, "");
+    EXPECT_EQ(plan.facts,
+              (std::vector<Fact>{{"Frames", 30.0}, {"Frame size", "40 × 20", "px"}, {"Uncompressed", 0.072, "MB"}}));
+    EXPECT_TRUE(plan.files.empty());
+    const auto refused = [&](const std::vector<std::string>& words, const std::string& out, const std::string& part) {
+        EXPECT_PRED_FORMAT2(testing::IsSubstring, part.c_str(), planned(words, out).refusal);
+    };
+    refused({"--size=33x18"}, "a.mp4", "34x18");
+    refused({"--fps=60"}, "a.gif", "50");
+    refused({}, "a.avi", "a.avi: give a name that ends in .mp4, ");
+    refused({}, "a.png", "frames/%04d.png");
+    refused({"--path=tour"}, "", "A tour goes through the hall");
+    refused({"--path=bookmarks"}, "", "A tour goes through the hall");
+    EXPECT_PRED_FORMAT2(testing::IsSubstring, "the frames so far are whole", planned({}, "f/%02d.png").ifStopped);
+    EXPECT_EQ(planned({}, "a.mp4").ifStopped, "Stopped; nothing was written.");
+}
+
+TEST(RecordJob, UsesTheCameraWhereItTurnsOrStays)
+{
+    const Job& job = *findJob("record");
+    const SmallOrders small;
+    JobScene scene = small.of(job)->scene;
+    const auto uses = [&](const std::vector<std::string>& words) {
+        return job.usesCamera(typedValues(job, words), scene);
+    };
+    EXPECT_TRUE(uses({}));
+    EXPECT_TRUE(uses({"--path=still"}));
+    EXPECT_FALSE(uses({"--path=tour"}));
+    EXPECT_FALSE(uses({"--path=bookmarks"}));
+    EXPECT_FALSE(uses({"--tour=a.json"}));
+    scene.subject = hallIndex;
+    EXPECT_FALSE(uses({})) << "a tour of the hall";
+    EXPECT_TRUE(uses({"--turn=20"})) << "which implies the turntable";
+    // The command line of a tour holds no camera, which it would refuse.
+    JobOrder order{typedValues(job, {"--path=tour"}), scene};
+    const auto holds = [&](const std::string& option) {
+        const std::vector<std::string> words = commandOf(job, order);
+        return std::any_of(words.begin(), words.end(), [&](const std::string& w) { return w.rfind(option, 0) == 0; });
+    };
+    EXPECT_FALSE(holds("--eye="));
+    EXPECT_TRUE(holds("--time="));
+    order.values = typedValues(job, {"--path=still"});
+    EXPECT_TRUE(holds("--eye="));
+}
+
+TEST(JobDocument, OfAnySceneHoldsWhatIsShownAndHow)
+{
+    const Job& job = *findJob("record");
+    const SmallOrders small;
+    JobOrder order = small.of(job).value();
+    order.scene.frame.time = 1.5;
+    order.scene.frame.seed = 7;
+    order.scene.frame.transparent = true;
+    order.scene.samples = 9;
+    const JobDocument read = parseDocument(documentText(job, order, {}), "a.json", job, order.scene.museum);
+    EXPECT_EQ(read.chosen, "sdf_morph");
+    ASSERT_TRUE(read.taken);
+    EXPECT_TRUE(read.taken->alone);
+    EXPECT_TRUE(read.taken->transparent);
+    EXPECT_EQ(read.taken->time, 1.5);
+    EXPECT_EQ(read.taken->seed, 7U);
+    EXPECT_EQ(read.taken->samples, 9);
+    ASSERT_TRUE(read.taken->camera);
+    EXPECT_EQ(*read.taken->camera, order.scene.frame.camera);
+    EXPECT_EQ(read.scene.values, order.scene.state.values);
+    EXPECT_TRUE(read.notes.empty());
 }
 
 TEST(JobRun, StopsWhereItsWatchSaysSo)

@@ -78,8 +78,9 @@ protected:
             "Sprites",
             [this] {
                 static const Museum museum(withSprites());  // The museum must outlive the dialog.
-                (new ui::JobDialog(*jobs::findJob("sprite"), {&museum, museum.initialSceneState(), 1, {}}, *gallery_,
-                                   window_->viewport().renderThread(), window_.get()))
+                const auto scene = [] { return jobs::JobScene{&museum, museum.initialSceneState(), 1, {}}; };
+                (new ui::JobDialog(*jobs::findJob("sprite"), scene, *gallery_, window_->viewport().renderThread(),
+                                   window_.get()))
                     ->show();
             },
             look);

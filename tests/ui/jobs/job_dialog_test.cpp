@@ -40,9 +40,10 @@ class JobDialogTest : public QObject {
     void openDialog()
     {
         const jobs::Job& job = *jobs::findJob("sprite");
+        const jobs::JobScene scene{
+            museum_.get(), museum_->initialSceneState(), museum_->find(job.needs().subject).value(), {}};
         dialog_ = new JobDialog(
-            job, {museum_.get(), museum_->initialSceneState(), museum_->find(job.needs().subject).value(), {}},
-            *renderers_, *thread_, nullptr);
+            job, [scene] { return scene; }, *renderers_, *thread_, nullptr);
         dialog_->show();
         QVERIFY(QTest::qWaitForWindowExposed(dialog_, vitrine::test::patience));
     }

@@ -4,19 +4,19 @@
 #include "tests/ui/ui_main.h"
 
 #include "exhibits/framework/state_folder.h"
+#include "exhibits/jobs/record/record_table.h"
 #include "exhibits/recording/tour.h"
 #include "render/image/image_io.h"
-#include "ui/kit/export_bar.h"
+#include "ui/jobs/job_dialog.h"
+#include "ui/kit/message_strip.h"
+#include "ui/parameters/parameter_panel.h"
+#include "ui/parameters/parameter_row.h"
 #include "ui/record/bookmarks.h"
-#include "ui/record/record_dialog.h"
 #include "ui/window/copies.h"
 
 #include <QClipboard>
-#include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QSignalSpy>
-#include <QSpinBox>
 
 #include <fstream>
 
@@ -40,15 +40,23 @@ class RecordWindowTest : public test::OpenWindow {
         QTest::keyClick(&window_->viewport(), key, with);
         settle();
     }
-    [[nodiscard]] RecordDialog* openDialog()
+    [[nodiscard]] JobDialog* openDialog(RecordPath path)
     {
         action("Record…")->trigger();
-        auto* dialog = window_->findChild<RecordDialog*>();
-        dialog->findChild<QDoubleSpinBox*>("seconds")->setValue(0.5);
-        dialog->findChild<QDoubleSpinBox*>("rate")->setValue(10);
-        for (QSpinBox* box : dialog->findChildren<QSpinBox*>()) box->setValue(16);
+        auto* dialog = window_->findChild<JobDialog*>();
+        const RecordTable& t = recordTable();
+        ParameterValues values = dialog->setup().values();
+        values.set(t.path, path);
+        values.set(t.seconds, 0.5);
+        values.set(t.framesPerSecond, 10.0);
+        values.set(t.width, 16);
+        values.set(t.height, 16);
+        values.set(t.samples, 1);
+        dialog->setup().change("Change", values);
+        waitFor(*dialog);
         return dialog;
     }
+    static void waitFor(const JobDialog& dialog) { QTRY_VERIFY(dialog.settled()); }
     [[nodiscard]] QString at(const char* name) const { return home_->filePath(QString::fromUtf8(name)); }
     static bool says(const QDialog& dialog, const char* words)
     {
@@ -156,60 +164,84 @@ private slots:
 
     void aFilmAlongTheBookmarksIsRecordedBesideTheWindow()
     {
-        RecordDialog* dialog = openDialog();
-        dialog->setWay(RecordDialog::Way::bookmarks);
+        JobDialog* dialog = openDialog(RecordPath::bookmarks);
         QVERIFY2(says(*dialog, "Set two bookmarks"), "and there is nothing to record");
         stand(0.5);
         window_->bookmarks().set(1);
         stand(-0.5);
         window_->bookmarks().set(2);
+        waitFor(*dialog);
         QVERIFY(!says(*dialog, "Set two bookmarks"));
-        QSignalSpy ended(dialog, &RecordDialog::recordingEnded);
+        QSignalSpy ended(dialog, &JobDialog::exportEnded);
         dialog->setPath(at("film.apng"));
-        dialog->startRecording();
+        dialog->startExport();
         QTRY_COMPARE(ended.count(), 1);
-        QVERIFY2(ended[0][0].toBool(), qPrintable(dialog->status()));
+        QVERIFY2(ended[0][0].toBool(), qPrintable(dialog->findChild<MessageStrip*>()->texts().join('\n')));
         QVERIFY(QFile::exists(at("film.apng")));
+        QVERIFY(QFile::exists(at("film.apng.vitrine-job.json")));
         QVERIFY2(dialog->path() != at("film.apng"), "the next one does not replace it");
         dialog->setPath(at("frames/%02d.png"));
-        dialog->startRecording();
+        dialog->startExport();
         QTRY_COMPARE(ended.count(), 2);
-        QVERIFY2(ended[1][0].toBool(), qPrintable(dialog->status()));
-        QCOMPARE(QDir(at("frames")).entryList(QDir::Files).size(), 5);
+        QVERIFY2(ended[1][0].toBool(), qPrintable(dialog->findChild<MessageStrip*>()->texts().join('\n')));
+        QCOMPARE(QDir(at("frames")).entryList({"*.png"}, QDir::Files).size(), 5);
         const auto preset = render::embeddedPreset(at("frames/05.png").toStdString());
         QVERIFY(preset && preset->find("-0.5") != std::string::npos);
     }
 
+    void everySettingOfTheTableIsARowOfTheDialog()
+    {
+        JobDialog* dialog = openDialog(RecordPath::still);
+        const auto* panel = dialog->findChild<ParameterPanel*>();
+        for (const ParameterInfo& row : recordTable().rows())
+            QVERIFY2(panel->row(row.name), std::string(row.name).c_str());
+    }
+
+    void theFilmOfTheDialogIsThatOfItsCommandLine()
+    {
+        stand(0.5);
+        JobDialog* dialog = openDialog(RecordPath::still);
+        dialog->setPath(at("window.apng"));
+        const QString line = dialog->commandLine();
+        QVERIFY2(line.startsWith("vitrine record hall ") && line.contains(" --path=still "), qPrintable(line));
+        QVERIFY2(line.contains(" --eye=0.5,") && line.contains(" --fps=10 ") && line.contains(" --size=16x16 "),
+                 qPrintable(line));
+        stand(-0.5);
+        QVERIFY2(dialog->commandLine().contains(" --eye=-0.5,"), "the scene is that of now");
+    }
+
     void whatCannotBeRecordedIsSaidAndNothingBegins()
     {
-        RecordDialog* dialog = openDialog();
-        dialog->setWay(RecordDialog::Way::still);
+        JobDialog* dialog = openDialog(RecordPath::still);
         dialog->setPath(at("film.avi"));
-        dialog->startRecording();
-        QVERIFY(!dialog->recording());
-        QVERIFY(says(*dialog, ".mp4"));
+        dialog->startExport();
+        QVERIFY(!dialog->exporting());
+        const auto said = [&] { return dialog->findChild<MessageStrip*>()->texts().join('\n'); };
+        QVERIFY2(said().contains(".mp4"), qPrintable(said()));
         dialog->setPath(at("missing/film.apng"));
-        QSignalSpy ended(dialog, &RecordDialog::recordingEnded);
-        dialog->startRecording();
+        QSignalSpy ended(dialog, &JobDialog::exportEnded);
+        dialog->startExport();
         QTRY_COMPARE(ended.count(), 1);
         QVERIFY(!ended[0][0].toBool());
-        QVERIFY(says(*dialog, "missing"));
+        QVERIFY2(said().contains("missing"), qPrintable(said()));
     }
 
     void canceledItLeavesNoFileAndTheWindowAsksBeforeItCloses()
     {
-        RecordDialog* dialog = openDialog();
-        dialog->setWay(RecordDialog::Way::still);
-        dialog->findChild<QDoubleSpinBox*>("seconds")->setValue(3600);
+        JobDialog* dialog = openDialog(RecordPath::still);
+        ParameterValues values = dialog->setup().values();
+        values.set(recordTable().seconds, 3600.0);
+        dialog->setup().change("Change", values);
+        waitFor(*dialog);
         dialog->setPath(at("film.apng"));
-        dialog->startRecording();
-        QTRY_VERIFY(dialog->recording());
+        dialog->startExport();
+        QTRY_VERIFY(dialog->exporting());
         window_->close();
         QVERIFY2(window_->isVisible(), "a film is being recorded");
         for (QDialog* question : window_->findChildren<QDialog*>())
             if (question != dialog) question->reject();
         dialog->reject();
-        QVERIFY(!dialog->recording());
+        QVERIFY(!dialog->exporting());
         QVERIFY2(dialog->isVisible(), "canceled, not closed");
         QTest::qWait(200);
         QVERIFY(!QFile::exists(at("film.apng")));

@@ -1,0 +1,122 @@
+#include "app/jobs/job_arguments.h"
+
+#include "app/useless_option.h"
+#include "exhibits/jobs/kit/given_values.h"
+#include "exhibits/jobs/kit/job_document.h"
+#include "render/failure.h"
+#include "render/text/joined.h"
+
+#include <CLI/CLI.hpp>
+
+namespace vitrine::app {
+namespace {
+
+std::string extensionsText(const jobs::Job& job)
+{
+    return joined(job.needs().extensions, ", ", [](std::string_view each) { return '.' + std::string(each); });
+}
+
+std::string commandName(const jobs::Job& job)
+{
+    return "vitrine " + std::string(job.name());
+}
+
+[[noreturn]] void refuseMissing(const jobs::Job& job, const std::string& option)
+{
+    const std::string name = commandName(job);
+    throw Failure(Blame::usage, '`' + name + "` needs " + option + "; `" + name + " --help` says what it is.");
+}
+
+/// Returns the scene of a job that takes the settings of one exhibit. The camera stays where it was.
+RequestedPicture settingsOnly(const jobs::Job& job, const JobArguments& typed, const Museum& museum,
+                              const SceneState& state)
+{
+    PictureOptions options = typed.scene;
+    options.subject = job.needs().subject;
+    options.settingsOnly = true;
+    RequestedPicture picture = requestedPicture(museum, options, state, std::nullopt);
+    picture.sceneState.camera = state.camera;
+    return picture;
+}
+
+jobs::JobScene sceneOf(const CLI::App& command, const jobs::Job& job, const JobArguments& typed, const JobStart& start,
+                       const jobs::JobDocument* like, std::vector<std::string>& notes)
+{
+    const Museum& museum = start.museum();
+    const SceneState state = like ? like->scene : start.state ? *start.state : museum.initialSceneState();
+    RequestedPicture picture;
+    if (job.needs().anyScene) {
+        PictureOptions options = typed.scene;
+        if (options.subject.empty() && like) options.subject = like->chosen;
+        if (options.subject.empty()) refuseMissing(job, "exhibit");
+        refuseUselessSceneOptions(command, options);
+        std::optional<render::Camera> camera = start.camera ? start.camera(options.subject) : std::nullopt;
+        const bool sameExhibit = like && options.subject == like->chosen;
+        if (sameExhibit) camera = like->scene.camera;
+        picture = requestedPicture(museum, options, state, camera, sameExhibit ? like->taken : std::nullopt);
+    } else {
+        picture = settingsOnly(job, typed, museum, state);
+    }
+    notes.insert(notes.end(), picture.notes.begin(), picture.notes.end());
+    return {&museum, picture.sceneState, picture.subject, picture.request.frame, picture.request.samples};
+}
+
+/// Returns the settings to start from; nullopt: the initial ones.
+std::optional<jobs::JobDocument> startingDocument(const jobs::Job& job, const JobArguments& typed,
+                                                  const JobStart& start, std::vector<std::string>& notes)
+{
+    if (typed.like.empty()) return std::nullopt;
+    jobs::JobDocument like = jobs::readDocument(typed.like, job, job.needs().hasScene() ? &start.museum() : nullptr);
+    notes.insert(notes.end(), like.notes.begin(), like.notes.end());
+    return like;
+}
+
+}  // namespace
+
+void addJobArguments(CLI::App& command, const jobs::Job& job, JobArguments& typed)
+{
+    const jobs::JobNeeds needs = job.needs();
+    if (needs.anyScene) {
+        command.add_option("exhibit", typed.scene.subject, "An exhibit's name, or hall");
+        addSceneOptions(command, typed.scene);
+        command.remove_option(command.get_option("--samples"));  // A parameter of the jobs that take samples.
+    } else if (needs.hasScene()) {
+        const std::string subject(needs.subject);
+        command.add_option("--preset", typed.scene.preset,
+                           "Preset of " + subject + ": the name of a shipped one, or a file");
+        command.add_option("--set", typed.scene.sets, "Value of a parameter of " + subject + ", name=value")
+            ->take_all()
+            ->allow_extra_args(true);
+    }
+    typed.parameters.addTo(command, job.parameters());
+    command.add_option("--out", typed.out, "Output file (" + extensionsText(job) + "); further files take its name");
+    command.add_option("--like", typed.like,
+                       "Settings document (.vitrine-job.json), or an output beside which one lies: its settings, where "
+                       "no option gives others");
+    command.add_flag("--dry-run", typed.dryRun, "Print what would be written; write nothing");
+}
+
+OrderedJob orderedJob(const CLI::App& command, const jobs::Job& job, const JobArguments& typed, const JobStart& start)
+{
+    std::vector<std::string> notes;
+    const std::optional<jobs::JobDocument> like = startingDocument(job, typed, start, notes);
+    jobs::GivenValues given = like ? jobs::GivenValues(like->values) : jobs::GivenValues(job.parameters());
+    typed.parameters.read(command, given);
+    OrderedJob ordered{{given.settled(commandName(job))}, {}, std::move(notes)};
+    jobs::JobOrder& order = ordered.order;
+    order.out = typed.out.empty() && like ? like->out : std::filesystem::path(typed.out);
+    if (order.out.empty() && !typed.dryRun) refuseMissing(job, "--out");
+    if (const std::string refusal = jobs::refusedExtension(job, order.out); !order.out.empty() && !refusal.empty())
+        throw Failure(Blame::usage, refusal);
+    order.inputs = job.read(order.values);
+    if (job.needs().hasScene()) {
+        order.scene = sceneOf(command, job, typed, start, like ? &*like : nullptr, ordered.notes);
+        const bool still = job.needs().anyScene && !job.usesCamera(order.values, order.scene);
+        for (const char* option : {"--eye", "--target", "--fov"})
+            refuseOn(command, option, still, "a camera that follows a tour");
+    }
+    ordered.plan = job.plan(order.values, order.scene, *order.inputs, order.out);
+    return ordered;
+}
+
+}  // namespace vitrine::app

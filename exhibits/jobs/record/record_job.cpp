@@ -1,0 +1,264 @@
+#include "exhibits/jobs/record/record_job.h"
+
+#include "exhibits/framework/preset.h"
+#include "exhibits/framework/state_folder.h"
+#include "exhibits/jobs/kit/job_document.h"
+#include "exhibits/jobs/record/record_table.h"
+#include "exhibits/museum/picture_settings.h"
+#include "exhibits/recording/record.h"
+#include "exhibits/recording/tour.h"
+#include "render/failure.h"
+#include "render/files/atomic_write.h"
+#include "render/files/number_text.h"
+#include "render/files/read_file.h"
+
+#include <numbers>
+#include <optional>
+
+namespace vitrine {
+
+const RecordTable& recordTable()
+{
+    static const RecordTable table;
+    return table;
+}
+
+namespace jobs {
+namespace {
+
+struct RecordInputs final : JobInputs {
+    std::optional<Tour> tour, bookmarks;
+    std::string bookmarksProblem;  ///< Sentence on why the bookmarks cannot be read; empty: they can.
+};
+
+std::filesystem::path bookmarksFile()
+{
+    return stateFolder() / "bookmarks.json";
+}
+
+Tour readTour(const std::filesystem::path& file)
+{
+    return parseTour(render::readFile(file, presetLimits.bytes), file.string());
+}
+
+/// Returns the way of the camera, where it is chosen by the scene.
+RecordPath pathOf(const ParameterValues& values, const JobScene& scene)
+{
+    const RecordPath path = values[recordTable().path];
+    if (path != RecordPath::automatic) return path;
+    const bool isHall = scene.museum && scene.subject == hallIndex;
+    return isHall ? RecordPath::tour : RecordPath::turntable;
+}
+
+Pace paceOf(const ParameterValues& values, Pace automatic)
+{
+    const RecordPace pace = values[recordTable().pace];
+    if (pace == RecordPace::automatic) return automatic;
+    return pace == RecordPace::eased ? Pace::eased : Pace::constant;
+}
+
+/// Returns the request without the motion of the camera.
+RecordingRequest requestOf(const ParameterValues& values, const JobScene& scene)
+{
+    const RecordTable& t = recordTable();
+    RecordingRequest request;
+    request.picture.frame = scene.frame;
+    request.picture.frame.raster.size = {values[t.width], values[t.height]};
+    request.picture.frame.needsFiles = true;
+    request.picture.samples = values[t.samples];
+    if (request.picture.samples == 0) request.picture.samples = scene.samples;
+    if (request.picture.samples == 0) request.picture.samples = scene.museum ? usualSamples(scene.state.hall()) : 1;
+    request.seconds = values[t.seconds];
+    request.framesPerSecond = values[t.framesPerSecond];
+    request.shutter = values[t.shutter];
+    request.shutterSamples = values[t.shutterSamples];
+    return request;
+}
+
+std::vector<Fact> factsOf(const RecordingRequest& request)
+{
+    const glm::dvec2 size = request.picture.frame.raster.size;
+    const double frames = request.frames(), channels = request.picture.frame.transparent ? 4 : 3;
+    return {{"Frames", frames},
+            {"Frame size", render::shortestNumber(size.x) + " × " + render::shortestNumber(size.y), "px"},
+            {"Uncompressed", frames * size.x * size.y * channels / 1e6, "MB"}};
+}
+
+/// Moves the camera around its target: in a loop, or to and fro about the view. Throws Failure (Blame::usage) where it
+/// runs into something.
+void turnAround(const ParameterValues& values, const JobScene& scene, RecordingRequest& request)
+{
+    const FrameRequest& frame = request.picture.frame;
+    const double given = values[recordTable().turn];
+    const double angle = given != 0 ? given : (frame.alone ? 2 : 1.0 / 3) * std::numbers::pi;
+    request.closed = isWholeTurns(angle);
+    request.camera = turntable(frame.camera, angle, paceOf(values, request.closed ? Pace::constant : Pace::eased));
+    if (frame.alone || firstCollision(scene.museum->obstacles(scene.state), request.camera) < 0) return;
+    throw Failure(Blame::usage, "A camera that turns by " + render::shortNumber(angle * 180 / std::numbers::pi) +
+                                    " degrees runs into a wall or what stands in the hall; turn by a smaller angle, or "
+                                    "show the exhibit alone.");
+}
+
+/// Returns the request with the motion of the camera. Finding a way around walls takes a while.
+RecordingRequest wholeRequest(const JobOrder& order)
+{
+    const auto& inputs = static_cast<const RecordInputs&>(*order.inputs);
+    RecordingRequest request = requestOf(order.values, order.scene);
+    request.picture.largestTile = order.largestTile;
+    const RecordPath path = pathOf(order.values, order.scene);
+    if (path == RecordPath::turntable) {
+        turnAround(order.values, order.scene, request);
+    } else if (path == RecordPath::still) {
+        request.camera = [camera = request.picture.frame.camera](double) { return camera; };
+        request.closed = true;
+    } else {
+        const Museum& museum = *order.scene.museum;
+        const Tour tour = path == RecordPath::bookmarks ? inputs.bookmarks.value()
+                          : inputs.tour                 ? *inputs.tour
+                                                        : museumTour(museum, order.scene.state);
+        request.closed = tour.closed;
+        request.camera = [way = tourPath(museum.obstacles(order.scene.state), tour),
+                          pace = paceOf(order.values, tour.pace)](double part) { return way.at(paced(pace, part)); };
+    }
+    return request;
+}
+
+class RecordRun final : public JobRun {
+public:
+    explicit RecordRun(JobOrder order) : order_(std::move(order)) {}
+
+    [[nodiscard]] Next next() const override
+    {
+        if (!request_) return Next::work;
+        return recording_ && recording_->finished() ? Next::done : Next::draw;
+    }
+    void step(const Watch&) override
+    {
+        if (!request_) {
+            request_ = wholeRequest(order_);
+            return;
+        }
+        if (!recording_) begin();
+        recording_->step();
+        if (recording_->finished()) end();
+    }
+    [[nodiscard]] double progress() const override { return recording_ ? recording_->progress() : 0; }
+    [[nodiscard]] std::string_view doing() const override { return request_ ? "recording" : "finding the way"; }
+    [[nodiscard]] const JobReport& report() const override { return report_; }
+    void publish() override
+    {
+        std::vector<std::unique_ptr<render::PartFile>> document;
+        if (!order_.share.makes)
+            document.push_back(
+                render::stagedFile(documentFile(order_.out), documentText(RecordJob(), order_, factsOf(*request_))));
+        recording_->publish();
+        render::publishAll(document);
+    }
+
+private:
+    void begin()
+    {
+        backend_ = order_.backend ? order_.backend() : nullptr;
+        if (!backend_) throw Failure(Blame::openGl, "Nothing can be recorded: there is no graphics context.");
+        const JobScene& scene = order_.scene;
+        recording_ = std::make_unique<Recording>(*scene.museum, *backend_, scene.state, scene.subject, *request_,
+                                                 order_.out, RecordingShare{order_.share.makes, order_.share.from});
+    }
+    void end()
+    {
+        backend_.reset();
+        report_.facts = factsOf(*request_);
+        if (recording_->kept() > 0 && order_.share.from.empty())
+            report_.facts.push_back({"Kept", static_cast<double>(recording_->kept())});
+        report_.files = {order_.out, documentFile(order_.out)};
+        if (!order_.share.makes) return;
+        report_.files.clear();
+        for (int k = 0; k < request_->frames(); ++k)
+            if (order_.share.makes(k)) report_.files.push_back(framePath(order_.out, k));
+    }
+
+    JobOrder order_;
+    std::optional<RecordingRequest> request_;
+    std::unique_ptr<render::RenderBackend> backend_;
+    std::unique_ptr<Recording> recording_;  ///< Goes before what it draws with.
+    JobReport report_;
+};
+
+std::string refusalOf(const ParameterValues& values, const JobScene& scene, const RecordInputs& inputs)
+{
+    const RecordPath path = pathOf(values, scene);
+    if (scene.frame.alone && path != RecordPath::turntable && path != RecordPath::still)
+        return "A tour goes through the hall, in which an exhibit that is shown alone does not stand; choose turntable "
+               "or still, or show it in the hall.";
+    if (path != RecordPath::bookmarks) return {};
+    if (!inputs.bookmarksProblem.empty()) return inputs.bookmarksProblem;
+    if (inputs.bookmarks && inputs.bookmarks->bookmarks.size() > 1) return {};
+    return "Set two bookmarks at least: one where you stand, then another elsewhere (Bookmarks menu).";
+}
+
+}  // namespace
+
+const Parameters& RecordJob::parameters() const
+{
+    return recordTable();
+}
+
+JobNeeds RecordJob::needs() const
+{
+    return {.anyScene = true,
+            .extensions = {"mp4", "webm", "gif", "webp", "apng", "png"},
+            .inWindow = true,
+            .inParts = true};
+}
+
+std::shared_ptr<const JobInputs> RecordJob::read(const ParameterValues& values) const
+{
+    auto inputs = std::make_shared<RecordInputs>();
+    const std::string& file = values[recordTable().tour];
+    if (values[recordTable().path] == RecordPath::tour && !file.empty()) inputs->tour = readTour(file);
+    std::error_code ignored;
+    try {
+        if (std::filesystem::exists(bookmarksFile(), ignored)) inputs->bookmarks = readTour(bookmarksFile());
+    } catch (const Failure& failure) {
+        inputs->bookmarksProblem = failure.what();
+    }
+    return inputs;
+}
+
+JobPlan RecordJob::plan(const ParameterValues& values, const JobScene& scene, const JobInputs& inputs,
+                        const std::filesystem::path& out) const
+{
+    const auto& read = static_cast<const RecordInputs&>(inputs);
+    const RecordingRequest request = requestOf(values, scene);
+    JobPlan plan;
+    plan.refusal = refusalOf(values, scene, read);
+    if (read.tour && pathOf(values, scene) == RecordPath::tour) plan.warnings = read.tour->notes;
+    plan.facts = factsOf(request);
+    if (out.empty()) return plan;
+    if (plan.refusal.empty()) plan.refusal = refusedExtension(*this, out);
+    if (plan.refusal.empty()) plan.refusal = whyNotRecordable(request, out);
+    const bool isFrames = isFramePattern(out);
+    plan.ifStopped = isFrames ? "Stopped; the frames so far are whole, and the same settings go on with the next one."
+                              : "Stopped; nothing was written.";
+    plan.files = {{out, isFrames ? "frames" : "recording"}, {documentFile(out), "settings"}};
+    return plan;
+}
+
+std::unique_ptr<JobRun> RecordJob::start(JobOrder order) const
+{
+    return std::make_unique<RecordRun>(std::move(order));
+}
+
+bool RecordJob::usesCamera(const ParameterValues& values, const JobScene& scene) const
+{
+    const RecordPath path = pathOf(values, scene);
+    return path == RecordPath::turntable || path == RecordPath::still;
+}
+
+std::string RecordJob::partItems(const std::filesystem::path& out) const
+{
+    return isFramePattern(out) ? std::string() : "%06d.png";
+}
+
+}  // namespace jobs
+}  // namespace vitrine

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "exhibits/jobs/kit/job.h"
+
+namespace vitrine::jobs {
+
+/// `vitrine record`: records a video, an animated picture, or the frames of one.
+class RecordJob final : public Job {
+public:
+    [[nodiscard]] std::string_view name() const override { return "record"; }
+    [[nodiscard]] std::string_view title() const override { return "Record"; }
+    [[nodiscard]] std::string_view summary() const override
+    {
+        return "Record a video or frames: around an exhibit, through the hall, or along the bookmarks of a tour";
+    }
+    [[nodiscard]] const Parameters& parameters() const override;
+    [[nodiscard]] JobNeeds needs() const override;
+    [[nodiscard]] std::shared_ptr<const JobInputs> read(const ParameterValues&) const override;
+    [[nodiscard]] JobPlan plan(const ParameterValues&, const JobScene&, const JobInputs&,
+                               const std::filesystem::path& out) const override;
+    [[nodiscard]] std::unique_ptr<JobRun> start(JobOrder) const override;
+    /// Only where the camera turns around its target or stays.
+    [[nodiscard]] bool usesCamera(const ParameterValues&, const JobScene&) const override;
+    /// Frames of a video. Frames need no merging.
+    [[nodiscard]] std::string partItems(const std::filesystem::path& out) const override;
+};
+
+}  // namespace vitrine::jobs

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "exhibits/framework/parameters.h"
+
+namespace vitrine {
+
+enum class RecordPath : int { automatic, turntable, still, tour, bookmarks };
+enum class RecordPace : int { automatic, constant, eased };
+
+/// Parameters of a recording.
+struct RecordTable final : Parameters {
+    Group cameraGroup = group("Camera");
+    Choice<RecordPath> path =
+        choice("path", RecordPath::automatic, {"auto", "turntable", "still", "tour", "bookmarks"},
+               "Way of the camera: around its target, not at all, along a tour, or along the bookmarks that are set in "
+               "the window. Auto: around an exhibit, along a tour of the hall.");
+    File tour = file("tour", "Tour that the camera follows. Without one, past all exhibits.", endings("json"),
+                     when(path, RecordPath::tour), implies(path, RecordPath::tour));
+    Real turn = real("turn", 0, degree, Range{degrees(-36000), degrees(36000)}.soft(degrees(-360), degrees(360)),
+                     "Angle by which the camera turns around its target, counter-clockwise from above. Auto: once "
+                     "around an exhibit that is shown alone, 60° in the hall.",
+                     reads(0, "auto"), typedIn(degree), when(path, {RecordPath::turntable, RecordPath::automatic}),
+                     implies(path, RecordPath::turntable));
+    Choice<RecordPace> pace =
+        choice("pace", RecordPace::automatic, {"auto", "constant", "eased"},
+               "Speed of the camera: constant, or from rest to rest. Auto: as the tour says; constant in a loop, else "
+               "eased.",
+               whenNot(path, RecordPath::still));
+
+    Group timeGroup = group("Time");
+    Real seconds = real("seconds", 8, second, Range{0.001, 36000, logarithmic}.soft(1, 120), "Length of the recording.",
+                        called("Length"));
+    Real framesPerSecond = real("framesPerSecond", 30, hertz, Range{0.1, 240}.soft(1, 60),
+                                "Number of frames per second.", called("Frame rate"), option("fps", hertz));
+    Real shutter = real("shutter", 0, none, {0, 1},
+                        "Motion blur: fraction of a frame's time for which it is exposed. 0 is without blur.",
+                        called("Motion blur"));
+    Count shutterSamples = count("shutterSamples", 8, Range{1, 4096, logarithmic}.soft(2, 64),
+                                 "Number of times within the exposure whose pictures are averaged.",
+                                 called("Times in the exposure"), whenAbove(shutter, 0));
+
+    Group pictureGroup = group("Picture");
+    Count width = count("width", 1280, Range{1, 1000000, logarithmic}.soft(64, 3840), "Size of a frame in pixels.",
+                        tuple("size", 'x'));
+    Count height = count("height", 720, Range{1, 1000000, logarithmic}.soft(64, 3840), "Size of a frame in pixels.",
+                         tuple("size", 'x'));
+    Count samples = count("samples", 0, Range{1, 4096, logarithmic}.soft(1, 64),
+                          "Samples per pixel: edges are stairs at 1, smooth at 16. Auto: as in the picture whose "
+                          "settings are taken, else the supersamples of the hall where they are set, else 4.",
+                          reads(0, "auto"));
+};
+
+[[nodiscard]] const RecordTable& recordTable();
+
+}  // namespace vitrine
