@@ -1,8 +1,8 @@
-#include "app/command.h"
+#include "app/kit/command.h"
 
-#include "app/number_option.h"
-#include "app/picture_options.h"
-#include "app/say.h"
+#include "app/kit/number_option.h"
+#include "app/kit/picture_options.h"
+#include "app/kit/say.h"
 #include "app/study/study_options.h"
 #include "render/failure.h"
 #include "render/files/number_text.h"

@@ -1,7 +1,7 @@
-#include "app/command.h"
-#include "app/number_option.h"
+#include "app/kit/command.h"
+#include "app/kit/number_option.h"
+#include "app/kit/useless_option.h"
 #include "app/stability_report.h"
-#include "app/useless_option.h"
 
 #include "render/failure.h"
 #include "render/files/assets.h"

@@ -1,8 +1,8 @@
-#include "app/command.h"
-#include "app/say.h"
+#include "app/kit/command.h"
+#include "app/kit/say.h"
 
 #include "exhibits/exhibits.h"
-#include "exhibits/framework/lesson.h"
+#include "exhibits/framework/files/lesson.h"
 #include "exhibits/hall/hall_table.h"
 #include "render/failure.h"
 #include "render/files/read_file.h"

@@ -1,4 +1,4 @@
-#include "app/command.h"
+#include "app/kit/command.h"
 #include "render/failure.h"
 #include "ui/window/run_window.h"
 

@@ -1,9 +1,9 @@
-#include "app/apply_preset.h"
-#include "app/command.h"
-#include "app/say.h"
+#include "app/kit/apply_preset.h"
+#include "app/kit/command.h"
+#include "app/kit/say.h"
 
 #include "exhibits/exhibits.h"
-#include "exhibits/framework/preset.h"
+#include "exhibits/framework/files/preset.h"
 #include "exhibits/hall/hall_table.h"
 #include "render/failure.h"
 #include "render/files/strict_json.h"

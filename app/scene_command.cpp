@@ -1,4 +1,4 @@
-#include "app/command.h"
+#include "app/kit/command.h"
 
 #include "exhibits/sdf_scenes/scene_reader.h"
 #include "render/failure.h"

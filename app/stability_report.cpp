@@ -1,6 +1,6 @@
 #include "app/stability_report.h"
 
-#include "app/progress.h"
+#include "app/kit/progress.h"
 
 #include "exhibits/exhibits.h"
 #include "exhibits/stability/stability_cases.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/exhibit.h"
+#include "exhibits/framework/scene/exhibit.h"
 
 namespace vitrine {
 

@@ -1,8 +1,8 @@
 #include "app/compare/comparison_folder.h"
 
 #include "app/compare/comparison_page.h"
-#include "app/part_folder.h"
-#include "exhibits/framework/preset_values.h"
+#include "app/kit/part_folder.h"
+#include "exhibits/framework/table/preset_values.h"
 #include "render/files/atomic_write.h"
 #include "render/image/image_io.h"
 #include "render/version.h"

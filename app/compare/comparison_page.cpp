@@ -1,6 +1,6 @@
 #include "app/compare/comparison_page.h"
 
-#include "app/html_text.h"
+#include "app/kit/html_text.h"
 
 #include <cmath>
 

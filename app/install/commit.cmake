@@ -7,7 +7,7 @@ if(GIT AND EXISTS ${ROOT}/.git)
                     OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
 endif()
 file(CONFIGURE OUTPUT ${OUT} CONTENT [==[
-#include "app/commit.h"
+#include "app/kit/commit.h"
 
 namespace vitrine::app {
 

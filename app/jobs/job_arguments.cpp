@@ -1,6 +1,6 @@
 #include "app/jobs/job_arguments.h"
 
-#include "app/useless_option.h"
+#include "app/kit/useless_option.h"
 #include "exhibits/jobs/kit/given_values.h"
 #include "exhibits/jobs/kit/job_document.h"
 #include "render/failure.h"

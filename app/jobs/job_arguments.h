@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/jobs/typed_parameters.h"
-#include "app/picture_options.h"
+#include "app/kit/picture_options.h"
 #include "exhibits/jobs/kit/job.h"
 
 #include <functional>

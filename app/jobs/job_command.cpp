@@ -2,8 +2,8 @@
 
 #include "app/jobs/job_arguments.h"
 #include "app/jobs/run_job.h"
+#include "app/kit/say.h"
 #include "app/queue/shard.h"
-#include "app/say.h"
 #include "exhibits/exhibits.h"
 #include "exhibits/jobs.h"
 #include "render/failure.h"

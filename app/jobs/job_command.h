@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/command.h"
+#include "app/kit/command.h"
 
 namespace vitrine::app {
 

@@ -1,9 +1,9 @@
 #include "app/jobs/run_job.h"
 
-#include "app/progress.h"
+#include "app/kit/progress.h"
+#include "app/kit/say.h"
+#include "app/kit/stop_signal.h"
 #include "app/queue/parts.h"
-#include "app/say.h"
-#include "app/stop_signal.h"
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
 #include "render/gl/context.h"

@@ -1,7 +1,7 @@
 #include "app/print/gathered_views.h"
 
+#include "app/kit/progress.h"
 #include "app/print/rendered_views.h"
-#include "app/progress.h"
 #include "exhibits/printing/fitting.h"
 #include "exhibits/printing/view_colors.h"
 #include "exhibits/printing/view_files.h"

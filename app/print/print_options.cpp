@@ -1,6 +1,6 @@
 #include "app/print/print_options.h"
 
-#include "app/useless_option.h"
+#include "app/kit/useless_option.h"
 #include "render/failure.h"
 #include "render/files/extension.h"
 #include "render/image/picture_formats.h"

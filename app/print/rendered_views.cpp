@@ -1,7 +1,7 @@
 #include "app/print/rendered_views.h"
 
-#include "app/number_option.h"
-#include "app/progress.h"
+#include "app/kit/number_option.h"
+#include "app/kit/progress.h"
 #include "app/queue/parts.h"
 #include "exhibits/exhibits.h"
 #include "exhibits/museum/picture_settings.h"

@@ -1,6 +1,6 @@
 #include "app/print/view_options.h"
 
-#include "app/number_option.h"
+#include "app/kit/number_option.h"
 #include "app/print/view_folder.h"
 #include "exhibits/printing/print_table.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/picture_options.h"
+#include "app/kit/picture_options.h"
 #include "exhibits/printing/print_table.h"
 
 #include <optional>

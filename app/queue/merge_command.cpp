@@ -1,4 +1,4 @@
-#include "app/command.h"
+#include "app/kit/command.h"
 #include "app/queue/parts.h"
 
 #include <CLI/CLI.hpp>

@@ -1,6 +1,6 @@
 #include "app/queue/parts.h"
 
-#include "app/progress.h"
+#include "app/kit/progress.h"
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
 #include "render/files/read_file.h"

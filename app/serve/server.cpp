@@ -1,6 +1,6 @@
 #include "app/serve/server.h"
 
-#include "app/progress.h"
+#include "app/kit/progress.h"
 #include "app/serve/params.h"
 #include "render/failure.h"
 

@@ -1,7 +1,7 @@
 #include "app/serve/values_json.h"
 
-#include "exhibits/framework/motion_json.h"
-#include "exhibits/framework/preset_values.h"
+#include "exhibits/framework/table/preset_values.h"
+#include "exhibits/framework/time/motion_json.h"
 
 namespace vitrine::app {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/command.h"
+#include "app/kit/command.h"
 #include "app/study/study_comparison_folder.h"
 
 #include "exhibits/study/study_store.h"

@@ -1,6 +1,6 @@
 #include "app/study/cost_switch.h"
 
-#include "app/html_text.h"
+#include "app/kit/html_text.h"
 
 namespace vitrine::app {
 namespace {

@@ -1,7 +1,7 @@
 #include "app/study/study_comparison_folder.h"
 
-#include "app/html_text.h"
-#include "app/part_folder.h"
+#include "app/kit/html_text.h"
+#include "app/kit/part_folder.h"
 #include "app/study/cost_switch.h"
 #include "app/study/offscreen_charts.h"
 #include "render/failure.h"

@@ -1,6 +1,6 @@
 #include "app/study/study_folder.h"
 
-#include "app/part_folder.h"
+#include "app/kit/part_folder.h"
 #include "app/study/offscreen_charts.h"
 #include "app/study/study_page.h"
 #include "exhibits/study/study_text.h"

@@ -1,7 +1,7 @@
 #include "app/study/study_options.h"
 
-#include "app/number_option.h"
-#include "app/picture_options.h"
+#include "app/kit/number_option.h"
+#include "app/kit/picture_options.h"
 #include "render/failure.h"
 #include "render/measure/distance.h"
 #include "render/text/joined.h"

@@ -1,6 +1,6 @@
 #include "app/study/study_page.h"
 
-#include "app/html_text.h"
+#include "app/kit/html_text.h"
 #include "exhibits/study/study_situation.h"
 #include "exhibits/study/study_text.h"
 #include "render/files/strict_json.h"

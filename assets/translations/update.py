@@ -22,7 +22,7 @@ NO_TEXT = re.compile(r'[;{}]\s*\n|\bvec[234]\b|\bfloat \w|^\s*#|</?\w+>|\bvoid \
 # Files of which nothing is shown to people in the window or as an error, or only in English by purpose.
 NOT_SHOWN = re.compile(r'/stability/|stability_|doctor_command|html_text|_page\.cpp|serve/(?!listener)|report|embed|'
                        r'image/oiio/(?!guarded|read|row|write)|shell_word|chart_font|_glsl\.cpp|'
-                       r'install|framework/derive|museum/render_command|coat_mesh|card_mesh|png_chunks|table_json|ledger_json|text/message\.h')
+                       r'install|framework/table/derive|museum/render_command|coat_mesh|card_mesh|png_chunks|table_json|ledger_json|text/message\.h')
 # Rooms in which every text for people is made by message(): no sentence is looked for there, and none may be left.
 CONVERTED = ('render/files/', 'render/gl/', 'render/scene/')
 # What looks like a sentence in them and is shown to nobody: keys, names, messages of asserts.
@@ -189,7 +189,7 @@ def preset_texts(texts):
 
 
 def label_in_group(row):
-    """Without the first word where the heading says it: as labelInGroup of exhibits/framework/parameters.cpp."""
+    """Without the first word where the heading says it: as labelInGroup of exhibits/framework/table/parameters.cpp."""
     first, _, rest = row['label'].partition(' ')
     if rest and first.lower() in [word.lower() for word in row['group'].split(' ')]:
         return rest[:1].upper() + rest[1:]

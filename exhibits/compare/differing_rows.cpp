@@ -1,7 +1,7 @@
 #include "exhibits/compare/differing_rows.h"
 
-#include "exhibits/framework/acting.h"
-#include "exhibits/framework/value_text.h"
+#include "exhibits/framework/table/acting.h"
+#include "exhibits/framework/table/value_text.h"
 
 namespace vitrine {
 namespace {

@@ -1,6 +1,6 @@
 #include "exhibits/compare/offered_comparison.h"
 
-#include "exhibits/framework/subject.h"
+#include "exhibits/framework/scene/subject.h"
 #include "render/failure.h"
 
 namespace vitrine {

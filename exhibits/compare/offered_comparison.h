@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/offers_comparisons.h"
+#include "exhibits/framework/scene/offers_comparisons.h"
 #include "exhibits/museum/scene_state.h"
 
 #include <string_view>

@@ -1,7 +1,7 @@
 #include "exhibits/crepuscular_rays/crepuscular_rays.h"
 
 #include "exhibits/crepuscular_rays/rays_scene.h"
-#include "exhibits/framework/acting.h"
+#include "exhibits/framework/table/acting.h"
 #include "exhibits/kit/backdrop.h"
 #include "shaders/lib/bindings.glsl"
 

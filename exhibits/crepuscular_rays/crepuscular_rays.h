@@ -1,8 +1,8 @@
 #pragma once
 
 #include "exhibits/crepuscular_rays/crepuscular_rays_table.h"
-#include "exhibits/framework/exhibit.h"
-#include "exhibits/framework/offers_comparisons.h"
+#include "exhibits/framework/scene/exhibit.h"
+#include "exhibits/framework/scene/offers_comparisons.h"
 
 namespace vitrine {
 

@@ -2,7 +2,7 @@
 
 #include "exhibits/crepuscular_rays/crepuscular_rays_table.h"
 #include "exhibits/crepuscular_rays/sun_in_picture.h"
-#include "exhibits/framework/exhibit.h"
+#include "exhibits/framework/scene/exhibit.h"
 #include "render/glsl/std140.h"
 
 #include <glm/glm.hpp>

@@ -1,6 +1,6 @@
 #include "exhibits/crepuscular_rays/sun_in_picture.h"
 
-#include "exhibits/framework/scene_lighting.h"
+#include "exhibits/framework/scene/scene_lighting.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/exhibit.h"
+#include "exhibits/framework/scene/exhibit.h"
 #include "exhibits/fur/coat.h"
 #include "exhibits/fur/fur_table.h"
 

@@ -1,6 +1,6 @@
 #include "exhibits/hall/hall_furniture.h"
 
-#include "exhibits/framework/scene_lighting.h"
+#include "exhibits/framework/scene/scene_lighting.h"
 #include "exhibits/hall/hall_model.h"
 #include "render/hash.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/standing.h"
+#include "exhibits/framework/scene/standing.h"
 #include "render/scene/mesh.h"
 
 #include <glm/glm.hpp>

@@ -1,6 +1,6 @@
 #include "exhibits/hall/hall_scene.h"
 
-#include "exhibits/framework/derive.h"
+#include "exhibits/framework/table/derive.h"
 #include "exhibits/hall/sun.h"
 #include "exhibits/hall/walk.h"
 #include "render/hash.h"

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "exhibits/framework/frame_request.h"
-#include "exhibits/framework/prepare.h"
-#include "exhibits/framework/scene_lighting.h"
+#include "exhibits/framework/scene/frame_request.h"
+#include "exhibits/framework/scene/prepare.h"
+#include "exhibits/framework/scene/scene_lighting.h"
 #include "exhibits/hall/hall_model.h"
 #include "exhibits/hall/hall_table.h"
 #include "render/hash.h"

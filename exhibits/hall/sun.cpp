@@ -1,6 +1,6 @@
 #include "exhibits/hall/sun.h"
 
-#include "exhibits/framework/scene_lighting.h"
+#include "exhibits/framework/scene/scene_lighting.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "exhibits/hall/vault_lamps.h"
 
-#include "exhibits/framework/scene_lighting.h"
+#include "exhibits/framework/scene/scene_lighting.h"
 #include "exhibits/hall/sun.h"
 #include "render/files/assets.h"
 #include "render/image/image_io.h"

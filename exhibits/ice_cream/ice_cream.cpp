@@ -1,6 +1,6 @@
 #include "exhibits/ice_cream/ice_cream.h"
 
-#include "exhibits/framework/derive.h"
+#include "exhibits/framework/table/derive.h"
 #include "exhibits/ice_cream/ice_cream_cpu.h"
 #include "exhibits/ice_cream/ice_cream_shape.h"
 #include "exhibits/ice_cream/sprinkles.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/parameters.h"
+#include "exhibits/framework/table/parameters.h"
 #include "exhibits/ice_cream/ice_cream_table.h"
 #include "render/glsl/std140.h"
 #include "render/scene/mesh.h"

@@ -1,6 +1,6 @@
 #include "exhibits/kit/backdrop.h"
 
-#include "exhibits/framework/exhibit.h"
+#include "exhibits/framework/scene/exhibit.h"
 #include "shaders/lib/bindings.glsl"
 
 #include <algorithm>

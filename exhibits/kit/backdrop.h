@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/scene_lighting.h"
+#include "exhibits/framework/scene/scene_lighting.h"
 #include "render/plan/frame_plan.h"
 
 #include <string>

@@ -1,6 +1,6 @@
 #include "exhibits/kit/exhibit_pass.h"
 
-#include "exhibits/framework/derive.h"
+#include "exhibits/framework/table/derive.h"
 #include "shaders/lib/bindings.glsl"
 
 #include <utility>

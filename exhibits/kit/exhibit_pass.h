@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/exhibit.h"
+#include "exhibits/framework/scene/exhibit.h"
 #include "render/plan/frame_plan.h"
 
 #include <string>

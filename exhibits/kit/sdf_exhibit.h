@@ -1,7 +1,7 @@
 #pragma once
 
-#include "exhibits/framework/exhibit.h"
-#include "exhibits/framework/offers_comparisons.h"
+#include "exhibits/framework/scene/exhibit.h"
+#include "exhibits/framework/scene/offers_comparisons.h"
 #include "exhibits/kit/sdf_rows.h"
 
 #include <functional>

@@ -1,6 +1,6 @@
 #include "exhibits/kit/sdf_passes.h"
 
-#include "exhibits/framework/derive.h"
+#include "exhibits/framework/table/derive.h"
 #include "exhibits/kit/backdrop.h"
 #include "exhibits/kit/exhibit_pass.h"
 #include "exhibits/kit/pixel_blocks.h"

@@ -1,7 +1,7 @@
 #include "exhibits/museum/lamps.h"
 
-#include "exhibits/framework/capabilities.h"
-#include "exhibits/framework/exhibit.h"
+#include "exhibits/framework/scene/capabilities.h"
+#include "exhibits/framework/scene/exhibit.h"
 #include "render/hash.h"
 #include "render/plan/elsewhere.h"
 #include "render/scene/cube_views.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "exhibits/framework/prepare.h"
-#include "exhibits/framework/subject.h"
+#include "exhibits/framework/scene/prepare.h"
+#include "exhibits/framework/scene/subject.h"
 #include "render/plan/frame_plan.h"
 #include "render/plan/local_lights.h"
 

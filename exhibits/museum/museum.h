@@ -1,7 +1,7 @@
 #pragma once
 
-#include "exhibits/framework/exhibit.h"
-#include "exhibits/framework/frame_request.h"
+#include "exhibits/framework/scene/exhibit.h"
+#include "exhibits/framework/scene/frame_request.h"
 #include "exhibits/museum/obstacles.h"
 #include "exhibits/museum/prepared.h"
 #include "exhibits/museum/read_tables.h"

@@ -1,5 +1,5 @@
 // Which parts of a picture change by themselves, and when.
-#include "exhibits/framework/animation.h"
+#include "exhibits/framework/time/animation.h"
 #include "exhibits/hall/hall_scene.h"
 #include "exhibits/museum/lamps.h"
 #include "exhibits/museum/present.h"

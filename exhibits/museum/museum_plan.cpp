@@ -1,8 +1,8 @@
 // Planning of a frame: exhibits in view, their prepared parts, and the passes of all.
 #include "exhibits/museum/museum.h"
 
-#include "exhibits/framework/animation.h"
-#include "exhibits/framework/derive.h"
+#include "exhibits/framework/table/derive.h"
+#include "exhibits/framework/time/animation.h"
 #include "exhibits/hall/hall.h"
 #include "exhibits/hall/hall_model.h"
 #include "exhibits/hall/walk.h"

@@ -1,6 +1,6 @@
 #include "exhibits/museum/named_files.h"
 
-#include "exhibits/framework/file_path.h"
+#include "exhibits/framework/files/file_path.h"
 #include "render/files/asset_store.h"
 #include "render/hash.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/preset.h"
+#include "exhibits/framework/files/preset.h"
 #include "exhibits/museum/picture.h"
 
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/prepare.h"
+#include "exhibits/framework/scene/prepare.h"
 #include "exhibits/museum/scene_state.h"
 
 #include <memory>

@@ -1,6 +1,6 @@
 #include "exhibits/museum/read_tables.h"
 
-#include "exhibits/framework/table_change.h"
+#include "exhibits/framework/files/table_change.h"
 
 namespace vitrine {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "exhibits/framework/capabilities.h"
-#include "exhibits/framework/subject.h"
+#include "exhibits/framework/scene/capabilities.h"
+#include "exhibits/framework/scene/subject.h"
 #include "exhibits/museum/scene_state.h"
 
 #include <string>

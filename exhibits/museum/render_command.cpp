@@ -1,7 +1,7 @@
 #include "exhibits/museum/render_command.h"
 
-#include "exhibits/framework/motion_json.h"
-#include "exhibits/framework/value_text.h"
+#include "exhibits/framework/table/value_text.h"
+#include "exhibits/framework/time/motion_json.h"
 #include "render/files/number_text.h"
 #include "render/files/shell_word.h"
 

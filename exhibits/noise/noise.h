@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/exhibit.h"
+#include "exhibits/framework/scene/exhibit.h"
 #include "exhibits/noise/noise_table.h"
 
 namespace vitrine {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/chart.h"
+#include "exhibits/framework/scene/chart.h"
 #include "exhibits/noise/noise_table.h"
 
 #include <glm/glm.hpp>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/exhibit.h"
+#include "exhibits/framework/scene/exhibit.h"
 #include "exhibits/paper_lanterns/paper_lanterns_table.h"
 
 namespace vitrine {

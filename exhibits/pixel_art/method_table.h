@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/measured_table.h"
+#include "exhibits/framework/table/measured_table.h"
 #include "exhibits/pixel_art/palette.h"
 #include "exhibits/pixel_art/small_world.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "exhibits/framework/dragged_rows.h"
-#include "exhibits/framework/exhibit.h"
-#include "exhibits/framework/measured_table.h"
+#include "exhibits/framework/scene/dragged_rows.h"
+#include "exhibits/framework/scene/exhibit.h"
+#include "exhibits/framework/table/measured_table.h"
 #include "exhibits/pixel_art/pixel_art_table.h"
 
 namespace vitrine {

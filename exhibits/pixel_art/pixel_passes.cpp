@@ -1,7 +1,7 @@
 #include "exhibits/pixel_art/pixel_passes.h"
 
-#include "exhibits/framework/derive.h"
-#include "exhibits/framework/scene_lighting.h"
+#include "exhibits/framework/scene/scene_lighting.h"
+#include "exhibits/framework/table/derive.h"
 #include "exhibits/kit/blue_noise.h"
 #include "exhibits/kit/exhibit_pass.h"
 #include "exhibits/kit/surface_draw.h"

@@ -1,6 +1,6 @@
 #include "exhibits/printing/print_json.h"
 
-#include "exhibits/framework/preset_values.h"
+#include "exhibits/framework/table/preset_values.h"
 #include "exhibits/printing/print_raster.h"
 #include "render/failure.h"
 #include "render/files/extension.h"

@@ -1,6 +1,6 @@
 #include "exhibits/printing/print_table.h"
 
-#include "exhibits/framework/acting.h"
+#include "exhibits/framework/table/acting.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/parameters.h"
+#include "exhibits/framework/table/parameters.h"
 #include "exhibits/printing/chart.h"
 #include "exhibits/printing/fitting.h"
 #include "exhibits/printing/print_layout.h"

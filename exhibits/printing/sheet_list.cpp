@@ -1,6 +1,6 @@
 #include "exhibits/printing/sheet_list.h"
 
-#include "exhibits/framework/state_folder.h"
+#include "exhibits/framework/files/state_folder.h"
 #include "render/failure.h"
 #include "render/files/strict_json.h"
 

@@ -1,7 +1,7 @@
 #include "exhibits/recording/tour.h"
 
-#include "exhibits/framework/preset.h"
-#include "exhibits/framework/preset_values.h"
+#include "exhibits/framework/files/preset.h"
+#include "exhibits/framework/table/preset_values.h"
 #include "exhibits/recording/way_around.h"
 #include "render/failure.h"
 #include "render/version.h"

@@ -1,6 +1,6 @@
 #include "exhibits/sdf_morph/sdf_morph.h"
 
-#include "exhibits/framework/derive.h"
+#include "exhibits/framework/table/derive.h"
 #include "exhibits/sdf_morph/torus_mug_cpu.h"
 #include "render/glsl/std140.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/units.h"
+#include "exhibits/framework/table/units.h"
 #include "render/scene/mesh.h"
 
 #include <glm/glm.hpp>

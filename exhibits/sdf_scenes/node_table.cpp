@@ -1,6 +1,6 @@
 // Converts the numbers of a node to rows of a table and back into the text.
 
-#include "exhibits/framework/value_text.h"
+#include "exhibits/framework/table/value_text.h"
 #include "exhibits/sdf_scenes/record_kinds.h"
 #include "exhibits/sdf_scenes/scene_edit.h"
 #include "exhibits/sdf_scenes/scene_tree.h"

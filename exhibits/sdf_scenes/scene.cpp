@@ -1,6 +1,6 @@
 #include "exhibits/sdf_scenes/scene.h"
 
-#include "exhibits/framework/expression.h"
+#include "exhibits/framework/table/expression.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "exhibits/sdf_scenes/scene_reader.h"
 
-#include "exhibits/framework/expression.h"
-#include "exhibits/framework/parameters.h"
+#include "exhibits/framework/table/expression.h"
+#include "exhibits/framework/table/parameters.h"
 #include "exhibits/sdf_scenes/scene_program.h"
 #include "exhibits/sdf_scenes/source_scene.h"
 #include "exhibits/sdf_scenes/tree_reader.h"

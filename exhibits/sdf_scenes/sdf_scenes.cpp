@@ -1,8 +1,8 @@
 #include "exhibits/sdf_scenes/sdf_scenes.h"
 
-#include "exhibits/framework/file_path.h"
-#include "exhibits/framework/preset.h"
-#include "exhibits/framework/table_change.h"
+#include "exhibits/framework/files/file_path.h"
+#include "exhibits/framework/files/preset.h"
+#include "exhibits/framework/files/table_change.h"
 #include "exhibits/kit/panorama.h"
 #include "exhibits/sdf_scenes/asked_scene.h"
 #include "exhibits/sdf_scenes/scene_document.h"

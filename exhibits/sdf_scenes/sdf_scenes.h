@@ -1,8 +1,8 @@
 #pragma once
 
-#include "exhibits/framework/dragged_rows.h"
-#include "exhibits/framework/exhibit.h"
-#include "exhibits/framework/tree.h"
+#include "exhibits/framework/scene/dragged_rows.h"
+#include "exhibits/framework/scene/exhibit.h"
+#include "exhibits/framework/scene/tree.h"
 #include "exhibits/sdf_scenes/sdf_scenes_table.h"
 #include "exhibits/sdf_scenes/shown_scene.h"
 

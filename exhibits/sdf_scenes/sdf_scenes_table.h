@@ -1,7 +1,7 @@
 #pragma once
 
-#include "exhibits/framework/parameters.h"
-#include "exhibits/framework/studied_rows.h"
+#include "exhibits/framework/table/parameters.h"
+#include "exhibits/framework/table/studied_rows.h"
 
 #include <memory>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "exhibits/framework/random_values.h"
+#include "exhibits/framework/table/random_values.h"
 #include "exhibits/museum/picture.h"
 #include "exhibits/stability/poison.h"
 #include "exhibits/stability/stability_cases.h"

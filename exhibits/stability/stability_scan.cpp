@@ -1,7 +1,7 @@
 #include "exhibits/stability/stability_scan.h"
 
-#include "exhibits/framework/random_values.h"
-#include "exhibits/framework/value_text.h"
+#include "exhibits/framework/table/random_values.h"
+#include "exhibits/framework/table/value_text.h"
 #include "exhibits/stability/poison.h"
 
 #include <glm/gtc/matrix_transform.hpp>

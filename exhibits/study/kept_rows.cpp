@@ -1,6 +1,6 @@
 #include "exhibits/study/kept_rows.h"
 
-#include "exhibits/framework/preset_values.h"
+#include "exhibits/framework/table/preset_values.h"
 
 #include <algorithm>
 

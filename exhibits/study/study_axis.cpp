@@ -1,7 +1,7 @@
 #include "exhibits/study/study_axis.h"
 
-#include "exhibits/framework/derive.h"
-#include "exhibits/framework/value_text.h"
+#include "exhibits/framework/table/derive.h"
+#include "exhibits/framework/table/value_text.h"
 #include "render/files/number_text.h"
 
 #include <algorithm>

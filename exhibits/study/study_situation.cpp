@@ -1,7 +1,7 @@
 #include "exhibits/study/study_situation.h"
 
-#include "exhibits/framework/acting.h"
-#include "exhibits/framework/value_text.h"
+#include "exhibits/framework/table/acting.h"
+#include "exhibits/framework/table/value_text.h"
 #include "render/files/number_text.h"
 
 #include <algorithm>

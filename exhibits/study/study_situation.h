@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/studied_rows.h"
+#include "exhibits/framework/table/studied_rows.h"
 #include "exhibits/study/study_result.h"
 
 #include <cstdint>

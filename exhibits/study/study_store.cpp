@@ -1,7 +1,7 @@
 #include "exhibits/study/study_store.h"
 
-#include "exhibits/framework/slug.h"
-#include "exhibits/framework/state_folder.h"
+#include "exhibits/framework/files/slug.h"
+#include "exhibits/framework/files/state_folder.h"
 #include "render/files/atomic_write.h"
 #include "render/files/read_file.h"
 #include "render/image/image_io.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/document_folder.h"
+#include "exhibits/framework/files/document_folder.h"
 #include "exhibits/study/contact_sheet.h"
 #include "exhibits/study/kept_study.h"
 

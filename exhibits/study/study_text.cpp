@@ -1,7 +1,7 @@
 #include "exhibits/study/study_text.h"
 
-#include "exhibits/framework/preset_values.h"
-#include "exhibits/framework/value_text.h"
+#include "exhibits/framework/table/preset_values.h"
+#include "exhibits/framework/table/value_text.h"
 #include "exhibits/study/csv_field.h"
 #include "exhibits/study/study_situation.h"
 #include "render/files/number_text.h"

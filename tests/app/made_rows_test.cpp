@@ -1,8 +1,8 @@
 // Parameters added by files, on the command line: `--set`, presets and studies.
 
-#include "app/picture_options.h"
+#include "app/kit/picture_options.h"
 #include "app/study/study_options.h"
-#include "exhibits/framework/preset.h"
+#include "exhibits/framework/files/preset.h"
 #include "render/failure.h"
 #include "tests/exhibits/study/known_law.h"
 #include "tests/support/balls.h"

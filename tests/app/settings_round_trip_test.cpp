@@ -1,8 +1,8 @@
 // All writers of settings with all readers, on random settings: the values read are exactly those written.
 
-#include "app/picture_options.h"
+#include "app/kit/picture_options.h"
 #include "exhibits/exhibits.h"
-#include "exhibits/framework/random_values.h"
+#include "exhibits/framework/table/random_values.h"
 #include "exhibits/museum/picture_settings.h"
 #include "exhibits/museum/render_command.h"
 #include "render/failure.h"

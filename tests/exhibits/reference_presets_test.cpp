@@ -2,7 +2,7 @@
 // their code. If our unit differs, a comment gives the conversion.
 
 #include "exhibits/crepuscular_rays/crepuscular_rays_table.h"
-#include "exhibits/framework/preset.h"
+#include "exhibits/framework/files/preset.h"
 #include "exhibits/fur/coat.h"
 #include "exhibits/ice_cream/ice_cream_table.h"
 #include "exhibits/lenticular/lenticular_table.h"

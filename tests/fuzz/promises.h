@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/parameters.h"
+#include "exhibits/framework/table/parameters.h"
 #include "render/failure.h"
 #include "render/scene/camera.h"
 

@@ -1,9 +1,9 @@
 // An exhibit of three small files (ball/ball.h, ball/ball.glsl, a line in a list) has what every exhibit has: a slider,
 // a body that is marched, a shadow, presets, studies, and its lines in the ledger.
 
-#include "exhibits/framework/preset.h"
-#include "exhibits/framework/random_values.h"
-#include "exhibits/framework/value_text.h"
+#include "exhibits/framework/files/preset.h"
+#include "exhibits/framework/table/random_values.h"
+#include "exhibits/framework/table/value_text.h"
 #include "exhibits/study/study.h"
 #include "tests/kit/ball_shot.h"
 #include "tests/support/museum_on_paper.h"

@@ -1,7 +1,7 @@
 // Rules about parameter tables and the data derived from them.
 
 #include "exhibits/exhibits.h"
-#include "exhibits/framework/derive.h"
+#include "exhibits/framework/table/derive.h"
 #include "exhibits/hall/hall_table.h"
 #include "exhibits/kit/sdf_rows.h"
 #include "exhibits/study/study_axis.h"

@@ -1,7 +1,7 @@
 // Depth and cameras at the ends of their ranges. Each test first shows the failure of the plain formula.
 
 #include "exhibits/exhibits.h"
-#include "exhibits/framework/scene_lighting.h"
+#include "exhibits/framework/scene/scene_lighting.h"
 #include "exhibits/museum/museum.h"
 #include "render/scene/camera.h"
 #include "tests/stability/fields.h"

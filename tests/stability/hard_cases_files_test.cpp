@@ -1,7 +1,7 @@
 // Illegal values in files. Each test first shows their effect if they were accepted.
 
 #include "exhibits/exhibits.h"
-#include "exhibits/framework/preset.h"
+#include "exhibits/framework/files/preset.h"
 #include "exhibits/kit/surface_draw.h"
 #include "exhibits/sdf_morph/sdf_morph_table.h"
 #include "render/files/strict_json.h"

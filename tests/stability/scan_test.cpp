@@ -4,7 +4,7 @@
 //   VITRINE_SCAN_SEED=123        first seed, instead of 1; .ci/full sets another one every day, and a failure names it
 
 #include "exhibits/exhibits.h"
-#include "exhibits/framework/random_values.h"
+#include "exhibits/framework/table/random_values.h"
 #include "exhibits/stability/poison.h"
 #include "exhibits/stability/stability_cases.h"
 #include "exhibits/stability/stability_scan.h"

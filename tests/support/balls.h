@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/exhibit.h"
+#include "exhibits/framework/scene/exhibit.h"
 #include "render/failure.h"
 #include "render/files/read_file.h"
 #include "render/files/strict_json.h"

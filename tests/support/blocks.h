@@ -1,9 +1,9 @@
 #pragma once
 
-#include "exhibits/framework/capabilities.h"
-#include "exhibits/framework/exhibit.h"
-#include "exhibits/framework/table_change.h"
-#include "exhibits/framework/tree.h"
+#include "exhibits/framework/files/table_change.h"
+#include "exhibits/framework/scene/capabilities.h"
+#include "exhibits/framework/scene/exhibit.h"
+#include "exhibits/framework/scene/tree.h"
 #include "render/failure.h"
 #include "render/files/read_file.h"
 #include "render/files/strict_json.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/preset.h"
+#include "exhibits/framework/files/preset.h"
 #include "render/files/read_file.h"
 #include "tests/support/museum_on_paper.h"
 

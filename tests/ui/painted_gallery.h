@@ -2,7 +2,7 @@
 
 #include "tests/ui/sample_tables.h"
 
-#include "exhibits/framework/offers_comparisons.h"
+#include "exhibits/framework/scene/offers_comparisons.h"
 #include "exhibits/hall/hall_model.h"
 #include "ui/viewport/render_thread.h"
 #include "ui/viewport/renderers.h"

@@ -1,6 +1,6 @@
 #include "ui/charts/charts_dock.h"
 
-#include "exhibits/framework/capabilities.h"
+#include "exhibits/framework/scene/capabilities.h"
 #include "exhibits/museum/museum.h"
 #include "ui/kit/language.h"
 #include "ui/kit/progress_job.h"

@@ -1,6 +1,6 @@
 #include "ui/compare/morph_control.h"
 
-#include "exhibits/framework/morph.h"
+#include "exhibits/framework/table/morph.h"
 #include "ui/model/other_settings.h"
 #include "ui/parameters/value_slider.h"
 

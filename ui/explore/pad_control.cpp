@@ -1,6 +1,6 @@
 #include "ui/explore/pad_control.h"
 
-#include "exhibits/framework/morph.h"
+#include "exhibits/framework/table/morph.h"
 #include "ui/explore/morph_pad.h"
 #include "ui/explore/pad_corners.h"
 #include "ui/model/workbench.h"

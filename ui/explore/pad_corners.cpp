@@ -1,6 +1,6 @@
 #include "ui/explore/pad_corners.h"
 
-#include "exhibits/framework/preset_store.h"
+#include "exhibits/framework/files/preset_store.h"
 #include "ui/kit/language.h"
 #include "ui/kit/tile_delegate.h"
 #include "ui/model/workbench.h"

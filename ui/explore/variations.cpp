@@ -1,6 +1,6 @@
 #include "ui/explore/variations.h"
 
-#include "exhibits/framework/random_values.h"
+#include "exhibits/framework/table/random_values.h"
 #include "ui/model/workbench.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/viewport/viewport.h"

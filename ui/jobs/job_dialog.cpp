@@ -1,7 +1,7 @@
 #include "ui/jobs/job_dialog.h"
 
-#include "exhibits/framework/acting.h"
-#include "exhibits/framework/state_folder.h"
+#include "exhibits/framework/files/state_folder.h"
+#include "exhibits/framework/table/acting.h"
 #include "exhibits/jobs/kit/command_line.h"
 #include "exhibits/jobs/kit/job_document.h"
 #include "render/failure.h"

@@ -1,6 +1,6 @@
 #include "ui/jobs/job_setup.h"
 
-#include "exhibits/framework/state_folder.h"
+#include "exhibits/framework/files/state_folder.h"
 #include "exhibits/jobs/kit/job_document.h"
 #include "render/failure.h"
 #include "render/files/atomic_write.h"

@@ -1,6 +1,6 @@
 #include "ui/kit/language.h"
 
-#include "exhibits/framework/state_folder.h"
+#include "exhibits/framework/files/state_folder.h"
 #include "render/text/translation.h"
 #include "ui/kit/ini_file.h"
 #include "ui/kit/text.h"

@@ -2,7 +2,7 @@
 
 #include "ui/kit/ini_file.h"
 
-#include "exhibits/framework/state_folder.h"
+#include "exhibits/framework/files/state_folder.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,6 +1,6 @@
 #include "ui/lessons/lesson_bar.h"
 
-#include "exhibits/framework/lesson.h"
+#include "exhibits/framework/files/lesson.h"
 #include "ui/kit/menu_text.h"
 #include "ui/kit/spoken_widget.h"
 #include "ui/kit/theme.h"

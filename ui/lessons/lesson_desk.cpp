@@ -1,6 +1,6 @@
 #include "ui/lessons/lesson_desk.h"
 
-#include "exhibits/framework/table_change.h"
+#include "exhibits/framework/files/table_change.h"
 #include "exhibits/museum/museum.h"
 #include "exhibits/study/study_text.h"
 #include "render/plan/render_backend.h"

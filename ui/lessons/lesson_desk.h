@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/lesson.h"
+#include "exhibits/framework/files/lesson.h"
 #include "exhibits/museum/scene_state.h"
 
 #include <QList>

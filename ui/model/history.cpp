@@ -1,6 +1,6 @@
 #include "ui/model/history.h"
 
-#include "exhibits/framework/table_change.h"
+#include "exhibits/framework/files/table_change.h"
 #include "ui/kit/language.h"
 #include "ui/model/scene_state_change.h"
 

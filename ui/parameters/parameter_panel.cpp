@@ -1,8 +1,8 @@
 #include "ui/parameters/parameter_panel.h"
 
-#include "exhibits/framework/acting.h"
-#include "exhibits/framework/animation.h"
-#include "exhibits/framework/random_values.h"
+#include "exhibits/framework/table/acting.h"
+#include "exhibits/framework/table/random_values.h"
+#include "exhibits/framework/time/animation.h"
 #include "ui/kit/idle_undo.h"
 #include "ui/kit/language.h"
 #include "ui/kit/menu_text.h"

@@ -1,7 +1,7 @@
 #include "ui/parameters/shown_text.h"
 
-#include "exhibits/framework/preset.h"
-#include "exhibits/framework/value_text.h"
+#include "exhibits/framework/files/preset.h"
+#include "exhibits/framework/table/value_text.h"
 #include "render/failure.h"
 
 #include "ui/kit/language.h"

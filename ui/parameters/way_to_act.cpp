@@ -1,6 +1,6 @@
 #include "ui/parameters/way_to_act.h"
 
-#include "exhibits/framework/acting.h"
+#include "exhibits/framework/table/acting.h"
 
 #include <algorithm>
 

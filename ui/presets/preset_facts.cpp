@@ -1,6 +1,6 @@
 #include "ui/presets/preset_facts.h"
 
-#include "exhibits/framework/value_text.h"
+#include "exhibits/framework/table/value_text.h"
 #include "ui/kit/language.h"
 #include "ui/kit/message_of.h"
 #include "ui/kit/text.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/preset_store.h"
+#include "exhibits/framework/files/preset_store.h"
 #include "ui/presets/preset_preview.h"
 
 namespace vitrine::ui {

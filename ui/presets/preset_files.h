@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/preset_tags.h"
+#include "exhibits/framework/files/preset_tags.h"
 #include "ui/kit/language.h"
 
 #include <QFileDialog>

@@ -1,6 +1,6 @@
 #include "ui/presets/preset_shelf.h"
 
-#include "exhibits/framework/table_change.h"
+#include "exhibits/framework/files/table_change.h"
 #include "render/files/atomic_write.h"
 #include "render/files/read_file.h"
 #include "render/files/strict_json.h"

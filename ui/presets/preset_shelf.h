@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/preset_store.h"
+#include "exhibits/framework/files/preset_store.h"
 #include "exhibits/museum/scene_state.h"
 #include "ui/presets/preset_uses.h"
 

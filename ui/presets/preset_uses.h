@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/preset_store.h"
+#include "exhibits/framework/files/preset_store.h"
 
 #include <filesystem>
 #include <string>

@@ -1,6 +1,6 @@
 #include "ui/presets/scene_text.h"
 
-#include "exhibits/framework/preset.h"
+#include "exhibits/framework/files/preset.h"
 
 namespace vitrine::ui {
 namespace {

@@ -1,6 +1,6 @@
 #include "ui/presets/tags_dialog.h"
 
-#include "exhibits/framework/preset_tags.h"
+#include "exhibits/framework/files/preset_tags.h"
 #include "ui/kit/message_of.h"
 #include "ui/kit/theme.h"
 #include "ui/presets/tag_chips.h"

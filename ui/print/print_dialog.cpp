@@ -1,6 +1,6 @@
 #include "ui/print/print_dialog.h"
 
-#include "exhibits/framework/state_folder.h"
+#include "exhibits/framework/files/state_folder.h"
 #include "exhibits/printing/print_json.h"
 #include "render/failure.h"
 #include "render/files/atomic_write.h"

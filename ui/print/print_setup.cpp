@@ -1,6 +1,6 @@
 #include "ui/print/print_setup.h"
 
-#include "exhibits/framework/state_folder.h"
+#include "exhibits/framework/files/state_folder.h"
 #include "exhibits/printing/print_json.h"
 #include "render/files/read_file.h"
 #include "ui/kit/ini_file.h"

@@ -1,7 +1,7 @@
 #include "ui/record/bookmarks.h"
 
-#include "exhibits/framework/preset.h"
-#include "exhibits/framework/state_folder.h"
+#include "exhibits/framework/files/preset.h"
+#include "exhibits/framework/files/state_folder.h"
 #include "render/files/atomic_write.h"
 #include "render/files/read_file.h"
 #include "ui/kit/message_of.h"

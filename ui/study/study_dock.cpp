@@ -1,6 +1,6 @@
 #include "ui/study/study_dock.h"
 
-#include "exhibits/framework/expression.h"
+#include "exhibits/framework/table/expression.h"
 #include "exhibits/study/study_text.h"
 #include "render/failure.h"
 #include "render/measure/memory.h"

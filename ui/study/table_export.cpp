@@ -1,6 +1,6 @@
 #include "ui/study/table_export.h"
 
-#include "exhibits/framework/measured_table.h"
+#include "exhibits/framework/table/measured_table.h"
 #include "exhibits/museum/museum.h"
 #include "render/failure.h"
 #include "render/files/atomic_write.h"

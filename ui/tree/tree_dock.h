@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/tree.h"
+#include "exhibits/framework/scene/tree.h"
 
 #include <QHash>
 #include <QWidget>

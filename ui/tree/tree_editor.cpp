@@ -1,6 +1,6 @@
 #include "ui/tree/tree_editor.h"
 
-#include "exhibits/framework/capabilities.h"
+#include "exhibits/framework/scene/capabilities.h"
 #include "exhibits/museum/museum.h"
 #include "render/failure.h"
 #include "ui/kit/language.h"

@@ -1,6 +1,6 @@
 #include "ui/viewport/row_drag.h"
 
-#include "exhibits/framework/dragged_rows.h"
+#include "exhibits/framework/scene/dragged_rows.h"
 #include "ui/viewport/viewport.h"
 
 #include <QMouseEvent>

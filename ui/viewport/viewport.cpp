@@ -1,7 +1,7 @@
 #include "ui/viewport/viewport.h"
 
-#include "exhibits/framework/acting.h"
-#include "exhibits/framework/tree.h"
+#include "exhibits/framework/scene/tree.h"
+#include "exhibits/framework/table/acting.h"
 #include "render/failure.h"
 #include "ui/kit/language.h"
 #include "ui/kit/message_of.h"

@@ -1,8 +1,8 @@
 #include "ui/window/close_guard.h"
 
+#include "ui/export/picture_export.h"
 #include "ui/jobs/job_dialog.h"
 #include "ui/print/print_dialog.h"
-#include "ui/window/picture_export.h"
 
 #include <QFileInfo>
 #include <QMessageBox>

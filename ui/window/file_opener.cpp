@@ -1,6 +1,6 @@
 #include "ui/window/file_opener.h"
 
-#include "exhibits/framework/tree.h"
+#include "exhibits/framework/scene/tree.h"
 #include "exhibits/printing/print_json.h"
 #include "render/failure.h"
 #include "render/files/read_file.h"

@@ -1,6 +1,6 @@
 #include "ui/window/recent_files.h"
 
-#include "exhibits/framework/state_folder.h"
+#include "exhibits/framework/files/state_folder.h"
 #include "ui/kit/ini_file.h"
 #include "ui/kit/menu_text.h"
 #include "ui/kit/preferences.h"

@@ -1,7 +1,7 @@
 #include "ui/window/session_keeper.h"
 
-#include "exhibits/framework/preset.h"
-#include "exhibits/framework/state_folder.h"
+#include "exhibits/framework/files/preset.h"
+#include "exhibits/framework/files/state_folder.h"
 #include "render/files/read_file.h"
 #include "ui/kit/ini_file.h"
 #include "ui/kit/language.h"

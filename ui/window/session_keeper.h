@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/recovery.h"
+#include "exhibits/framework/files/recovery.h"
 
 #include <QObject>
 #include <QTimer>

@@ -3,7 +3,7 @@
 #include "ui/kit/language.h"
 #include "ui/kit/numbers.h"
 #include "ui/kit/type_size.h"
-#include "ui/window/frame_graph.h"
+#include "ui/report/frame_graph.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

@@ -1,6 +1,9 @@
 #include "ui/window/window_dialogs.h"
 
 #include "exhibits/museum/museum.h"
+#include "ui/export/export_again.h"
+#include "ui/export/picture_export.h"
+#include "ui/export/screenshot_dialog.h"
 #include "ui/jobs/job_dialog.h"
 #include "ui/kit/text.h"
 #include "ui/lessons/lesson_desk.h"
@@ -14,9 +17,6 @@
 #include "ui/study/table_export.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/about_dialog.h"
-#include "ui/window/export_again.h"
-#include "ui/window/picture_export.h"
-#include "ui/window/screenshot_dialog.h"
 
 #include <QFileDialog>
 

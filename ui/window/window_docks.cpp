@@ -10,6 +10,9 @@
 #include "ui/model/workbench.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/presets/preset_list.h"
+#include "ui/report/ledger_dock.h"
+#include "ui/report/ledger_view.h"
+#include "ui/report/log_view.h"
 #include "ui/study/study_dock.h"
 #include "ui/tree/tree_dock.h"
 #include "ui/tree/tree_editor.h"
@@ -19,9 +22,6 @@
 #include "ui/viewport/viewport.h"
 #include "ui/window/dock_title.h"
 #include "ui/window/exhibit_list.h"
-#include "ui/window/ledger_dock.h"
-#include "ui/window/ledger_view.h"
-#include "ui/window/log_view.h"
 #include "ui/window/parameter_tabs.h"
 
 #include <QAction>

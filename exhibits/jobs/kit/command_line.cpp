@@ -1,6 +1,6 @@
 #include "exhibits/jobs/kit/command_line.h"
 
-#include "exhibits/framework/value_text.h"
+#include "exhibits/framework/table/value_text.h"
 #include "exhibits/jobs/kit/given_values.h"
 #include "exhibits/museum/render_command.h"
 #include "render/files/number_text.h"

@@ -1,8 +1,8 @@
 #include "exhibits/jobs/kit/given_values.h"
 
-#include "exhibits/framework/acting.h"
-#include "exhibits/framework/condition.h"
-#include "exhibits/framework/value_text.h"
+#include "exhibits/framework/table/acting.h"
+#include "exhibits/framework/table/condition.h"
+#include "exhibits/framework/table/value_text.h"
 #include "render/failure.h"
 #include "render/text/joined.h"
 #include "render/text/nearest_word.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/preset_values.h"
+#include "exhibits/framework/table/preset_values.h"
 #include "exhibits/jobs/kit/job_options.h"
 
 #include <map>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "exhibits/framework/frame_request.h"
-#include "exhibits/framework/parameters.h"
+#include "exhibits/framework/scene/frame_request.h"
+#include "exhibits/framework/table/parameters.h"
 #include "exhibits/museum/museum.h"
 #include "render/plan/render_backend.h"
 

@@ -1,7 +1,7 @@
 #include "exhibits/jobs/kit/job_document.h"
 
-#include "exhibits/framework/acting.h"
-#include "exhibits/framework/preset.h"
+#include "exhibits/framework/files/preset.h"
+#include "exhibits/framework/table/acting.h"
 #include "exhibits/jobs/kit/given_values.h"
 #include "exhibits/museum/picture_settings.h"
 #include "render/failure.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/picture_record.h"
+#include "exhibits/framework/files/picture_record.h"
 #include "exhibits/jobs/kit/job.h"
 #include "render/files/strict_json.h"
 

@@ -1,8 +1,8 @@
 #include "exhibits/jobs/kit/job_options.h"
 
-#include "exhibits/framework/expression.h"
-#include "exhibits/framework/typed_number.h"
-#include "exhibits/framework/value_text.h"
+#include "exhibits/framework/table/expression.h"
+#include "exhibits/framework/table/typed_number.h"
+#include "exhibits/framework/table/value_text.h"
 #include "render/failure.h"
 #include "render/text/joined.h"
 

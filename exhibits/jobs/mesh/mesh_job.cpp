@@ -1,7 +1,7 @@
 #include "exhibits/jobs/mesh/mesh_job.h"
 
-#include "exhibits/framework/expression.h"
-#include "exhibits/framework/typed_number.h"
+#include "exhibits/framework/table/expression.h"
+#include "exhibits/framework/table/typed_number.h"
 #include "exhibits/jobs/kit/job_document.h"
 #include "exhibits/sdf_scenes/scene_mesh.h"
 #include "exhibits/sdf_scenes/scene_reader.h"

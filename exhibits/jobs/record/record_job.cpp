@@ -1,7 +1,7 @@
 #include "exhibits/jobs/record/record_job.h"
 
-#include "exhibits/framework/preset.h"
-#include "exhibits/framework/state_folder.h"
+#include "exhibits/framework/files/preset.h"
+#include "exhibits/framework/files/state_folder.h"
 #include "exhibits/jobs/kit/job_document.h"
 #include "exhibits/jobs/record/record_table.h"
 #include "exhibits/museum/picture_settings.h"

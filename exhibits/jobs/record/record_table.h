@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/parameters.h"
+#include "exhibits/framework/table/parameters.h"
 
 namespace vitrine {
 

@@ -1,6 +1,6 @@
 #include "exhibits/jobs/sprite/sprite_files.h"
 
-#include "exhibits/framework/preset.h"
+#include "exhibits/framework/files/preset.h"
 #include "exhibits/pixel_art/palette.h"
 #include "render/image/image_io.h"
 #include "render/image/srgb.h"

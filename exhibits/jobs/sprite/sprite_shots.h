@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/parameters.h"
+#include "exhibits/framework/table/parameters.h"
 #include "exhibits/jobs/sprite/sprite_sheet.h"
 #include "render/plan/render_backend.h"
 #include "render/scene/gltf_animation.h"

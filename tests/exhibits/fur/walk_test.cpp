@@ -1,7 +1,7 @@
 // Rays through a coat: the first strand that they hit, compared with steps so fine that none is missed, and with coarse
 // steps, which the closed form replaces. The shaders' own code at float64.
 
-#include "exhibits/framework/random_values.h"
+#include "exhibits/framework/table/random_values.h"
 #include "exhibits/fur/strand_cpu.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Bounced sunlight compared with a path tracer; its conditions and its continuity.
 #include "tests/exhibits/hall/bounced_light.h"
 
-#include "exhibits/framework/scene_lighting.h"
+#include "exhibits/framework/scene/scene_lighting.h"
 #include "exhibits/hall/sun.h"
 #include "render/files/strict_json.h"
 #include "shaders/lib/bindings.glsl"

@@ -1,6 +1,6 @@
 // Solids of the ice cream: their dimensions, skipping most of them without a change, and steps that pass no surface.
 
-#include "exhibits/framework/random_values.h"
+#include "exhibits/framework/table/random_values.h"
 #include "exhibits/ice_cream/ice_cream_cpu.h"
 #include "exhibits/ice_cream/ice_cream_cpu32.h"
 #include "exhibits/ice_cream/ice_cream_table.h"

@@ -1,7 +1,7 @@
 // Every parameter of every exhibit changes the picture: at initial values, or in the setting in which its table says
 // that it has an effect.
 
-#include "exhibits/framework/acting.h"
+#include "exhibits/framework/table/acting.h"
 #include "render/files/read_file.h"
 #include "tests/exhibits/pixel_art/moved_model.h"
 #include "tests/support/gallery.h"

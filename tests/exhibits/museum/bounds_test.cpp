@@ -1,7 +1,7 @@
 // Change by an effect, measured with and without it, compared with the bound that its plan states. Settings are random
 // and seeded.
 
-#include "exhibits/framework/random_values.h"
+#include "exhibits/framework/table/random_values.h"
 #include "exhibits/lenticular/lenticular_table.h"
 #include "tests/support/gallery.h"
 #include "tests/support/planned.h"

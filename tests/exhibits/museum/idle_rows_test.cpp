@@ -3,8 +3,8 @@
 
 #include "tests/support/gallery.h"
 
-#include "exhibits/framework/acting.h"
-#include "exhibits/framework/random_values.h"
+#include "exhibits/framework/table/acting.h"
+#include "exhibits/framework/table/random_values.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,5 +1,5 @@
 // Lamps of exhibits: collected by the museum, drawn into shadow maps, and lighting the picture.
-#include "exhibits/framework/capabilities.h"
+#include "exhibits/framework/scene/capabilities.h"
 #include "tests/support/gallery.h"
 #include "tests/support/planned.h"
 

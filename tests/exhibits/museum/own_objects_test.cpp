@@ -1,6 +1,6 @@
 // The visitor's own objects: up to four, each at the place of its parameters.
 
-#include "exhibits/framework/preset.h"
+#include "exhibits/framework/files/preset.h"
 #include "render/files/assets.h"
 #include "tests/support/museum_on_paper.h"
 #include "tests/support/plan_text.h"

@@ -1,7 +1,7 @@
 // Planning only reads: the same prepared picture gives exactly the same plan, whatever was or is being planned
 // elsewhere, and no file is opened.
 
-#include "exhibits/framework/random_values.h"
+#include "exhibits/framework/table/random_values.h"
 #include "exhibits/fur/fur_table.h"
 #include "exhibits/lenticular/lenticular_table.h"
 #include "render/files/assets.h"

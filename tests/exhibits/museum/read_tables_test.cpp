@@ -2,8 +2,8 @@
 
 #include "exhibits/museum/read_tables.h"
 
-#include "exhibits/framework/preset.h"
-#include "exhibits/framework/table_change.h"
+#include "exhibits/framework/files/preset.h"
+#include "exhibits/framework/files/table_change.h"
 #include "tests/support/balls.h"
 #include "tests/support/temporary_folder.h"
 

@@ -2,7 +2,7 @@
 // checked with the settings, the request and the view, by code that shares nothing with the plans.
 
 #include "exhibits/exhibits.h"
-#include "exhibits/framework/random_values.h"
+#include "exhibits/framework/table/random_values.h"
 #include "exhibits/hall/sun.h"
 #include "exhibits/stability/stability_scan.h"
 #include "tests/support/museum_on_paper.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/derive.h"
+#include "exhibits/framework/table/derive.h"
 #include "exhibits/kit/sdf_exhibit.h"
 
 namespace vitrine::test {

@@ -6,8 +6,8 @@
 #include "render/failure.h"
 #include "render/image/image_io.h"
 #include "ui/compare/compare_bar.h"
-#include "ui/window/ledger_dock.h"
-#include "ui/window/ledger_view.h"
+#include "ui/report/ledger_dock.h"
+#include "ui/report/ledger_view.h"
 #include "ui/window/window_docks.h"
 
 #include <QDockWidget>

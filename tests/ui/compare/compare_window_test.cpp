@@ -3,7 +3,7 @@
 #include "tests/ui/compare/open_comparison.h"
 #include "tests/ui/ui_main.h"
 
-#include "exhibits/framework/preset.h"
+#include "exhibits/framework/files/preset.h"
 #include "render/image/image_io.h"
 #include "ui/compare/compare_actions.h"
 #include "ui/compare/compare_bar.h"

@@ -3,7 +3,7 @@
 #include "tests/ui/open_window.h"
 #include "tests/ui/ui_main.h"
 
-#include "exhibits/framework/state_folder.h"
+#include "exhibits/framework/files/state_folder.h"
 #include "ui/kit/language.h"
 #include "ui/kit/message_strip.h"
 #include "ui/parameters/shown_text.h"

@@ -2,15 +2,15 @@
 
 #include "tests/ui/ui_main.h"
 
-#include "exhibits/framework/acting.h"
-#include "exhibits/framework/animation.h"
 #include "ui/kit/language.h"
+#include "exhibits/framework/table/acting.h"
+#include "exhibits/framework/time/animation.h"
 #include "ui/kit/numbers.h"
 #include "ui/parameters/shown_text.h"
 #include "ui/viewport/draw_schedule.h"
 
 #include "exhibits/exhibits.h"
-#include "exhibits/framework/value_text.h"
+#include "exhibits/framework/table/value_text.h"
 #include "exhibits/museum/museum.h"
 #include "render/text/translation.h"
 #include "tests/ui/patience.h"

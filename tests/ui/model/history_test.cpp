@@ -1,4 +1,4 @@
-#include "exhibits/framework/table_change.h"
+#include "exhibits/framework/files/table_change.h"
 #include "tests/support/balls.h"
 #include "tests/support/blocks.h"
 #include "tests/ui/sample_tables.h"

@@ -6,7 +6,7 @@
 #include "ui/parameters/way_to_act.h"
 
 #include "exhibits/exhibits.h"
-#include "exhibits/framework/acting.h"
+#include "exhibits/framework/table/acting.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -2,10 +2,10 @@
 #include "tests/ui/preferences/open_preferences.h"
 #include "tests/ui/ui_main.h"
 
+#include "ui/export/copies.h"
 #include "ui/kit/language.h"
 #include "ui/kit/message_strip.h"
-#include "ui/window/copies.h"
-#include "ui/window/ledger_dock.h"
+#include "ui/report/ledger_dock.h"
 #include "ui/window/recent_files.h"
 #include "ui/window/window_docks.h"
 

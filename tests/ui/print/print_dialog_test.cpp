@@ -1,6 +1,6 @@
 #include "tests/ui/ui_main.h"
 
-#include "exhibits/framework/state_folder.h"
+#include "exhibits/framework/files/state_folder.h"
 #include "tests/ui/print/open_print_dialog.h"
 
 #include "ui/print/place_bar.h"

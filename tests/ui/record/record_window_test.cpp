@@ -3,16 +3,16 @@
 #include "tests/ui/open_window.h"
 #include "tests/ui/ui_main.h"
 
-#include "exhibits/framework/state_folder.h"
+#include "exhibits/framework/files/state_folder.h"
 #include "exhibits/jobs/record/record_table.h"
 #include "exhibits/recording/tour.h"
 #include "render/image/image_io.h"
+#include "ui/export/copies.h"
 #include "ui/jobs/job_dialog.h"
 #include "ui/kit/message_strip.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/parameters/parameter_row.h"
 #include "ui/record/bookmarks.h"
-#include "ui/window/copies.h"
 
 #include <QClipboard>
 #include <QLabel>

@@ -3,8 +3,8 @@
 #include "tests/ui/open_window.h"
 #include "tests/ui/ui_main.h"
 
-#include "exhibits/framework/dragged_rows.h"
-#include "exhibits/framework/measured_table.h"
+#include "exhibits/framework/scene/dragged_rows.h"
+#include "exhibits/framework/table/measured_table.h"
 #include "ui/study/table_export.h"
 
 #include <QFile>

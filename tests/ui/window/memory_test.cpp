@@ -2,10 +2,12 @@
 //   VITRINE_MEMORY_STEPS=300   number of steps, at least 300
 #include "tests/ui/ui_main.h"
 
+#include "render/measure/memory.h"
 #include "exhibits/exhibits.h"
 #include "exhibits/museum/museum.h"
-#include "render/measure/memory.h"
 #include "tests/support/environment_number.h"
+#include "ui/export/picture_export.h"
+#include "ui/export/screenshot_dialog.h"
 #include "ui/kit/theme.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/parameters/parameter_row.h"
@@ -18,8 +20,6 @@
 #include "ui/viewport/viewport.h"
 #include "ui/window/command_palette.h"
 #include "ui/window/main_window.h"
-#include "ui/window/picture_export.h"
-#include "ui/window/screenshot_dialog.h"
 #include "ui/window/window_dialogs.h"
 #include "ui/window/window_docks.h"
 

@@ -5,6 +5,9 @@
 #include "render/image/image_io.h"
 #include "render/plan/frame_plan.h"
 #include "tests/ui/few_samples.h"
+#include "ui/export/export_again.h"
+#include "ui/export/picture_export.h"
+#include "ui/export/screenshot_dialog.h"
 #include "ui/kit/message_strip.h"
 #include "ui/kit/theme.h"
 #include "ui/parameters/parameter_panel.h"
@@ -13,10 +16,7 @@
 #include "ui/viewport/gl_probe.h"
 #include "ui/viewport/museum_renderers.h"
 #include "ui/viewport/viewport.h"
-#include "ui/window/export_again.h"
 #include "ui/window/main_window.h"
-#include "ui/window/picture_export.h"
-#include "ui/window/screenshot_dialog.h"
 #include "ui/window/window_dialogs.h"
 
 #include <QComboBox>

@@ -1,7 +1,7 @@
 #include "tests/ui/open_window.h"
 #include "tests/ui/ui_main.h"
 
-#include "exhibits/framework/preset.h"
+#include "exhibits/framework/files/preset.h"
 #include "ui/parameters/motion_dialog.h"
 #include "ui/parameters/number_field.h"
 #include "ui/window/clock_bar.h"

@@ -5,8 +5,8 @@
 #include "tests/ui/painted_gallery.h"
 
 #include "exhibits/exhibits.h"
-#include "exhibits/framework/capabilities.h"
-#include "exhibits/framework/tree.h"
+#include "exhibits/framework/scene/capabilities.h"
+#include "exhibits/framework/scene/tree.h"
 #include "ui/charts/charts_dock.h"
 #include "ui/compare/compare_desk.h"
 #include "ui/compare/other_picture.h"

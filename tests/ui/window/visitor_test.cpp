@@ -4,6 +4,7 @@
 
 #include "render/image/image_io.h"
 #include "render/version.h"
+#include "ui/export/picture_export.h"
 #include "ui/kit/message_strip.h"
 #include "ui/parameters/number_field.h"
 #include "ui/presets/preset_shelf.h"
@@ -12,7 +13,6 @@
 #include "ui/window/about_dialog.h"
 #include "ui/window/exhibit_list.h"
 #include "ui/window/file_opener.h"
-#include "ui/window/picture_export.h"
 #include "ui/window/status_line.h"
 
 #include <QDir>

@@ -4,9 +4,9 @@
 #include "ui/kit/message_strip.h"
 #include "ui/kit/theme.h"
 #include "ui/presets/preset_shelf.h"
+#include "ui/report/frame_graph.h"
+#include "ui/report/log_view.h"
 #include "ui/window/file_opener.h"
-#include "ui/window/frame_graph.h"
-#include "ui/window/log_view.h"
 
 #include <QClipboard>
 #include <QToolButton>

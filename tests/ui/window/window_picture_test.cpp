@@ -2,8 +2,8 @@
 #include "tests/ui/ui_main.h"
 
 #include "ui/kit/message_strip.h"
+#include "ui/report/frame_graph.h"
 #include "ui/viewport/overlay.h"
-#include "ui/window/frame_graph.h"
 #include "ui/window/status_line.h"
 
 #include <QSignalSpy>

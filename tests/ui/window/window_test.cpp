@@ -1,6 +1,7 @@
 #include "tests/ui/open_window.h"
 #include "tests/ui/ui_main.h"
 
+#include "ui/export/export_again.h"
 #include "ui/kit/message_strip.h"
 #include "ui/kit/preferences.h"
 #include "ui/kit/theme.h"
@@ -8,9 +9,8 @@
 #include "ui/parameters/color_picker.h"
 #include "ui/parameters/number_field.h"
 #include "ui/presets/preset_shelf.h"
-#include "ui/window/export_again.h"
+#include "ui/report/ledger_view.h"
 #include "ui/window/file_opener.h"
-#include "ui/window/ledger_view.h"
 
 #include <QDir>
 #include <QDockWidget>

@@ -1,0 +1,457 @@
+#include "app/kit/picture_options.h"
+
+#include "app/kit/apply_preset.h"
+#include "app/kit/number_option.h"
+#include "exhibits/framework/files/preset.h"
+#include "exhibits/framework/table/expression.h"
+#include "exhibits/framework/table/value_text.h"
+#include "exhibits/framework/time/motion_json.h"
+#include "exhibits/hall/hall_table.h"
+#include "exhibits/museum/picture_settings.h"
+#include "render/failure.h"
+#include "render/files/number_text.h"
+#include "render/text/joined.h"
+#include "render/text/nearest_word.h"
+
+#include <CLI/CLI.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace vitrine::app {
+namespace {
+
+std::vector<std::string> split(const std::string& text, char separator)
+{
+    std::vector<std::string> parts(1);
+    for (const char c : text) {
+        if (c == separator)
+            parts.emplace_back();
+        else if (c != ' ')
+            parts.back() += c;
+    }
+    return parts;
+}
+
+bool isLinear(const std::string& file)
+{
+    const auto format = render::writtenFormat(file);
+    return format && render::fileFormat(*format).isLinear;
+}
+
+Channels parseChannels(const std::string& text, PictureRequest& request, bool& beyondColor)
+{
+    Channels channels;
+    for (const std::string& name : split(text, ',')) {
+        if (name == "depth")
+            request.depth = true;
+        else if (name == "normal")
+            channels.normal = true;
+        else if (name == "evaluations")
+            channels.evaluations = true;
+        else if (name != "color")
+            throw Failure(Blame::usage,
+                          "--channels: \"" + name +
+                              "\" is no channel; give color, depth, normal or evaluations, separated by commas.");
+        beyondColor = beyondColor || name != "color";
+    }
+    return channels;
+}
+
+glm::dmat4 exhibitTransform(const PictureOptions& options, const PictureRecord* taken)
+{
+    if (taken && options.rotate.empty() && options.scale.empty()) return taken->exhibitTransform;
+    glm::dmat4 m(1);
+    if (!options.rotate.empty()) {
+        const glm::dvec3 degrees = parseTriple("--rotate", options.rotate, Unit::degree);
+        for (int axis = 2; axis >= 0; --axis) {
+            glm::dvec3 direction(0);
+            direction[axis] = 1;
+            m = glm::rotate(m, degrees[axis] * std::numbers::pi / 180, direction);
+        }
+    }
+    if (!options.scale.empty()) {
+        const glm::dvec3 scale = parseTriple("--scale", options.scale);
+        if (std::abs(scale.x) < 1e-6 || std::abs(scale.y) < 1e-6 || std::abs(scale.z) < 1e-6)
+            throw Failure(Blame::usage, "--scale " + options.scale +
+                                            ": a scale of 0 leaves nothing to draw; give three numbers away from 0.");
+        m = glm::scale(m, scale);
+    }
+    return m;
+}
+
+/// Sets the channels of the file, and whether samples are averaged in linear light.
+void setChannels(const PictureOptions& options, const PictureRecord* taken, PictureRequest& request)
+{
+    bool beyondColor = false;
+    const bool linear = isLinear(options.out);
+    if (!options.channels.empty()) {
+        request.frame.channels = parseChannels(options.channels, request, beyondColor);
+    } else if (taken && linear) {
+        request.frame.channels = taken->channels;
+        request.depth = taken->depth;
+    }
+    request.frame.averageIn = linear ? AverageIn::radiance : AverageIn::display;
+    if (beyondColor && !linear && !options.out.empty())
+        throw Failure(Blame::usage,
+                      "--channels: only OpenEXR carries more than color; give --out a name that ends in .exr.");
+}
+
+std::vector<std::string> namesOf(const Museum& museum)
+{
+    std::vector<std::string> names;
+    for (const Subject* subject : museum.subjects()) names.emplace_back(subject->name());
+    return names;
+}
+
+/// Assignment "exhibit.name=value".
+struct Assignment {
+    std::size_t owner = 0;
+    std::string name, text;
+};
+/// Parses an assignment. `option` is the option that takes it, `such` an example for the message.
+Assignment assignmentOf(const Museum& museum, std::size_t subject, const std::string& assignment,
+                        const std::string& option = "--set", const char* such = "morph=0.3")
+{
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string::npos || equals == 0)
+        throw Failure(Blame::usage,
+                      option + " \"" + assignment + "\": give name=value, such as " + option + ' ' + such + '.');
+    const std::string name = assignment.substr(0, equals), text = assignment.substr(equals + 1);
+    const std::size_t dot = name.find('.');
+    if (dot == std::string::npos) return {subject, name, text};
+    const auto owner = museum.find(name.substr(0, dot));
+    if (!owner)
+        throw Failure(Blame::usage, option + ' ' + name + ": there is no exhibit \"" + name.substr(0, dot) + '"' +
+                                        didYouMean(name.substr(0, dot), namesOf(museum)) +
+                                        " `vitrine list` names them.");
+    return {*owner, name.substr(dot + 1), text};
+}
+
+}  // namespace
+
+void setCamera(const PictureOptions& options, render::Camera& camera)
+{
+    if (!options.eye.empty()) camera.eye = parseTriple("--eye", options.eye, Unit::meter);
+    if (!options.target.empty()) camera.target = parseTriple("--target", options.target, Unit::meter);
+    if (options.fovDegrees > 0) camera.fovY = options.fovDegrees * std::numbers::pi / 180;
+}
+
+std::optional<Value> optionValue(const ParameterInfo& row, const std::string& text)
+{
+    if (row.isNumeric())
+        if (const auto plain = evaluate(text, Unit::none)) return *plain;
+    return parseValue(row, text);
+}
+
+std::string whatItTakes(const ParameterInfo& row, const std::string& typed)
+{
+    if (row.kind == Kind::choice) return "one of " + joined(row.choices);
+    if (row.kind == Kind::toggle) return "on or off";
+    if (row.kind == Kind::color) return "#rrggbb or r,g,b";
+    if (row.kind == Kind::direction) return "x,y,z";
+    const bool isPlain = typed.empty() || evaluate(typed, Unit::none);
+    if (!isPlain) return rangeText(rangeOf(row, row.unit));
+    return rangeText(rangeOf(row)) + behindNumber(info(row.unit).storedSymbol);
+}
+
+render::PictureFormat pictureFormat(const std::string& option, const std::string& file, bool sixteenBit)
+{
+    const std::optional<int> bits = sixteenBit ? std::optional(16) : std::nullopt;
+    if (const auto format = render::writtenFormat(file, bits)) return *format;
+    if (render::writtenFormat(file))
+        throw Failure(Blame::usage, option + ' ' + file + ": this format holds no 16 bits; give a name that ends in " +
+                                        render::writtenExtensions(bits) + ", or leave --sixteen-bit out.");
+    throw Failure(Blame::usage,
+                  option + ' ' + file + ": give a name that ends in " + render::writtenExtensions() + '.');
+}
+
+glm::dvec3 parseTriple(const std::string& option, const std::string& text, Unit unit)
+{
+    const std::vector<std::string> parts = split(text, ',');
+    glm::dvec3 result(0);
+    bool good = parts.size() == 3;
+    for (int i = 0; good && i < 3; ++i) {
+        const auto number = plainOrWithUnit(parts[static_cast<std::size_t>(i)], unit);
+        good = number.has_value();
+        result[i] = number.value_or(0);
+    }
+    if (!good)
+        throw Failure(Blame::usage,
+                      option + " \"" + text + "\": give three numbers, such as " + option + " 1.5,2,-0.5.");
+    return result;
+}
+
+glm::ivec2 parseSize(const std::string& option, const std::string& text, const std::string& what,
+                     const std::string& such)
+{
+    const std::vector<std::string> parts = split(text, 'x');
+    glm::ivec2 size(0);
+    for (int i = 0; parts.size() == 2 && i < 2; ++i) {
+        const auto number = render::parseNumber(parts[static_cast<std::size_t>(i)]);
+        if (number && *number >= 1 && *number <= 1e6 && *number == std::floor(*number))
+            size[i] = static_cast<int>(*number);
+    }
+    if (size.x < 1 || size.y < 1)
+        throw Failure(Blame::usage, option + " \"" + text + "\": give " + what + ", each from 1 to 1000000, such as " +
+                                        option + ' ' + such + '.');
+    return size;
+}
+
+void addCameraOptions(CLI::App& command, PictureOptions& o, const std::string& heading)
+{
+    const auto add = [&](const char* name, auto& value, const char* help) {
+        return command.add_option(name, value, help)->group(heading);
+    };
+    addNumber(command, "--time", o.time, {.unit = Unit::second}, "Seconds on the exhibit's clock")
+        ->default_str("0")
+        ->group(heading);
+    addNumber(command, "--seed", o.seed, {0, 4294967295.0}, "Seed of the random numbers")
+        ->default_str("1")
+        ->group(heading);
+    add("--eye", o.eye, "Where the camera is: x,y,z in meters (the exhibit's own space with --alone)");
+    add("--target", o.target, "What it looks at: x,y,z in meters");
+    addNumber(command, "--fov", o.fovDegrees, {1, 175, Unit::degree}, "Vertical field of view in degrees")
+        ->group(heading);
+}
+
+void addSceneOptions(CLI::App& command, PictureOptions& o, const std::string& heading)
+{
+    const auto add = [&](const char* name, auto& value, const char* help) {
+        return command.add_option(name, value, help)->group(heading);
+    };
+    add("--preset", o.preset,
+        "A shipped preset of the exhibit by its name, or a file: a preset, an exhibition, or a picture that carries "
+        "one, which also says how it was taken: size, samples, time, seed, camera, --alone, --transparent, --rotate, "
+        "--scale; options that are given take precedence");
+    command
+        .add_flag("--settings-only", o.settingsOnly,
+                  "Take only the settings and the camera of the picture that --preset names, not how it was taken")
+        ->group(heading);
+    add("--set", o.sets, "name=value, or exhibit.name=value; plain numbers are in SI units")
+        ->take_all()
+        ->allow_extra_args(true);
+    add("--animate", o.motions,
+        "name=kind:from:to, then what the kind goes by: name=sine:0.1:0.9:period=4; --time says when")
+        ->take_all()
+        ->allow_extra_args(true);
+    addCameraOptions(command, o, heading);
+    add("--scale", o.scale, "Scales the exhibit: x,y,z; negative mirrors");
+    add("--rotate", o.rotate, "Turns the exhibit about x, then y, then z: degrees");
+    command.add_flag("--alone", o.alone, "Only the exhibit, in the environment's light")->group(heading);
+    addNumber(command, "--samples", o.samples, {1, 4096},
+              "Samples per pixel; without it as in the picture of --preset, else 4, or the hall's supersamples where a "
+              "preset or --set changes them")
+        ->group(heading);
+    command.add_flag("--transparent", o.transparent, "Nothing around the exhibit: alpha 0 there")->group(heading);
+    add("--environment", o.environment, "A panorama in place of the sky");
+    add("--model", o.model, "A glTF object for the free plinth");
+}
+
+void addPictureOptions(CLI::App& command, PictureOptions& o)
+{
+    command.add_option("--size", o.size, "Width x height in pixels")
+        ->each([](const std::string& typed) { (void)parseSize("--size", typed); })
+        ->default_str(usualPictureSize);
+    addSceneOptions(command, o);
+    command.add_flag("--run-everything", o.everything,
+                     "Run every pass, called for or not: the picture must not change");
+    command.add_option("--channels", o.channels, "color,depth,normal,evaluations (EXR)")->default_str("color");
+}
+
+namespace {
+
+/// Reads the files that values name, which may add parameters, and updates the tables. Throws Failure (Blame::file) if
+/// one cannot be read.
+void readTables(const Museum& museum, SceneState& sceneState, std::vector<std::string>& notes)
+{
+    TabledSceneState read = museum.readTables(sceneState);
+    if (!read.unreadable.empty()) throw Failure(Blame::file, read.unreadable.front());
+    sceneState = std::move(read.sceneState);
+    notes.insert(notes.end(), read.notes.begin(), read.notes.end());
+}
+
+/// Returns the index of the named parameter in its table.
+std::size_t rowNamed(const Museum& museum, const SceneState& sceneState, const Assignment& assignment,
+                     const std::string& option)
+{
+    const Parameters& table = sceneState.values[assignment.owner].table();
+    const auto row = table.find(assignment.name);
+    if (!row) {
+        std::vector<std::string> names;
+        for (const ParameterInfo& info : sceneState.values[assignment.owner].rows()) names.emplace_back(info.name);
+        throw Failure(Blame::usage, option + ' ' + assignment.name + ": " +
+                                        std::string(museum.subject(assignment.owner).name()) +
+                                        " has no parameter of that name" + didYouMean(assignment.name, names) +
+                                        " `vitrine list --json` names them.");
+    }
+    return *row;
+}
+
+/// Formats a value like `typed`: plain numbers in SI units, others in the parameter's displayed unit.
+std::string valueAsTyped(const ParameterInfo& row, const Value& value, const std::string& typed)
+{
+    const auto* number = std::get_if<double>(&value);
+    if (!number || !row.isNumeric()) return formatValue(row, value);
+    const bool isPlain = evaluate(typed, Unit::none).has_value();
+    return render::shortestNumber(isPlain ? *number : shown(*number, row.unit)) +
+           behindNumber(isPlain ? info(row.unit).storedSymbol : info(row.unit).symbol);
+}
+
+/// Makes the assignment, as described for `applySet`.
+void assign(const Museum& museum, SceneState& sceneState, const Assignment& assignment, std::vector<std::string>& notes)
+{
+    const auto& [owner, name, text] = assignment;
+    ParameterValues& values = sceneState.values[owner];
+    const std::size_t row = rowNamed(museum, sceneState, assignment, "--set");
+    const ParameterInfo& info = values.rows()[row];
+    const std::optional<Value> value = optionValue(info, text);
+    if (!value && info.isNumeric()) refuseDecimalComma("--set " + name, text);
+    if (!value || !nearestLegal(info, *value))
+        throw Failure(Blame::usage, "--set " + name + ": \"" + text + "\" is no value for it" +
+                                        didYouMean(text, {info.choices.begin(), info.choices.end()}) + " give " +
+                                        whatItTakes(info, text) + '.');
+    values.setMotion(row, std::nullopt);  // An explicit value ends an animation of the preset.
+    if (!values.chooseFile(row, *value) && info.kind != Kind::direction)
+        notes.push_back(
+            "--set " + name + ": " + text + " was brought to " + valueAsTyped(info, values.row(row), text) +
+            ", the nearest that is allowed (" + whatItTakes(info, text) +
+            (info.unit == Unit::degree && evaluate(text, Unit::none) ? "; degrees are written " + text + "deg" : "") +
+            ").");
+}
+
+}  // namespace
+
+void applySets(const Museum& museum, SceneState& sceneState, std::size_t subject,
+               const std::vector<std::string>& assignments, std::vector<std::string>& notes)
+{
+    std::vector<Assignment> rest;
+    for (const std::string& text : assignments) {
+        Assignment a = assignmentOf(museum, subject, text);
+        const auto row = sceneState.values[a.owner].table().find(a.name);
+        if (row && sceneState.values[a.owner].rows()[*row].givesRows)
+            assign(museum, sceneState, a, notes);
+        else
+            rest.push_back(std::move(a));
+    }
+    readTables(museum, sceneState, notes);
+    for (const Assignment& a : rest) assign(museum, sceneState, a, notes);
+}
+
+void applySet(const Museum& museum, SceneState& sceneState, std::size_t subject, const std::string& assignment,
+              std::vector<std::string>& notes)
+{
+    assign(museum, sceneState, assignmentOf(museum, subject, assignment), notes);
+}
+
+NamedRow namedRow(const Museum& museum, const SceneState& sceneState, std::size_t subject, const std::string& name,
+                  const std::string& option)
+{
+    const Assignment a = assignmentOf(museum, subject, name + '=', option);
+    return {a.owner, rowNamed(museum, sceneState, a, option)};
+}
+
+void applyMotion(const Museum& museum, SceneState& sceneState, std::size_t subject, const std::string& assignment)
+{
+    const Assignment a = assignmentOf(museum, subject, assignment, "--animate", "morph=sine:0.1:0.9:period=4");
+    const std::size_t row = rowNamed(museum, sceneState, a, "--animate");
+    ParameterValues& values = sceneState.values[a.owner];
+    const ParameterInfo& info = values.rows()[row];
+    values.setMotion(row, typedMotion(info, "--animate " + a.name, a.text,
+                                      [&info](const std::string& text) { return optionValue(info, text); }));
+}
+
+RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& options)
+{
+    return requestedPicture(museum, options, museum.initialSceneState(), std::nullopt);
+}
+
+namespace {
+
+/// Returns the camera of the preset, in the space of the picture, or else the best view of the subject.
+render::Camera chosenCamera(const Museum& museum, const RequestedPicture& job, bool alone)
+{
+    if (job.taken && job.taken->camera && job.taken->alone == alone) return *job.taken->camera;
+    const render::Camera& camera = job.sceneState.camera;
+    // Cameras of presets are in the hall's space. If the exhibit is alone, its own space is the world.
+    if (job.cameraFromPreset)
+        return alone ? camera.transformed(glm::inverse(museum.worldFromExhibit(job.subject))) : camera;
+    if (job.subject == hallIndex) return camera;
+    const ParameterValues& values = job.sceneState.values[job.subject];
+    return alone ? museum.subject(job.subject).bestView(values) : museum.bestView(job.subject, values);
+}
+
+/// Returns the samples per pixel if no option gives them. `supersamples` is the hall's value in the preset.
+int chosenSamples(const RequestedPicture& job, int supersamples)
+{
+    const HallTable names;
+    const ParameterValues& hall = job.sceneState.hall();
+    const bool setHere = hall[names.supersamples] != supersamples;
+    if (setHere) return hall[names.supersamples];
+    return job.taken ? job.taken->samples : usualSamples(hall);
+}
+
+}  // namespace
+
+RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& options, SceneState start,
+                                  const std::optional<render::Camera>& startCamera,
+                                  std::optional<PictureRecord> startTaken)
+{
+    const auto subject = museum.find(options.subject);
+    if (!subject)
+        throw Failure(Blame::usage, "There is no exhibit \"" + options.subject + '"' +
+                                        didYouMean(options.subject, namesOf(museum)) + " `vitrine list` names them.");
+    const bool isHall = *subject == hallIndex;
+    if (isHall && options.alone)
+        throw Failure(Blame::usage, "--alone: the hall cannot be shown without the hall; name an exhibit.");
+
+    RequestedPicture job;
+    job.subject = *subject;
+    job.sceneState = std::move(start);
+    if (startCamera) job.sceneState.camera = *startCamera;
+    job.cameraFromPreset = startCamera.has_value();
+    job.taken = std::move(startTaken);
+    if (!options.preset.empty()) {
+        const std::string leftOut = applyPreset(museum, options.preset, job);
+        if (options.settingsOnly)
+            job.taken.reset();
+        else if (!leftOut.empty())
+            job.notes.push_back(leftOut);
+    }
+    const PictureRecord* taken = job.taken ? &*job.taken : nullptr;
+    const HallTable names;
+    const int supersamples = job.sceneState.hall()[names.supersamples];
+    applySets(museum, job.sceneState, *subject, options.sets, job.notes);
+    for (const std::string& motion : options.motions) applyMotion(museum, job.sceneState, *subject, motion);
+    ParameterValues& hall = job.sceneState.hall();
+    if (!options.environment.empty()) hall.set(names.environment, options.environment);
+    if (!options.model.empty()) hall.set(names.objects.front().model, options.model);
+
+    FrameRequest& frame = job.request.frame;
+    const bool alone = options.alone || (taken && taken->alone);
+    render::Camera camera = chosenCamera(museum, job, alone);
+    setCamera(options, camera);
+    frame.camera = camera;
+    job.sceneState.camera = camera;
+    frame.raster.size = !options.size.empty() ? parseSize("--size", options.size)
+                        : taken               ? taken->size
+                                              : parseSize("--size", usualPictureSize);
+    frame.time = options.time.value_or(taken ? taken->time : 0);
+    if (!std::isfinite(frame.time)) throw Failure(Blame::usage, "--time: give a finite number of seconds.");
+    frame.seed = options.seed.value_or(taken ? taken->seed : 1);
+    frame.transparent = options.transparent || (taken && taken->transparent);
+    if (frame.transparent && !alone && !isHall) frame.cutOut = *subject;
+    frame.runEverything = options.everything;
+    frame.needsFiles = true;  // A missing file must fail: a picture without a named object would be wrong.
+    frame.exhibitTransform = exhibitTransform(options, taken);
+    if (alone)
+        frame.alone = *subject;
+    else if (!isHall)
+        frame.subject = *subject;
+    job.request.samples = options.samples > 0 ? options.samples : chosenSamples(job, supersamples);
+    setChannels(options, taken, job.request);
+    return job;
+}
+
+}  // namespace vitrine::app

@@ -1,0 +1,94 @@
+#include "app/kit/table_json.h"
+
+#include "exhibits/compare/offered_comparison.h"
+#include "exhibits/framework/scene/exhibit.h"
+#include "exhibits/framework/table/derive.h"
+#include "exhibits/framework/table/preset_values.h"
+
+namespace vitrine::app {
+namespace {
+
+using render::Json;
+
+/// Returns {"test": "all", "parts": [...]}, or {"test": "among", "row": "sunBy", "values": ["angles"]}.
+Json conditionJson(const Condition& condition, const Parameters& table)
+{
+    Json json{{"test", std::string(toString(condition.test))}};
+    if (condition.row.empty()) {
+        json["parts"] = Json::array();
+        for (const Condition& part : condition.parts) json["parts"].push_back(conditionJson(part, table));
+        return json;
+    }
+    const ParameterInfo& row = table.rows()[table.find(condition.row).value()];
+    json["row"] = std::string(condition.row);
+    json["values"] = Json::array();
+    for (const double value : condition.values) json["values"].push_back(jsonFromValue(row, value));
+    return json;
+}
+
+/// Returns a parameter. Numbers are in SI units, and `unit` names that unit.
+Json rowJson(const ParameterInfo& row, const Parameters& table)
+{
+    Json choices = Json::array();
+    for (const std::string_view choice : row.choices) choices.push_back(std::string(choice));
+    Json quality = nullptr;
+    if (row.qualityReference) quality = Json{{"reference", jsonFromValue(row, *row.qualityReference)}};
+    Json when = nullptr;
+    if (row.actsWhen) when = conditionJson(*row.actsWhen, table);
+    return Json{{"name", std::string(row.name)},
+                {"label", label(row)},
+                {"group", std::string(row.group)},
+                {"kind", std::string(toString(row.kind))},
+                {"unit", std::string(info(row.unit).storedSymbol)},
+                {"low", row.range.low},
+                {"high", row.range.high},
+                {"softLow", row.range.softLow},
+                {"softHigh", row.range.softHigh},
+                {"scale", std::string(toString(row.range.scale))},
+                {"initial", jsonFromValue(row, row.initial)},
+                {"help", std::string(row.help)},
+                {"choices", choices},
+                {"quality", quality},
+                {"actsWhen", when}};
+}
+
+/// Returns the comparisons that the subject offers, with the parameters that they change.
+Json comparisonsJson(const Subject& subject, const Parameters& table)
+{
+    Json all = Json::array();
+    for (const OfferedComparison& offered : offeredComparisons(subject)) {
+        Json values = Json::object();
+        for (const auto& [name, value] : offered.rows)
+            if (const auto row = table.find(name)) values[std::string(name)] = jsonFromValue(table.rows()[*row], value);
+        all.push_back(
+            Json{{"name", offered.name}, {"title", offered.title}, {"help", offered.help}, {"values", values}});
+    }
+    return all;
+}
+
+}  // namespace
+
+Json exhibitJson(std::string_view name, std::string_view title, std::string_view summary, const Parameters& table,
+                 const Subject* subject)
+{
+    Json rows = Json::array();
+    for (const ParameterInfo& row : table.rows()) rows.push_back(rowJson(row, table));
+    const auto* exhibit = dynamic_cast<const Exhibit*>(subject);
+    return Json{
+        {"name", std::string(name)},   {"complete", !exhibit || exhibit->isComplete()},
+        {"title", std::string(title)}, {"summary", std::string(summary)},
+        {"parameters", rows},          {"comparisons", subject ? comparisonsJson(*subject, table) : Json::array()}};
+}
+
+Json exhibitsJson(const Museum& museum, const SceneState& sceneState)
+{
+    Json all = Json::array();
+    for (std::size_t i = 0; i < museum.subjects().size(); ++i) {
+        const Subject& subject = museum.subject(i);
+        all.push_back(
+            exhibitJson(subject.name(), subject.title(), subject.summary(), sceneState.values[i].table(), &subject));
+    }
+    return all;
+}
+
+}  // namespace vitrine::app

@@ -1,0 +1,150 @@
+#include "exhibits/framework/files/picture_record.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace vitrine {
+namespace {
+
+using render::Json;
+
+constexpr std::array<std::string_view, 10> keysOfRecord{"size",        "samples",  "time",      "seed",   "alone",
+                                                        "transparent", "channels", "transform", "camera", "language"};
+constexpr double mostPixelsOnASide = 1e6;
+constexpr double mostSamplesPerPixel = 4096;
+
+/// A channel beyond color, with its name in files.
+struct NamedChannel {
+    const char* name;
+    bool& (*of)(PictureRecord&);
+};
+constexpr std::array<NamedChannel, 3> namedChannels{
+    {{"depth", [](PictureRecord& r) -> bool& { return r.depth; }},
+     {"normal", [](PictureRecord& r) -> bool& { return r.channels.normal; }},
+     {"evaluations", [](PictureRecord& r) -> bool& { return r.channels.evaluations; }}}};
+
+double wholeNumber(const Json& json, const JsonPlace& place, double low, double high)
+{
+    if (!json.is_number_integer() || json.get<double>() < low || json.get<double>() > high)
+        throw place.failure(message("this must be a whole number from {1} to {2}; correct it there.",
+                                    static_cast<std::int64_t>(low), static_cast<std::int64_t>(high)));
+    return json.get<double>();
+}
+
+bool truth(const Json& json, const JsonPlace& place)
+{
+    if (!json.is_boolean()) throw place.failure(message("this must be true or false; correct it there."));
+    return json.get<bool>();
+}
+
+bool isNumbers(const Json& json, std::size_t count)
+{
+    return json.is_array() && json.size() == count &&
+           std::all_of(json.begin(), json.end(), [](const Json& x) { return x.is_number(); });
+}
+
+glm::ivec2 sizeFrom(const Json& json, const JsonPlace& place)
+{
+    if (!isNumbers(json, 2)) throw place.failure(message("this must be an array of two numbers; correct it there."));
+    return {static_cast<int>(wholeNumber(json[0], place, 1, mostPixelsOnASide)),
+            static_cast<int>(wholeNumber(json[1], place, 1, mostPixelsOnASide))};
+}
+
+/// Returns the rows of the matrix's upper left 3 x 3.
+Json matrixRows(const glm::dmat4& m)
+{
+    Json rows = Json::array();
+    for (int row = 0; row < 3; ++row) rows.push_back(Json::array({m[0][row], m[1][row], m[2][row]}));
+    return rows;
+}
+
+glm::dmat4 transformFrom(const Json& json, const JsonPlace& place)
+{
+    glm::dmat4 m(1);
+    const bool good = json.is_array() && json.size() == 3 &&
+                      std::all_of(json.begin(), json.end(), [](const Json& row) { return isNumbers(row, 3); });
+    if (!good) throw place.failure(message("this must be three arrays of three numbers; correct it there."));
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column)
+            m[column][row] = json[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)].get<double>();
+    const double volume = std::abs(glm::determinant(m));
+    if (!(volume > 0) || !std::isfinite(volume))
+        throw place.failure(message("this matrix leaves nothing to draw; correct it there."));
+    return m;
+}
+
+void readChannels(const Json& json, const JsonPlace& place, PictureRecord& record)
+{
+    if (!json.is_array()) throw place.failure(message("this must be an array of names; correct it there."));
+    for (const Json& name : json) {
+        const auto* known = std::find_if(namedChannels.begin(), namedChannels.end(),
+                                         [&](const NamedChannel& channel) { return name == channel.name; });
+        if (known == namedChannels.end())
+            throw place.failure(message("give depth, normal or evaluations; correct it there."));
+        known->of(record) = true;
+    }
+}
+
+}  // namespace
+
+bool PictureRecord::isOfTheHall() const
+{
+    return !alone && !transparent && exhibitTransform == glm::dmat4(1);
+}
+
+Json jsonFromPictureRecord(const PictureRecord& record)
+{
+    Json json = Json::object();
+    json["size"] = Json::array({record.size.x, record.size.y});
+    json["samples"] = record.samples;
+    json["time"] = record.time;
+    json["seed"] = record.seed;
+    if (record.alone) json["alone"] = true;
+    if (record.transparent) json["transparent"] = true;
+    Json channels = Json::array();
+    PictureRecord read = record;
+    for (const NamedChannel& channel : namedChannels)
+        if (channel.of(read)) channels.push_back(channel.name);
+    if (!channels.empty()) json["channels"] = std::move(channels);
+    if (record.exhibitTransform != glm::dmat4(1)) json["transform"] = matrixRows(record.exhibitTransform);
+    if (record.camera) json["camera"] = jsonFromCamera(*record.camera, Json::object());
+    if (record.language != "en") json["language"] = record.language;
+    return json;
+}
+
+PictureRecord pictureRecordFromJson(const Json& json, const JsonPlace& place, std::vector<std::string>& notes)
+{
+    if (!json.is_object()) throw place.failure(message("this must be an object; correct it there."));
+    PictureRecord record;
+    const auto read = [&](const char* key, const auto& take) {
+        if (json.contains(key)) take(json[key], place.inside(key));
+    };
+    using At = const JsonPlace&;
+    read("size", [&](const Json& x, At at) { record.size = sizeFrom(x, at); });
+    read("samples",
+         [&](const Json& x, At at) { record.samples = static_cast<int>(wholeNumber(x, at, 1, mostSamplesPerPixel)); });
+    read("time", [&](const Json& x, At at) {
+        if (!x.is_number()) throw at.failure(message("this must be a number of seconds; correct it there."));
+        record.time = x.get<double>();
+    });
+    read("seed", [&](const Json& x, At at) {
+        record.seed = static_cast<std::uint32_t>(wholeNumber(x, at, 0, std::numeric_limits<std::uint32_t>::max()));
+    });
+    read("alone", [&](const Json& x, At at) { record.alone = truth(x, at); });
+    read("transparent", [&](const Json& x, At at) { record.transparent = truth(x, at); });
+    read("channels", [&](const Json& x, At at) { readChannels(x, at, record); });
+    read("transform", [&](const Json& x, At at) { record.exhibitTransform = transformFrom(x, at); });
+    read("camera", [&](const Json& x, At at) { record.camera = cameraFromJson(x, at, notes); });
+    read("language", [&](const Json& x, At at) {
+        if (!x.is_string()) throw at.failure(message("this must be the code of a language; correct it there."));
+        record.language = x.get<std::string>();
+    });
+    for (const auto& [key, value] : json.items())
+        if (std::find(keysOfRecord.begin(), keysOfRecord.end(), key) == keysOfRecord.end())
+            notes.push_back("picture." + key + " is not known here; it is left out");
+    return record;
+}
+
+}  // namespace vitrine

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "exhibits/framework/scene/frame_request.h"
+#include "exhibits/framework/table/preset_values.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vitrine {
+
+/// How a picture was taken, besides all settings. Both together reproduce the picture bit by bit. Inside the exhibition
+/// that a picture file contains, it is stored under "picture":
+///
+///     {"size": [640, 360], "samples": 4, "time": 0.0, "seed": 1}
+///
+/// Optional keys: "alone": true, "transparent": true, "channels" beyond color (["depth", "normal", "evaluations"]),
+/// "transform" (rows of the 3 x 3 matrix of scale and rotation), "camera" if it was not the exhibition's, and
+/// "language" of the plaques if it was not English.
+struct PictureRecord {
+    glm::ivec2 size{640, 360};  ///< Pixels.
+    int samples = 4;            ///< Per pixel.
+    double time = 0;            ///< Seconds.
+    std::uint32_t seed = 1;
+    bool alone = false;        ///< Only the selected exhibit; `camera` is then in its own space.
+    bool transparent = false;  ///< No background; in the hall, the selected exhibit is cut out.
+    bool depth = false;        ///< The channel "depth.Z" was added.
+    Channels channels{};
+    glm::dmat4 exhibitTransform{1};  ///< Scale and rotation of the selected exhibit around its own origin.
+    std::optional<render::Camera> camera{};
+    std::string language = "en";
+
+    /// Returns whether the same picture can be taken of the hall, without naming the exhibit.
+    [[nodiscard]] bool isOfTheHall() const;
+};
+
+[[nodiscard]] render::Json jsonFromPictureRecord(const PictureRecord&);
+
+/// Parses a record. Missing keys keep their initial values; unknown ones are dropped with a note. Throws Failure naming
+/// file, line and key for a wrong type or a value out of range.
+[[nodiscard]] PictureRecord pictureRecordFromJson(const render::Json&, const JsonPlace&,
+                                                  std::vector<std::string>& notes);
+
+}  // namespace vitrine

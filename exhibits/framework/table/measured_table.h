@@ -1,0 +1,34 @@
+#pragma once
+
+#include "exhibits/framework/table/parameters.h"
+#include "render/plan/render_backend.h"
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace vitrine {
+
+/// Measurement of a table in progress.
+class TableMeasurement {
+public:
+    virtual ~TableMeasurement() = default;
+    /// Measures one part and returns whether there is another. Call it always with the same backend, which must time
+    /// its steps.
+    virtual bool step(render::RenderBackend&) = 0;
+    /// Finished share, 0 to 1.
+    [[nodiscard]] virtual double progress() const = 0;
+    /// Returns the results so far as comma-separated values: a line of names, then one line per row.
+    [[nodiscard]] virtual std::string csv() const = 0;
+};
+
+/// Capability: a special table of measurements, besides studies of its parameters.
+class MeasuresTable {
+public:
+    virtual ~MeasuresTable() = default;
+    [[nodiscard]] virtual std::string_view tableTitle() const = 0;
+    /// Starts with these values. Throws Failure if a file that they name cannot be read. Thread-safe.
+    [[nodiscard]] virtual std::unique_ptr<TableMeasurement> measureTable(const ParameterValues&) const = 0;
+};
+
+}  // namespace vitrine

@@ -1,0 +1,556 @@
+#pragma once
+
+#include "exhibits/framework/table/condition.h"
+#include "exhibits/framework/table/motion.h"
+#include "exhibits/framework/table/units.h"
+#include "exhibits/framework/table/value.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <initializer_list>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace vitrine {
+
+enum class Kind : std::uint8_t { real, count, toggle, choice, color, direction, file, text };
+enum class Scale : std::uint8_t { linear, logarithmic };
+
+/// "real", "count", ... as `vitrine list --json` prints them.
+[[nodiscard]] std::string_view toString(Kind);
+[[nodiscard]] std::string_view toString(Scale);
+
+/// The legal closed interval of a number and, inside it, the comfortable one that the slider spans.
+/// `scale` shapes the slider and spaces the points of an accuracy study.
+struct Range {
+    double low;
+    double high;
+    Scale scale;
+    double softLow;
+    double softHigh;
+
+    // No aggregate: as the argument of a member's initializer, one with initializers that read each other ends GCC 13
+    // with an internal error.
+    constexpr Range() : Range(0, 1) {}
+    constexpr Range(double from, double to, Scale shape = Scale::linear) : Range(from, to, shape, from, to) {}
+    constexpr Range(double from, double to, Scale shape, double softFrom, double softTo)
+        : low(from), high(to), scale(shape), softLow(softFrom), softHigh(softTo)
+    {
+    }
+
+    [[nodiscard]] constexpr Range soft(double from, double to) const { return {low, high, scale, from, to}; }
+    bool operator==(const Range&) const = default;
+};
+
+/// A number that means something else than a number: shown as this word, and typed as it.
+struct Word {
+    double value = 0;
+    std::string_view text;  ///< "auto".
+
+    bool operator==(const Word&) const = default;
+};
+
+/// Value that another parameter takes when a parameter is given: a file of views sets where the views come from.
+struct Implication {
+    std::string_view parameter;
+    double value = 0;
+
+    bool operator==(const Implication&) const = default;
+};
+
+/// Traits of a parameter of a job: how it is given on the command line, by the service and in a settings document.
+struct GivenAs {
+    std::string_view option;   ///< Name on the command line, without dashes; empty: the parameter's name, "frame-rate".
+    Unit unit = Unit::none;    ///< Unit of a plain number on the command line; none: SI.
+    std::string_view tuple;    ///< Neighbors with the same tuple are one option and one JSON array; empty: none.
+    char separator = 0;        ///< Character between the values of a tuple on the command line: "64x48".
+    bool mustBeGiven = false;  ///< Refused where neither the command line nor the settings document gives it.
+    bool positional = false;   ///< A word of its own on the command line, without an option.
+    std::vector<Implication> implies = {};
+
+    bool operator==(const GivenAs&) const = default;
+};
+
+/// One row of a parameter table.
+///
+/// Everything the program says about a parameter is said here: the slider and its tooltip, the key in
+/// a preset, the command line flag, the field of the uniform block, the line in the manual, the points
+/// of the accuracy study and the random values of the tests are all derived from this row.
+struct ParameterInfo {
+    std::string_view name;   ///< The member it initializes; preset key, flag and GLSL field.
+    std::string_view group;  ///< Heading in the panel; empty before the first `group`.
+    std::string_view help;   ///< One or two sentences: what it does, what low and high look like.
+    Kind kind = Kind::real;
+    Unit unit = Unit::none;  ///< How to show it; `range` and `initial` are in SI.
+    Range range;
+    Value initial;
+    std::vector<std::string_view> choices = {};   ///< Names, for Kind::choice only.
+    std::optional<double> qualityReference = {};  ///< The value that counts as exact, when accuracy costs time.
+    bool exactByMeaning = false;  ///< Nothing is approximated there; else that it is exact has to be checked.
+    std::optional<Condition> actsWhen = {};  ///< When it changes anything that can be seen; nothing: always.
+    std::string_view called = {};            ///< Its label where `name` does not read as one.
+    std::vector<Word> words = {};            ///< For a real or a count; values may lie outside of `range`.
+    bool groupFolded = false;                ///< Whether the panel shows its group folded at first.
+    std::string_view endings = {};           ///< For Kind::file: what a dialog offers, "glb gltf"; empty: everything.
+    bool givesRows = false;                  ///< For Kind::file and text: what it names or is gives further rows.
+    std::string_view shipped = {};           ///< For Kind::file: a folder of assets with files that a bare name means.
+    std::string_view array = {};             ///< The array of groups that it belongs to: "coats"; empty: none.
+    std::size_t element = 0;                 ///< Which group of that array, from 0.
+    std::string_view elementRow = {};        ///< Its name within each of these groups: "length" of "ballLength".
+    std::string_view documentOf = {};        ///< For Kind::text: the file row that it stands in for or belongs to.
+    bool several = false;                    ///< For Kind::file and text: each line is a value of its own.
+    GivenAs given = {};
+
+    /// Whether its values are numbers, with others between them: a real or a count.
+    [[nodiscard]] bool isNumeric() const { return kind == Kind::real || kind == Kind::count; }
+    /// Whether its values are strings: it is nothing for shaders and sweeps.
+    [[nodiscard]] bool isWritten() const { return kind == Kind::file || kind == Kind::text; }
+    /// The word for this value; null: none.
+    [[nodiscard]] const Word* wordFor(double value) const;
+    bool operator==(const ParameterInfo&) const = default;
+};
+
+/// "Shell count" for "shellCount", or what the row is called.
+[[nodiscard]] std::string label(const ParameterInfo&);
+/// The label under the heading of its group, whose word it need not repeat: "Length" for "Ball length" in "Coat of the
+/// ball".
+[[nodiscard]] std::string labelInGroup(const ParameterInfo&);
+
+/// The legal value nearest to `value`, or nothing when its type or a NaN leaves no nearest one.
+[[nodiscard]] std::optional<Value> nearestLegal(const ParameterInfo&, const Value& value);
+
+/// Returns why a parameter of this description cannot be animated, as a full sentence; empty: it can.
+///  - files and texts: every value would have to be read;
+///  - parameters of accuracy (`quality`): they determine costs and image sizes, and are set by studies and by the
+///    renderer itself.
+/// All others can. A count, choice or switch may select a shader or mesh of its own; that is made when it first occurs
+/// and reused afterwards.
+[[nodiscard]] std::string_view whyUnmoved(const ParameterInfo&);
+
+/// Typed handles: the index of a row, and the type its value reads back as.
+template <typename T> struct Parameter {
+    std::uint16_t row;
+};
+using Real = Parameter<double>;
+using Count = Parameter<int>;
+using Toggle = Parameter<bool>;
+struct ColorValue {
+    glm::dvec3 value;
+};
+struct DirectionValue {
+    glm::dvec3 value;
+};
+using Color = Parameter<ColorValue>;
+using Direction = Parameter<DirectionValue>;
+using File = Parameter<std::string>;
+using Text = Parameter<std::string>;
+template <typename Enum> using Choice = Parameter<Enum>;
+
+class ParameterValues;
+
+/// A parameter table. Derive from it and declare each parameter as one member:
+///
+///     struct Table final : Parameters {
+///         Group shape = group("Shape");
+///         Real morph = real("morph", 0.5, none, {0, 1}, "0 is a torus, 1 is a mug.");
+///         Count stepLimit = count("stepLimit", 96, {1, 512, logarithmic}, "Steps a ray may take.", quality(512));
+///         Choice<NormalMethod> normalMethod = choice("normalMethod", NormalMethod::central,
+///             {"forward", "tetrahedron", "central"}, "How the normal is estimated.", quality(NormalMethod::central));
+///     };
+///
+/// A table copies every text that it is given, so it can be made of a file that is read at run time as well:
+/// `MadeTable`, `TableFromFiles::tableFor`. Values of a table that a std::shared_ptr owns keep it alive; any other has
+/// to outlive its values.
+class Parameters : public std::enable_shared_from_this<Parameters> {
+public:
+    Parameters(const Parameters&) = delete;  // Handles are only meaningful to their own table.
+    Parameters& operator=(const Parameters&) = delete;
+    Parameters() = default;  // An empty table is a table.
+    ~Parameters() = default;
+
+    [[nodiscard]] std::span<const ParameterInfo> rows() const { return rows_; }
+    /// Whether the other table says the same of the same rows.
+    [[nodiscard]] bool hasRowsOf(const Parameters& other) const { return rows_ == other.rows_; }
+    [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const;
+    [[nodiscard]] ParameterValues initial() const;
+
+    /// Heading of the parameters declared after it.
+    struct Group {
+        std::string_view title;
+    };
+
+protected:
+    using enum Unit;  // So that a row reads `meter`, not `Unit::meter`.
+    using enum Scale;
+
+    /// One group of an array: "ball" stands before the names of its rows, the heading above them.
+    struct Element {
+        std::string_view name;
+        std::string_view heading;
+    };
+
+    /// Radians: for initial values and ranges of angles. The inverse of how `Unit::degree` shows them, to the last bit
+    /// for most.
+    [[nodiscard]] static constexpr double degrees(double angle) { return angle / (180 / std::numbers::pi); }
+
+    // What may be said of a row after its help, in any order:
+    struct Quality {
+        std::optional<double> reference;
+        bool byMeaning;
+    };
+    /// Accuracy costs time, and `reference` is as near to exact as the row comes; a study checks how near.
+    [[nodiscard]] static Quality quality(double reference) { return {reference, false}; }
+    /// The same, but at `reference` the row approximates nothing: a closed form, or an approximation that is off.
+    [[nodiscard]] static Quality exactAt(double reference) { return {reference, true}; }
+    template <typename Enum>
+    requires std::is_enum_v<Enum>
+    [[nodiscard]] static Quality quality(Enum reference) { return quality(static_cast<double>(reference)); }
+    template <typename Enum>
+    requires std::is_enum_v<Enum>
+    [[nodiscard]] static Quality exactAt(Enum reference) { return exactAt(static_cast<double>(reference)); }
+    /// Of the files that a file row reads, with blanks between: "glb gltf".
+    struct Endings {
+        std::string_view text;
+    };
+    [[nodiscard]] static Endings endings(std::string_view text) { return {text}; }
+    struct Shipped {
+        std::string_view folder;
+    };
+    /// Of a file row: a name without a folder means a file of this folder of assets, where it has one of that name
+    /// (`filePath`).
+    [[nodiscard]] static Shipped shippedIn(std::string_view folder) { return {folder}; }
+    struct GivesRows {};
+    /// Of a file row: `TableFromFiles::tableFor` makes further rows of its file.
+    [[nodiscard]] static GivesRows givesRows() { return {}; }
+    struct Called {
+        std::string_view text;
+    };
+    [[nodiscard]] static Called called(std::string_view text) { return {text}; }
+    /// `value` is shown and typed as this word. It may lie outside of the parameter's range, even be infinite. Several
+    /// may be given.
+    [[nodiscard]] static Word reads(double value, std::string_view word) { return {value, word}; }
+    struct Option {
+        std::string_view name;
+        Unit unit;
+    };
+    /// Name on the command line, without dashes, and the unit of a plain number there.
+    [[nodiscard]] static Option option(std::string_view name, Unit unit = none) { return {name, unit}; }
+    /// Unit of a plain number on the command line.
+    [[nodiscard]] static Option typedIn(Unit unit) { return {{}, unit}; }
+    struct Tuple {
+        std::string_view name;
+        char separator;
+    };
+    /// Makes neighbors one option of the command line, "--size 64x48", and one array of a settings document.
+    [[nodiscard]] static Tuple tuple(std::string_view name, char separator) { return {name, separator}; }
+    struct Several {};
+    /// Makes a file or text parameter a list with one value per line. A path with a line break is refused.
+    [[nodiscard]] static Several several() { return {}; }
+    struct MustBeGiven {};
+    [[nodiscard]] static MustBeGiven mustBeGiven() { return {}; }
+    struct Positional {};
+    /// Makes the parameter an argument without an option name on the command line, in the order of the table.
+    [[nodiscard]] static Positional positional() { return {}; }
+    struct OfFile {
+        std::string_view file;
+    };
+    /// Marks a text that names something in the file. Choosing another file resets it (`ParameterValues::chooseFile`).
+    [[nodiscard]] OfFile ofFile(File file) const { return {nameOf(file)}; }
+    /// Sets another parameter to a value if this parameter is given and the other one is not.
+    template <typename T> [[nodiscard]] Implication implies(Parameter<T> parameter, T value) const
+    {
+        return {nameOf(parameter), static_cast<double>(value)};
+    }
+    /// When the row acts: `when(...) && when(...)`, `when(...) || when(...)`.
+    [[nodiscard]] Condition when(Toggle row, bool on = true) const
+    {
+        return {Condition::Test::among, nameOf(row), {on ? 1.0 : 0.0}};
+    }
+    template <typename Enum>
+    requires std::is_enum_v<Enum>
+    [[nodiscard]] Condition when(Choice<Enum> row, Enum value) const { return when(row, {value}); }
+    template <typename Enum>
+    requires std::is_enum_v<Enum>
+    [[nodiscard]] Condition when(Choice<Enum> row, std::initializer_list<Enum> values) const
+    {
+        Condition condition{Condition::Test::among, nameOf(row)};
+        for (const Enum value : values) condition.values.push_back(static_cast<double>(value));
+        return condition;
+    }
+    template <typename Enum>
+    requires std::is_enum_v<Enum>
+    [[nodiscard]] Condition whenNot(Choice<Enum> row, Enum value) const
+    {
+        return {Condition::Test::differs, nameOf(row), {static_cast<double>(value)}};
+    }
+    [[nodiscard]] Condition when(Real row, double value) const
+    {
+        return {Condition::Test::among, nameOf(row), {value}};
+    }
+    [[nodiscard]] Condition whenNot(Real row, double value) const
+    {
+        return {Condition::Test::differs, nameOf(row), {value}};
+    }
+    [[nodiscard]] Condition whenAbove(Real row, double value) const
+    {
+        return {Condition::Test::above, nameOf(row), {value}};
+    }
+    [[nodiscard]] Condition whenAbove(Count row, double value) const
+    {
+        return {Condition::Test::above, nameOf(row), {value}};
+    }
+    [[nodiscard]] Condition whenGiven(File row) const { return {Condition::Test::given, nameOf(row)}; }
+    // Of a row further down, by its name and its value as a number:
+    [[nodiscard]] static Condition whenLater(std::string_view row, double value)
+    {
+        return {Condition::Test::among, row, {value}};
+    }
+    [[nodiscard]] static Condition whenLaterAbove(std::string_view row, double value)
+    {
+        return {Condition::Test::above, row, {value}};
+    }
+
+    /// Heading of the rows that follow.
+    Group group(std::string_view title);
+    /// The same; the panel shows the group folded until someone opens it.
+    Group foldedGroup(std::string_view title);
+
+    /// Groups with the same rows, one for each element: within `make(i)` a row "length" is "ballLength". Returns what
+    /// `make` returns, in the order of the elements.
+    template <typename Make> auto groups(std::string_view array, std::span<const Element> elements, const Make& make)
+    {
+        std::vector<decltype(make(std::size_t{0}))> made;
+        for (std::size_t i = 0; i < elements.size(); ++i) {
+            beginElement(array, i, elements[i]);
+            made.push_back(make(i));
+        }
+        endArray();
+        return made;
+    }
+
+    template <typename... Traits>
+    Real real(std::string_view name, double initial, Unit unit, Range range, std::string_view help,
+              const Traits&... traits)
+    {
+        return {append({name, group_, help, Kind::real, unit, range, initial}, traits...)};
+    }
+    template <typename... Traits>
+    Count count(std::string_view name, int initial, Range range, std::string_view help, const Traits&... traits)
+    {
+        return {append({name, group_, help, Kind::count, Unit::none, range, static_cast<double>(initial)}, traits...)};
+    }
+    template <typename... Traits>
+    Toggle toggle(std::string_view name, bool initial, std::string_view help, const Traits&... traits)
+    {
+        return {append({name, group_, help, Kind::toggle, Unit::none, {0, 1}, initial ? 1.0 : 0.0}, traits...)};
+    }
+    /// `initial` is linear Rec. 709, each component 0 to 1.
+    template <typename... Traits>
+    Color color(std::string_view name, glm::dvec3 initial, std::string_view help, const Traits&... traits)
+    {
+        return {append({name, group_, help, Kind::color, Unit::none, {0, 1}, initial}, traits...)};
+    }
+    /// `initial` is normalized here.
+    template <typename... Traits>
+    Direction direction(std::string_view name, glm::dvec3 initial, std::string_view help, const Traits&... traits)
+    {
+        return {append({name, group_, help, Kind::direction, Unit::none, {-1, 1}, glm::normalize(initial)}, traits...)};
+    }
+    template <typename... Traits> File file(std::string_view name, std::string_view help, const Traits&... traits)
+    {
+        return {append({name, group_, help, Kind::file, Unit::none, {0, 0}, std::string()}, traits...)};
+    }
+    /// A text that is typed: a name, or with `several` a list of them.
+    template <typename... Traits> Text text(std::string_view name, std::string_view help, const Traits&... traits)
+    {
+        return {append({name, group_, help, Kind::text, Unit::none, {0, 0}, std::string()}, traits...)};
+    }
+    /// The content of the file that `of` names, changed and not written to it yet; empty: as it is in the file. It
+    /// gives rows as the file does. Who chooses another file empties it (`ParameterValues::chooseFile`).
+    File document(std::string_view name, File of, std::string_view help)
+    {
+        ParameterInfo row{name, group_, help, Kind::text, Unit::none, {0, 0}, std::string()};
+        row.givesRows = true;
+        row.documentOf = nameOf(of);
+        return {append(std::move(row))};
+    }
+    template <typename Enum, typename... Traits>
+    Choice<Enum> choice(std::string_view name, Enum initial, std::initializer_list<std::string_view> names,
+                        std::string_view help, const Traits&... traits)
+    {
+        const double last = static_cast<double>(names.size()) - 1;
+        return {append({name, group_, help, Kind::choice, Unit::none, {0, last}, static_cast<double>(initial), names},
+                       traits...)};
+    }
+    /// For choices that are known at run time only; `initial` is an index, and there is at least one name.
+    template <typename... Traits>
+    Choice<int> choice(std::string_view name, int initial, std::span<const std::string> names, std::string_view help,
+                       const Traits&... traits)
+    {
+        const double last = static_cast<double>(names.size()) - 1;
+        return {append({name,
+                        group_,
+                        help,
+                        Kind::choice,
+                        Unit::none,
+                        {0, last},
+                        static_cast<double>(initial),
+                        {names.begin(), names.end()}},
+                       traits...)};
+    }
+
+private:
+    static void say(ParameterInfo& row, const Quality& quality)
+    {
+        row.qualityReference = quality.reference;
+        row.exactByMeaning = quality.byMeaning;
+    }
+    static void say(ParameterInfo& row, const Endings& endings) { row.endings = endings.text; }
+    static void say(ParameterInfo& row, const GivesRows&) { row.givesRows = true; }
+    static void say(ParameterInfo& row, const Shipped& shipped) { row.shipped = shipped.folder; }
+    static void say(ParameterInfo& row, const Called& called) { row.called = called.text; }
+    static void say(ParameterInfo& row, const Word& word) { row.words.push_back(word); }
+    static void say(ParameterInfo& row, const Option& option)
+    {
+        row.given.option = option.name;
+        row.given.unit = option.unit;
+    }
+    static void say(ParameterInfo& row, const Tuple& tuple)
+    {
+        row.given.tuple = tuple.name;
+        row.given.separator = tuple.separator;
+    }
+    static void say(ParameterInfo& row, const OfFile& of) { row.documentOf = of.file; }
+    static void say(ParameterInfo& row, const Several&) { row.several = true; }
+    static void say(ParameterInfo& row, const MustBeGiven&) { row.given.mustBeGiven = true; }
+    static void say(ParameterInfo& row, const Positional&) { row.given.positional = true; }
+    static void say(ParameterInfo& row, const Implication& implied) { row.given.implies.push_back(implied); }
+    static void say(ParameterInfo& row, const std::optional<Condition>& condition) { row.actsWhen = condition; }
+    template <typename... Traits> std::uint16_t append(ParameterInfo row, const Traits&... traits)
+    {
+        (say(row, traits), ...);
+        return appendRow(std::move(row));
+    }
+    std::uint16_t appendRow(ParameterInfo);
+    template <typename T> [[nodiscard]] std::string_view nameOf(Parameter<T> row) const { return rows_[row.row].name; }
+    void beginElement(std::string_view array, std::size_t index, const Element&);
+    void endArray();
+    /// The table's own copy of a text.
+    [[nodiscard]] std::string_view owned(std::string_view);
+    void own(Condition&);
+
+    std::set<std::string, std::less<>> texts_;  ///< Nodes keep their place.
+    std::vector<ParameterInfo> rows_;
+    std::string_view group_;
+    bool groupFolded_ = false;
+    std::string_view array_;
+    std::size_t element_ = 0;
+    std::string_view elementName_;
+};
+
+/// A table whose rows are known at run time only: of a scene that a file describes.
+class MadeTable final : public Parameters {
+public:
+    using Parameters::choice;
+    using Parameters::color;
+    using Parameters::count;
+    using Parameters::direction;
+    using Parameters::Element;
+    using Parameters::file;
+    using Parameters::foldedGroup;
+    using Parameters::givesRows;
+    using Parameters::group;
+    using Parameters::groups;
+    using Parameters::quality;
+    using Parameters::real;
+    using Parameters::toggle;
+};
+
+/// Whether a row may have this name: letters and digits, a letter first, at most 64 of them, so that it is a key, a
+/// flag and a field of GLSL alike. Words that GLSL reserves pass: who makes a table of a file has to keep them out.
+[[nodiscard]] bool isRowName(std::string_view);
+
+/// A snapshot of one value per row of one table. Cheap to copy: presets, A/B comparisons, undo and
+/// sweeps are all just snapshots, and a frame is a function of one.
+class ParameterValues {
+public:
+    /// Initial values of a table that a std::shared_ptr owns, or that outlives them.
+    explicit ParameterValues(const Parameters&);
+    /// Initial values of a table that they keep alive; not null.
+    explicit ParameterValues(std::shared_ptr<const Parameters>);
+
+    template <typename T> [[nodiscard]] T operator[](Parameter<T> p) const
+    {
+        if constexpr (std::is_same_v<T, std::string>)
+            return std::get<std::string>(values_[p.row]);
+        else if constexpr (std::is_same_v<T, ColorValue> || std::is_same_v<T, DirectionValue>)
+            return T{std::get<glm::dvec3>(values_[p.row])};
+        else
+            return static_cast<T>(std::get<double>(values_[p.row]));
+    }
+    template <typename T> void set(Parameter<T> p, const T& value)
+    {
+        if constexpr (std::is_same_v<T, std::string>)
+            setRow(p.row, value);
+        else if constexpr (std::is_same_v<T, ColorValue> || std::is_same_v<T, DirectionValue>)
+            setRow(p.row, value.value);
+        else
+            setRow(p.row, static_cast<double>(value));
+    }
+
+    [[nodiscard]] const Parameters& table() const { return *table_; }
+    [[nodiscard]] const std::shared_ptr<const Parameters>& sharedTable() const { return table_; }
+    [[nodiscard]] std::span<const ParameterInfo> rows() const { return table_->rows(); }
+
+    /// Untyped access, for code that walks the table: panels, presets, flags, studies.
+    [[nodiscard]] const Value& row(std::size_t i) const { return values_[i]; }
+    /// Stores the nearest legal value; a value without one (wrong type, NaN) leaves the row as it was.
+    /// Returns whether the stored value is exactly `value`.
+    bool setRow(std::size_t i, const Value& value);
+    void resetRow(std::size_t i);
+    /// As `setRow`. Another file takes the documents of the one before with it.
+    bool chooseFile(std::size_t i, const Value& value);
+    [[nodiscard]] bool isInitial(std::size_t i) const;
+
+    /// Values that were read for rows which the table lacks, as JSON by the row's name: the file that gives these rows
+    /// has not been read, or cannot be. Presets and sessions write them again.
+    using PendingRows = std::map<std::string, std::string>;
+    [[nodiscard]] const PendingRows& pending() const { return pending_; }
+    void setPending(PendingRows pending) { pending_ = std::move(pending); }
+    /// What the rows name or are that give the table further rows, in their order: files and documents.
+    [[nodiscard]] std::vector<std::string> tableFiles() const;
+
+    /// How rows move, by their names; of rows that may (`whyUnmoved`), between legal values.
+    [[nodiscard]] const Motions& motions() const { return motions_; }
+    /// How row `i` moves; null: it keeps its value.
+    [[nodiscard]] const Motion* motion(std::size_t i) const;
+    /// Lets row `i` move; nothing: it keeps its value. Both ends become the nearest legal values. Returns whether it
+    /// may move so: a row that may not, or an end of another type, leaves everything as it was.
+    bool setMotion(std::size_t i, std::optional<Motion> motion);
+    /// Motions that were read for rows which the table lacks, as `pending` has their values.
+    [[nodiscard]] const PendingRows& pendingMotions() const { return pendingMotions_; }
+    void setPendingMotions(PendingRows pending) { pendingMotions_ = std::move(pending); }
+
+    /// Values of different tables are equal when their rows bear the same names.
+    bool operator==(const ParameterValues& other) const;
+
+private:
+    std::shared_ptr<const Parameters> table_;  ///< Owns nothing where the table outlives the values.
+    std::vector<Value> values_;
+    PendingRows pending_, pendingMotions_;
+    Motions motions_;
+};
+
+}  // namespace vitrine
