@@ -16,7 +16,7 @@ using Spaces = QMap<QString, QVariantMap>;
 constexpr int longestWait = 60000;  // Milliseconds: the portal may have to be started first. Nothing waits for it.
 
 const QString service = QStringLiteral("org.freedesktop.portal.Desktop");
-const QString path = QStringLiteral("/org/freedesktop/portal/desktop");
+const QString portalPath = QStringLiteral("/org/freedesktop/portal/desktop");
 const QString interface = QStringLiteral("org.freedesktop.portal.Settings");
 const QString appearance = QStringLiteral("org.freedesktop.appearance");
 const QString gnome = QStringLiteral("org.gnome.desktop.interface");
@@ -52,9 +52,9 @@ void DesktopPortal::ask(QDBusConnection bus)
     if (!bus.isConnected()) return;
     asks_ = true;
     qDBusRegisterMetaType<Spaces>();
-    bus.connect(service, path, interface, QStringLiteral("SettingChanged"), this,
+    bus.connect(service, portalPath, interface, QStringLiteral("SettingChanged"), this,
                 SLOT(take(QString, QString, QDBusVariant)));
-    QDBusMessage question = QDBusMessage::createMethodCall(service, path, interface, QStringLiteral("ReadAll"));
+    QDBusMessage question = QDBusMessage::createMethodCall(service, portalPath, interface, QStringLiteral("ReadAll"));
     question << QStringList{appearance, gnome};
     auto* answer = new QDBusPendingCallWatcher(bus.asyncCall(question, longestWait), this);
     connect(answer, &QDBusPendingCallWatcher::finished, this, [this, answer] {

@@ -1,7 +1,7 @@
 // The jump of the fur balls: independent of the order of queries, within its limits, and finite.
 
-#include "exhibits/fur/bounce.h"
 #include "exhibits/framework/table/random_values.h"
+#include "exhibits/fur/bounce.h"
 #include "exhibits/fur/rigid_bodies.h"
 
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 // Every job in the list, and one made in the test, keeps what its table promises.
 
-#include "exhibits/jobs.h"
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/table/acting.h"
 #include "exhibits/framework/table/random_values.h"
 #include "exhibits/framework/table/value_text.h"
+#include "exhibits/jobs.h"
 #include "exhibits/jobs/kit/command_line.h"
 #include "exhibits/jobs/kit/given_values.h"
 #include "exhibits/jobs/kit/job_document.h"

@@ -1,9 +1,9 @@
 // Edits of the scene's tree: their effect on the document and on the shader.
 
-#include "exhibits/sdf_scenes/scene_tree.h"
 #include "exhibits/framework/table/preset_values.h"
 #include "exhibits/museum/named_files.h"
 #include "exhibits/sdf_scenes/scene_reader.h"
+#include "exhibits/sdf_scenes/scene_tree.h"
 #include "exhibits/sdf_scenes/sdf_scenes.h"
 #include "render/failure.h"
 #include "shaders/lib/bindings.glsl"

@@ -1,7 +1,7 @@
 // Situation of a study: settings and views in which its parameters have an effect, according to the tables.
 
-#include "exhibits/study/study_situation.h"
 #include "exhibits/framework/table/acting.h"
+#include "exhibits/study/study_situation.h"
 #include "tests/support/museum_on_paper.h"
 
 #include <gtest/gtest.h>

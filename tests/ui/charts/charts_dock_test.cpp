@@ -3,9 +3,9 @@
 #include "tests/exhibits/study/known_law.h"
 #include "tests/ui/ui_main.h"
 
-#include "ui/charts/charts_dock.h"
 #include "exhibits/framework/scene/capabilities.h"
 #include "exhibits/museum/museum.h"
+#include "ui/charts/charts_dock.h"
 #include "ui/kit/theme.h"
 #include "ui/model/history.h"
 

@@ -2,9 +2,9 @@
 
 #include "tests/ui/ui_main.h"
 
-#include "ui/kit/language.h"
 #include "exhibits/framework/table/acting.h"
 #include "exhibits/framework/time/animation.h"
+#include "ui/kit/language.h"
 #include "ui/kit/numbers.h"
 #include "ui/parameters/shown_text.h"
 #include "ui/viewport/draw_schedule.h"

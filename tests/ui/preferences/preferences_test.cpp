@@ -1,8 +1,8 @@
 #include "tests/ui/ui_main.h"
 
-#include "ui/kit/preferences.h"
 #include "exhibits/framework/files/state_folder.h"
 #include "ui/kit/appearance.h"
+#include "ui/kit/preferences.h"
 #include "ui/kit/type_size.h"
 #include "ui/preferences/key_bindings.h"
 

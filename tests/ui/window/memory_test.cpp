@@ -2,9 +2,9 @@
 //   VITRINE_MEMORY_STEPS=300   number of steps, at least 300
 #include "tests/ui/ui_main.h"
 
-#include "render/measure/memory.h"
 #include "exhibits/exhibits.h"
 #include "exhibits/museum/museum.h"
+#include "render/measure/memory.h"
 #include "tests/support/environment_number.h"
 #include "ui/export/picture_export.h"
 #include "ui/export/screenshot_dialog.h"
