@@ -14,12 +14,8 @@ CLI::Option* addChoice(CLI::App& command, const std::string& name, std::string& 
     CLI::Option* option = command.add_option_function<std::string>(
         name,
         [&value, name, names](const std::string& typed) {
-            if (std::find(names.begin(), names.end(), typed) == names.end()) {
-                const std::string near = nearestWord(typed, names);
-                throw Failure(Blame::usage, name + " \"" + typed +
-                                                "\": " + (near.empty() ? "" : "did you mean " + near + "? ") +
-                                                "give one of " + joined(names) + '.');
-            }
+            if (std::find(names.begin(), names.end(), typed) == names.end())
+                throw Failure(Blame::usage, noSuchChoice(name, typed, names));
             value = typed;
         },
         help);

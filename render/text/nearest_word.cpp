@@ -1,5 +1,7 @@
 #include "render/text/nearest_word.h"
 
+#include "render/text/joined.h"
+
 #include <algorithm>
 #include <iterator>
 
@@ -34,13 +36,21 @@ std::string nearestWord(std::string_view typed, const std::vector<std::string>& 
                  [&](const std::string& word) { return word.starts_with(typed); });
     if (begun.size() == 1) return begun.front();
     std::string best;
-    std::size_t least = std::max<std::size_t>(2, typed.size() / 3) + 1;
+    // At least one letter is right: "xx" is not like "en".
+    std::size_t least = std::min(std::max<std::size_t>(2, typed.size() / 3) + 1, typed.size());
     for (const std::string& word : words)
         if (const std::size_t distance = editDistance(typed, word.substr(0, longest)); distance < least) {
             least = distance;
             best = word;
         }
     return best;
+}
+
+std::string noSuchChoice(const std::string& option, const std::string& typed, const std::vector<std::string>& names)
+{
+    const std::string near = nearestWord(typed, names);
+    return option + " \"" + typed + "\": " + (near.empty() ? "" : "did you mean " + near + "? ") + "give one of " +
+           joined(names) + '.';
 }
 
 std::string didYouMean(std::string_view typed, const std::vector<std::string>& words)

@@ -13,4 +13,8 @@ namespace vitrine {
 /// Returns "; did you mean sphere?" if one of the words is similar, else ";".
 [[nodiscard]] std::string didYouMean(std::string_view typed, const std::vector<std::string>& words);
 
+/// Returns the refusal of a choice: "--pace \"ease\": did you mean eased? give one of constant, eased."
+[[nodiscard]] std::string noSuchChoice(const std::string& option, const std::string& typed,
+                                       const std::vector<std::string>& names);
+
 }  // namespace vitrine

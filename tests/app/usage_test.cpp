@@ -143,7 +143,7 @@ TEST(Usage, ASizeThatNoMachineHasMemoryForIsRefusedWithOneThatItHas)
 TEST(Usage, APictureOfUnknownKindIsRefusedBeforeItIsDrawn)
 {
     const test::TemporaryFolder folder;
-    for (const char* name : {"x.jpg", "x", "x.exr.bak"}) {
+    for (const char* name : {"x.webp", "x", "x.exr.bak"}) {
         const Ended ended = test::vitrine({"render", "sdf_morph", "--out", folder / name});
         EXPECT_EQ(ended.code, 2) << name;
         expectOneSentence(ended, {".png", ".exr"});
@@ -322,9 +322,9 @@ TEST(Usage, WhatWasMistypedIsNamedWithItsCommandAndWhatIsNear)
          "There is no exhibit \"sdf_morfh\"; did you mean sdf_morph?"},
         {{"list", "--set", "sdf_morph.morf=1"}, "did you mean morph?"},
         {{"list", "--set", "sdfmorph.morph=1"}, "did you mean sdf_morph?"},
-        {{"sprite", "--out", "x.png", "--palette", "isel"}, "--palette isel: give one of own, "},
+        {{"sprite", "--out", "x.png", "--palette", "isel"}, "--palette \"isel\": did you mean isle? give one of own, "},
         {{"--language", "xx", "list"}, "--language \"xx\": give one of en, de."},
-        {{"record", "fur", "--out", "x.mp4", "--pace", "slow"}, "--pace slow: give one of auto, constant, eased."},
+        {{"record", "fur", "--out", "x.mp4", "--pace", "slow"}, "--pace \"slow\": give one of auto, constant, eased."},
         {{"open", "/nowhere/a.json"}, "Cannot open /nowhere/a.json: there is no such file"},
         {{"study", "fur", "--out", "x", "--metric", "ssm"}, "give one of rmse, max, beyond, flip, normal, depth."},
     };
@@ -357,7 +357,7 @@ TEST(Usage, ErrorsAreOneExactSentenceOnTheWordThatWasTypedFirst)
          "`vitrine print` has no option --widthmm; did you mean --width-mm? `vitrine print" + lists},
         {{"list", "cats"}, "`vitrine list` takes no further argument, and \"cats\" is one; `vitrine list" + says},
         {{"record", "fur", "--out", "x.mp4", "--pace", "ease"},
-         "--pace \"ease\": did you mean eased? give one of constant, eased.\n"},
+         "--pace \"ease\": did you mean eased? give one of auto, constant, eased.\n"},
         {{"render", "sdf_morph", "--set", "material=glas", "--out", "x.png"},
          "--set material: \"glas\" is no value for it; did you mean glass? give one of opaque, glass.\n"},
         {{"render", "sdf_morph", "--set", "mroph=1", "--out", "x.png"},

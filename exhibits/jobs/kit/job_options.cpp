@@ -5,6 +5,7 @@
 #include "exhibits/framework/table/value_text.h"
 #include "render/failure.h"
 #include "render/text/joined.h"
+#include "render/text/nearest_word.h"
 
 #include <algorithm>
 #include <cassert>
@@ -181,6 +182,8 @@ Value readWord(const std::string& option, const ParameterInfo& parameter, const 
 {
     const auto refuse = [&]() -> Failure {
         if (parameter.isNumeric()) return {Blame::usage, option + " \"" + word + "\": give " + wanted(parameter) + '.'};
+        if (parameter.kind == Kind::choice)
+            return {Blame::usage, noSuchChoice(option, word, {parameter.choices.begin(), parameter.choices.end()})};
         return {Blame::usage, option + ' ' + word + ": give " + wanted(parameter) + '.'};
     };
     std::optional<Value> value;

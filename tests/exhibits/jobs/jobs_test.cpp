@@ -190,7 +190,7 @@ TEST(JobOptions, RefuseWhatIsOutOfRangeWithTheRange)
     refused({"--dpi=inf"}, "give a number");
     refused({"--tile-size=20"}, "--tile-size \"20\": give WIDTHxHEIGHT, such as 16x12.");
     refused({"--tile-size=20x99999"}, "--tile-size 20x99999 \"99999\": give a whole number from 1 to 4096.");
-    refused({"--source=paper"}, "--source paper: give one of pictures, folder.");
+    refused({"--source=paper"}, "--source \"paper\": give one of pictures, folder.");
     refused({"--paper=white"}, "--paper white: give #rrggbb or r,g,b.");
     expectRefused([&] { static_cast<void>(typedValues(contact, {"a.png"})); }, "`vitrine contact` needs --title;");
 }
