@@ -114,6 +114,11 @@ PrintLayout PrintLayout::withoutBorder() const
     return PrintLayout(inner);
 }
 
+double PrintLayout::wholePixelsPerLens() const
+{
+    return std::floor(pixelsPerLens() * (1 + 1e-4));
+}
+
 double PrintLayout::pixelsPerLens() const
 {
     return 1 / std::max(std::abs(perX_), std::abs(perY_));
@@ -132,7 +137,7 @@ PrintNumbers numbersOf(const PrintLayout& layout, double storedDpi)
     PrintNumbers numbers;
     numbers.pixelsPerLens = layout.pixelsPerLens();
     numbers.effectiveLpi = layout.printLpi() * storedDpi / s.dpiX;
-    numbers.effectiveViews = std::min<double>(s.views, std::floor(numbers.pixelsPerLens));
+    numbers.effectiveViews = std::min<double>(s.views, layout.wholePixelsPerLens());
     numbers.zoneDegrees = zoneByAperture(s.sheet) / radiansPerDegree;
     numbers.depthBudget = 2 * numbers.effectiveViews * s.sheet.thickness / s.sheet.index;
     const ViewMatrix mixing = viewMixing(layout);
@@ -145,11 +150,11 @@ std::vector<std::string> warningsOf(const PrintLayout& layout)
     std::vector<std::string> warnings;
     const PrintSettings& s = layout.settings();
     const double perLens = layout.pixelsPerLens();
-    if (perLens < 2) {
+    if (layout.wholePixelsPerLens() < 2) {
         warnings.push_back("With " + shortText(perLens) + " pixels per lens the printer cannot separate views.");
-    } else if (s.views > perLens) {
+    } else if (s.views > layout.wholePixelsPerLens()) {
         warnings.push_back(std::to_string(s.views) + " views share " + shortText(perLens) +
-                           " pixels per lens: no more than " + shortText(std::floor(perLens)) +
+                           " pixels per lens: no more than " + shortText(layout.wholePixelsPerLens()) +
                            " of them can be told apart.");
     }
     if (s.views == 1) warnings.push_back("With one view the print shows the same picture from everywhere.");

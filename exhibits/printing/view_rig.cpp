@@ -40,7 +40,7 @@ ViewRig::ViewRig(const PrintLayout& layout, const render::Camera& middle, glm::i
     step_ = layout.printPitch() / lever / count_ / std::abs(across ? layout.cosine() : layout.sine());
 
     scale_ = 2 * convergence_ * view.tanHalfFov.x / (s.width + 2 * s.bleed);
-    freeDepth_ = std::min<double>(count_, std::floor(layout.pixelsPerLens())) * lever;
+    freeDepth_ = std::min<double>(count_, layout.wholePixelsPerLens()) * lever;
 }
 
 render::Camera ViewRig::camera(int k) const

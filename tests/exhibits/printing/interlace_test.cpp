@@ -268,6 +268,11 @@ TEST(Lenticular, WarnsOfWhatWillDisappoint)
     EXPECT_TRUE(warningsOf(PrintLayout(settingsFor(40, 600, 12, 100, 100))).empty());
     EXPECT_EQ(warningsOf(PrintLayout(settingsFor(40, 600, 16, 100, 100))).size(), 1U);
     EXPECT_EQ(warningsOf(PrintLayout(settingsFor(400, 600, 16, 100, 100))).size(), 1U);
+    // PNG stores whole pixels per meter: 28346 of them are 719.988 to the inch, and 12 views still fit under a lens.
+    const PrintLayout stored(settingsFor(60, 28346 * 0.0254, 12, 100, 100));
+    EXPECT_TRUE(warningsOf(stored).empty());
+    EXPECT_EQ(numbersOf(stored, 720).effectiveViews, 12);
+    EXPECT_EQ(warningsOf(PrintLayout(settingsFor(60, 719, 12, 100, 100))).size(), 1U);
 }
 
 }  // namespace

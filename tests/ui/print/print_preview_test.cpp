@@ -69,7 +69,7 @@ private slots:
     {
         const int count = 12;
         dialog_->open(solidViews(count));
-        settle();
+        set("distance", 0.4);
         auto* eyes = dialog_->findChild<EyesPreview*>();
         QTRY_VERIFY(!eyes->seen(1).isNull());
         const auto hue = [&](std::size_t eye) {
