@@ -9,7 +9,7 @@
         <translation> %</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset_values.cpp"/>
+        <location filename="exhibits/framework/table/preset_values.cpp"/>
         <source> (allowed 1 to 175 degrees, in radians)</source>
         <translation> (erlaubt 1 bis 175 Grad, im Bogenmaß)</translation>
     </message>
@@ -24,7 +24,7 @@
         <translation> und {1} bei {2}</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/animation.cpp"/>
+        <location filename="exhibits/framework/time/animation.cpp"/>
         <source> at {1} to {2} m</source>
         <translation> bei {1} bis {2} m</translation>
     </message>
@@ -49,7 +49,7 @@
         <translation> Pixeln braucht </translation>
     </message>
     <message>
-        <location filename="ui/window/screenshot_dialog.cpp"/>
+        <location filename="ui/export/screenshot_dialog.cpp"/>
         <source> px</source>
         <translation> px</translation>
     </message>
@@ -64,7 +64,7 @@
         <translation> Einheit: {1}</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/animation.cpp"/>
+        <location filename="exhibits/framework/time/animation.cpp"/>
         <source> within {1} s</source>
         <translation> innerhalb von {1} s</translation>
     </message>
@@ -79,7 +79,7 @@
         <translation> · jetzt</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/lesson.cpp"/>
+        <location filename="exhibits/framework/files/lesson.cpp"/>
         <source>&quot;### {1}&quot; belongs to a step; write &quot;## Title&quot; of the step above it.</source>
         <translation>„### {=1}“ gehört zu einem Schritt; schreiben Sie darüber „## Titel“ des Schritts.</translation>
     </message>
@@ -109,7 +109,7 @@
         <translation>„values“ fehlt; geben Sie eine Datei an, die ein Auftrag von Vitrine geschrieben hat.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset_tags.cpp"/>
+        <location filename="exhibits/framework/files/preset_tags.cpp"/>
         <source>&quot;{1}&quot; appears twice; remove one of them.</source>
         <translation>„{=1}“ steht zweimal da; entfernen Sie eines davon.</translation>
     </message>
@@ -134,7 +134,7 @@
         <translation>„{=1}“ fehlt; exportieren Sie die Datei neu.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset.cpp"/>
+        <location filename="exhibits/framework/files/preset.cpp"/>
         <source>&quot;{1}&quot; is no format of Vitrine; choose a preset.</source>
         <translation>„{=1}“ ist kein Format von Vitrine; wählen Sie ein Preset.</translation>
     </message>
@@ -159,12 +159,12 @@
         <translation>„{=1}“ ist kein Rundgang; wählen Sie eine andere Datei.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/motion_json.cpp"/>
+        <location filename="exhibits/framework/time/motion_json.cpp"/>
         <source>&quot;{1}&quot; is not a valid value.</source>
         <translation>&quot;{=1}&quot; ist kein gültiger Wert.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/motion_json.cpp"/>
+        <location filename="exhibits/framework/time/motion_json.cpp"/>
         <source>&quot;{1}&quot; is not an option of the motion {2}.</source>
         <translation>&quot;{=1}&quot; ist keine Option der Bewegung {=2}.</translation>
     </message>
@@ -194,7 +194,7 @@
         <translation>„{=1}“ muss da sein und eine Zahl sein; korrigieren Sie es dort, oder legen Sie die Datei beiseite, und eine neue Liste wird begonnen.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset_tags.cpp"/>
+        <location filename="exhibits/framework/files/preset_tags.cpp"/>
         <source>&quot;{1}&quot; was not taken: {2}.</source>
         <translation>„{=1}“ wurde nicht übernommen: {2}.</translation>
     </message>
@@ -297,7 +297,7 @@
         <translation>%1 Punkte : 1 px</translation>
     </message>
     <message>
-        <location filename="ui/window/frame_graph.cpp"/>
+        <location filename="ui/report/frame_graph.cpp"/>
         <source>%1 frames: %2 to %3 ms, half of them up to %4 ms</source>
         <translation>%1 Frames: %2 bis %3 ms, die Hälfte davon bis %4 ms</translation>
     </message>
@@ -411,12 +411,12 @@ Zeiten kommen, wenn es alle sind.</translation>
         <translation>%1 Bilder</translation>
     </message>
     <message>
-        <location filename="ui/window/export_again.cpp"/>
+        <location filename="ui/export/export_again.cpp"/>
         <source>%1 pictures saved, the last one to %2.</source>
         <translation>%1 Bilder gespeichert, das letzte als %2.</translation>
     </message>
     <message>
-        <location filename="ui/window/screenshot.cpp"/>
+        <location filename="ui/export/screenshot.cpp"/>
         <source>%1 screenshots saved, the last one to %2.</source>
         <translation>%1 Bildschirmfotos gespeichert, das letzte als %2.</translation>
     </message>
@@ -426,7 +426,7 @@ Zeiten kommen, wenn es alle sind.</translation>
         <translation>%1 Schritte</translation>
     </message>
     <message>
-        <location filename="ui/window/ledger_dock.cpp"/>
+        <location filename="ui/report/ledger_dock.cpp"/>
         <source>%1 steps, %2 ms</source>
         <translation>%1 Schritte, %2 ms</translation>
     </message>
@@ -511,7 +511,7 @@ Zeiten kommen, wenn es alle sind.</translation>
         <translation>%1 — Vitrine</translation>
     </message>
     <message>
-        <location filename="ui/window/screenshot_dialog.cpp"/>
+        <location filename="ui/export/screenshot_dialog.cpp"/>
         <source>%1, %2 bit</source>
         <translation>%1, %2 Bit</translation>
     </message>
@@ -541,7 +541,7 @@ Zeiten kommen, wenn es alle sind.</translation>
         <translation>%1, Höhenwinkel</translation>
     </message>
     <message>
-        <location filename="ui/window/screenshot_dialog.cpp"/>
+        <location filename="ui/export/screenshot_dialog.cpp"/>
         <source>%1, linear light, %2 bit</source>
         <translation>%1, lineares Licht, %2 Bit</translation>
     </message>
@@ -551,7 +551,7 @@ Zeiten kommen, wenn es alle sind.</translation>
         <translation>%1, Regler</translation>
     </message>
     <message>
-        <location filename="ui/window/ledger_dock.cpp"/>
+        <location filename="ui/report/ledger_dock.cpp"/>
         <source>%1.
 Times by: %2.</source>
         <translation>%1.
@@ -1019,7 +1019,7 @@ Zeiten nach: %2.</translation>
         <translation>, Teile {1} bis {2}</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/animation.cpp"/>
+        <location filename="exhibits/framework/time/animation.cpp"/>
         <source>, period {1} s</source>
         <translation>, Periode {1} s</translation>
     </message>
@@ -1054,7 +1054,7 @@ Zeiten nach: %2.</translation>
         <translation>, das {1}-fache der Kosten der jetzigen Einstellung</translation>
     </message>
     <message>
-        <location filename="app/picture_options.cpp"/>
+        <location filename="app/kit/picture_options.cpp"/>
         <source>--alone: the hall cannot be shown without the hall; name an exhibit.</source>
         <translation>--alone: Die Halle lässt sich nicht ohne die Halle zeigen; nennen Sie ein Exponat.</translation>
     </message>
@@ -1068,12 +1068,12 @@ Zeiten nach: %2.</translation>
         <translation>--border-mm: Testtafeln haben einen eigenen Rand.</translation>
     </message>
     <message>
-        <location filename="app/picture_options.cpp"/>
+        <location filename="app/kit/picture_options.cpp"/>
         <source>--channels: &quot;{1}&quot; is no channel; give color, depth, normal or evaluations, separated by commas.</source>
         <translation>--channels: &quot;{=1}&quot; ist kein Kanal; nennen Sie color, depth, normal oder evaluations, durch Kommas getrennt.</translation>
     </message>
     <message>
-        <location filename="app/picture_options.cpp"/>
+        <location filename="app/kit/picture_options.cpp"/>
         <source>--channels: only OpenEXR carries more than color; give --out a name that ends in .exr.</source>
         <translation>--channels: Nur OpenEXR trägt mehr als Farbe; geben Sie --out einen Namen, der auf .exr endet.</translation>
     </message>
@@ -1141,12 +1141,12 @@ Zeiten nach: %2.</translation>
         <translation>--out {=1}: Geben Sie einen Namen an, der auf {2} endet</translation>
     </message>
     <message>
-        <location filename="app/part_folder.cpp"/>
+        <location filename="app/kit/part_folder.cpp"/>
         <source>--out {1}: this folder holds something else than {2}; name another.</source>
         <translation>--out {=1}: Dieser Ordner enthält etwas anderes als {2}; nennen Sie einen anderen.</translation>
     </message>
     <message>
-        <location filename="app/part_folder.cpp"/>
+        <location filename="app/kit/part_folder.cpp"/>
         <source>--out {1}: this is a file; name a folder.</source>
         <translation>--out {=1}: Dies ist eine Datei; nennen Sie einen Ordner.</translation>
     </message>
@@ -1177,12 +1177,12 @@ Zeiten nach: %2.</translation>
         <translation>--save-views {=1}: {2}.</translation>
     </message>
     <message>
-        <location filename="app/picture_options.cpp"/>
+        <location filename="app/kit/picture_options.cpp"/>
         <source>--scale {1}: a scale of 0 leaves nothing to draw; give three numbers away from 0.</source>
         <translation>--scale {=1}: Ein Maßstab von 0 lässt nichts zu zeichnen; geben Sie drei Zahlen an, die nicht 0 sind.</translation>
     </message>
     <message>
-        <location filename="app/picture_options.cpp"/>
+        <location filename="app/kit/picture_options.cpp"/>
         <source>--set {1}: &quot;{2}&quot; is no value for it{3} give {4}</source>
         <translation>--set {=1}: &quot;{=2}&quot; ist kein Wert dafür{3} geben Sie an: {4}</translation>
     </message>
@@ -1202,12 +1202,12 @@ Zeiten nach: %2.</translation>
         <translation>--set {=1}: Die Szene hat keinen solchen Parameter; sie hat {=2}.</translation>
     </message>
     <message>
-        <location filename="app/picture_options.cpp"/>
+        <location filename="app/kit/picture_options.cpp"/>
         <source>--set {1}: {2} was brought to {3}, the nearest that is allowed ({4}).</source>
         <translation>--set {=1}: {=2} wurde auf {=3} gebracht, den nächsten erlaubten Wert ({4}).</translation>
     </message>
     <message>
-        <location filename="app/picture_options.cpp"/>
+        <location filename="app/kit/picture_options.cpp"/>
         <source>--set {1}: {2} was brought to {3}, the nearest that is allowed ({4}; degrees are written {5}deg).</source>
         <translation>--set {=1}: {=2} wurde auf {=3} gebracht, den nächsten erlaubten Wert ({4}; Grad schreibt man {=5}deg).</translation>
     </message>
@@ -1255,7 +1255,7 @@ Zeiten nach: %2.</translation>
         <translation>--time bewirkt nichts bei einer Szene, in der sich nichts bewegt; lassen Sie es weg.</translation>
     </message>
     <message>
-        <location filename="app/picture_options.cpp"/>
+        <location filename="app/kit/picture_options.cpp"/>
         <source>--time: give a finite number of seconds.</source>
         <translation>--time: Geben Sie eine endliche Zahl von Sekunden an.</translation>
     </message>
@@ -1290,7 +1290,7 @@ Zeiten nach: %2.</translation>
         <translation>1 Punkt : %1 px</translation>
     </message>
     <message>
-        <location filename="ui/window/frame_graph.cpp"/>
+        <location filename="ui/report/frame_graph.cpp"/>
         <source>1 frame: %1 ms</source>
         <translation>1 Frame: %1 ms</translation>
     </message>
@@ -1590,7 +1590,7 @@ Zeiten nach: %2.</translation>
         <translation>; gegen alles exakt %1</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset_values.cpp"/>
+        <location filename="exhibits/framework/table/preset_values.cpp"/>
         <source>; correct it there.</source>
         <translation>; korrigieren Sie es dort.</translation>
     </message>
@@ -1600,7 +1600,7 @@ Zeiten nach: %2.</translation>
         <translation>; meinten Sie {=1}?</translation>
     </message>
     <message>
-        <location filename="ui/window/ledger_dock.cpp"/>
+        <location filename="ui/report/ledger_dock.cpp"/>
         <source>; skipping saves %1 ms</source>
         <translation>; Auslassen spart %1 ms</translation>
     </message>
@@ -1620,7 +1620,7 @@ Zeiten nach: %2.</translation>
         <translation>; die Folie kann nicht sein: {1}</translation>
     </message>
     <message>
-        <location filename="ui/window/ledger_view.cpp"/>
+        <location filename="ui/report/ledger_view.cpp"/>
         <source>; when it was last drawn</source>
         <translation>; als er zuletzt gezeichnet wurde</translation>
     </message>
@@ -1723,7 +1723,7 @@ Zeiten nach: %2.</translation>
         <translation>eine Kombination braucht zwei „shapes“</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/acting.cpp"/>
+        <location filename="exhibits/framework/table/acting.cpp"/>
         <source>a condition names a row that its table does not have</source>
         <translation>eine Bedingung nennt eine Zeile, die ihre Tabelle nicht hat</translation>
     </message>
@@ -1763,12 +1763,12 @@ Zeiten nach: %2.</translation>
         <translation>Ein Feld, seine Oktaven, ein Meer und ein Himmel: alles Zufallszahlen.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/parameters.cpp"/>
+        <location filename="exhibits/framework/table/parameters.cpp"/>
         <source>A file cannot be animated, because each value would have to be read.</source>
         <translation>Eine Datei lässt sich nicht animieren, weil jeder Wert gelesen werden müsste.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset_values.cpp"/>
+        <location filename="exhibits/framework/table/preset_values.cpp"/>
         <source>a file name</source>
         <translation>ein Dateiname</translation>
     </message>
@@ -1778,7 +1778,7 @@ Zeiten nach: %2.</translation>
         <translation>Eine Datei mit Formen wird ein Shader; ihre Zahlen werden Regler.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/typed_number.cpp"/>
+        <location filename="exhibits/framework/table/typed_number.cpp"/>
         <source>a finite number</source>
         <translation>eine endliche Zahl</translation>
     </message>
@@ -1822,17 +1822,17 @@ Zeiten nach: %2.</translation>
         <translation>Links der Linie A, bei %1 %; rechts davon %2.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/lesson.cpp"/>
+        <location filename="exhibits/framework/files/lesson.cpp"/>
         <source>a lesson begins with its title; write &quot;# Title&quot;.</source>
         <translation>eine Lektion beginnt mit ihrem Titel; schreiben Sie „# Titel“.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/lesson.cpp"/>
+        <location filename="exhibits/framework/files/lesson.cpp"/>
         <source>a lesson has at most {1} steps; make two of it.</source>
         <translation>eine Lektion hat höchstens {1} Schritte; machen Sie zwei daraus.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/lesson.cpp"/>
+        <location filename="exhibits/framework/files/lesson.cpp"/>
         <source>a lesson has one title; write &quot;## &quot; for a step.</source>
         <translation>eine Lektion hat einen Titel; schreiben Sie „## “ für einen Schritt.</translation>
     </message>
@@ -1862,7 +1862,7 @@ Zeiten nach: %2.</translation>
         <translation>ein Name, der auf „{=1}“ endet, passt nicht zum Format {2}</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset.cpp"/>
+        <location filename="exhibits/framework/files/preset.cpp"/>
         <source>a newer Vitrine wrote this (version {1}; this one reads version {2}); open it with that one.</source>
         <translation>ein neueres Vitrine hat dies geschrieben (Version {1}; dieses liest Version {2}); öffnen Sie es damit.</translation>
     </message>
@@ -1974,7 +1974,7 @@ Zeiten nach: %2.</translation>
         <translation>Ein Preset „%1“ gibt es bereits; dieses wurde als „%2“ gespeichert.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset_tags.cpp"/>
+        <location filename="exhibits/framework/files/preset_tags.cpp"/>
         <source>A preset has at most {1} tags; these are {2}.</source>
         <translation>Ein Preset hat höchstens {1} Tags; es sind {2}.</translation>
     </message>
@@ -2161,22 +2161,22 @@ Zeiten nach: %2.</translation>
         <translation>Eine Studie über drei Parameter oder mehr sucht: Welche Einstellungen sie misst, hängt von denen davor ab, daher lässt sie sich nicht teilen; untersuchen Sie einen oder zwei Parameter.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset_tags.cpp"/>
+        <location filename="exhibits/framework/files/preset_tags.cpp"/>
         <source>a tag has at least one character</source>
         <translation>ein Tag hat mindestens ein Zeichen</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset_tags.cpp"/>
+        <location filename="exhibits/framework/files/preset_tags.cpp"/>
         <source>a tag has at most {1} bytes</source>
         <translation>ein Tag hat höchstens {1} Bytes</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset_tags.cpp"/>
+        <location filename="exhibits/framework/files/preset_tags.cpp"/>
         <source>a tag has neither commas nor control characters</source>
         <translation>ein Tag enthält weder Kommas noch Steuerzeichen</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset_tags.cpp"/>
+        <location filename="exhibits/framework/files/preset_tags.cpp"/>
         <source>a tag neither begins nor ends with a blank</source>
         <translation>ein Tag beginnt und endet nicht mit einem Leerzeichen</translation>
     </message>
@@ -2186,7 +2186,7 @@ Zeiten nach: %2.</translation>
         <translation>ein Text</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset_values.cpp"/>
+        <location filename="exhibits/framework/table/preset_values.cpp"/>
         <source>a text here has one line that is not empty; correct it there.</source>
         <translation>ein Text hier hat eine Zeile, die nicht leer ist; berichtigen Sie ihn dort.</translation>
     </message>
@@ -2296,7 +2296,7 @@ Zeiten nach: %2.</translation>
         <translation>ein Modell des Besuchers</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/typed_number.cpp"/>
+        <location filename="exhibits/framework/table/typed_number.cpp"/>
         <source>a whole number</source>
         <translation>eine ganze Zahl</translation>
     </message>
@@ -2319,7 +2319,7 @@ Zeiten nach: %2.</translation>
         <translation>eine ganze Zahl.</translation>
     </message>
     <message>
-        <location filename="ui/window/ledger_view.cpp"/>
+        <location filename="ui/report/ledger_view.cpp"/>
         <source>A, ms</source>
         <translation>A, ms</translation>
     </message>
@@ -2329,7 +2329,7 @@ Zeiten nach: %2.</translation>
         <translation>A, und B steht bereit: Halten Sie im Bild die Taste B, um es zu sehen.</translation>
     </message>
     <message>
-        <location filename="ui/window/ledger_dock.cpp"/>
+        <location filename="ui/report/ledger_dock.cpp"/>
         <source>A: %1 · %2</source>
         <translation>A: %1 · %2</translation>
     </message>
@@ -2680,7 +2680,7 @@ Zeiten nach: %2.</translation>
         <translation>Amplitude der ersten Oktave: 0 verschiebt nichts.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/parameters.cpp"/>
+        <location filename="exhibits/framework/table/parameters.cpp"/>
         <source>An accuracy parameter cannot be animated, because it sets the cost of the picture.</source>
         <translation>Ein Genauigkeitsparameter lässt sich nicht animieren, weil er die Kosten des Bildes bestimmt.</translation>
     </message>
@@ -2691,22 +2691,22 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="render/scene/gltf_schema.cpp"/>
-        <location filename="exhibits/framework/preset_values.cpp"/>
+        <location filename="exhibits/framework/table/preset_values.cpp"/>
         <source>an array</source>
         <translation>ein Array</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset_values.cpp"/>
+        <location filename="exhibits/framework/table/preset_values.cpp"/>
         <source>an array of texts</source>
         <translation>eine Liste von Texten</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset_values.cpp"/>
+        <location filename="exhibits/framework/table/preset_values.cpp"/>
         <source>an array of three numbers</source>
         <translation>ein Array von drei Zahlen</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset_values.cpp"/>
+        <location filename="exhibits/framework/table/preset_values.cpp"/>
         <source>an array of two numbers</source>
         <translation>ein Array von zwei Zahlen</translation>
     </message>
@@ -2755,7 +2755,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="render/scene/gltf_schema.cpp"/>
-        <location filename="exhibits/framework/preset_values.cpp"/>
+        <location filename="exhibits/framework/table/preset_values.cpp"/>
         <source>an object</source>
         <translation>ein Objekt</translation>
     </message>
@@ -3063,7 +3063,7 @@ Zeiten nach: %2.</translation>
         <translation>Wie im Video der Referenz</translation>
     </message>
     <message>
-        <location filename="ui/window/screenshot_dialog.cpp"/>
+        <location filename="ui/export/screenshot_dialog.cpp"/>
         <source>As in the window</source>
         <translation>Wie im Fenster</translation>
     </message>
@@ -3179,7 +3179,7 @@ Zeiten nach: %2.</translation>
         <translation>B, gehalten</translation>
     </message>
     <message>
-        <location filename="ui/window/ledger_view.cpp"/>
+        <location filename="ui/report/ledger_view.cpp"/>
         <source>B, ms</source>
         <translation>B, ms</translation>
     </message>
@@ -3191,7 +3191,7 @@ Zeiten nach: %2.</translation>
         <translation>B: %1</translation>
     </message>
     <message>
-        <location filename="ui/window/ledger_dock.cpp"/>
+        <location filename="ui/report/ledger_dock.cpp"/>
         <source>B: %1 steps, %2 ms</source>
         <translation>B: %1 Schritte, %2 ms</translation>
     </message>
@@ -3387,7 +3387,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays.cpp"/>
-        <location filename="exhibits/framework/subject.h"/>
+        <location filename="exhibits/framework/scene/subject.h"/>
         <location filename="exhibits/fur/fur.cpp"/>
         <location filename="exhibits/hall/hall.cpp"/>
         <location filename="exhibits/hall/hall_table.h"/>
@@ -3706,6 +3706,7 @@ Zeiten nach: %2.</translation>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
         <source>Camera</source>
+        <extracomment>tables</extracomment>
         <translation>Kamera</translation>
     </message>
     <message>
@@ -3718,12 +3719,12 @@ Zeiten nach: %2.</translation>
         <translation>Kamera, von der aus die Szene gesehen wird.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset_values.cpp"/>
+        <location filename="exhibits/framework/table/preset_values.cpp"/>
         <source>camera.fov {1}</source>
         <translation>camera.fov {1}</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset_values.cpp"/>
+        <location filename="exhibits/framework/table/preset_values.cpp"/>
         <source>camera.{1} -&gt; {2} (allowed -{3} to {4} m)</source>
         <translation>camera.{=1} -&gt; {2} (erlaubt -{3} bis {4} m)</translation>
     </message>
@@ -3733,18 +3734,18 @@ Zeiten nach: %2.</translation>
         <translation>Kameras werden nicht unterstützt; ihre Knoten werden Marken.</translation>
     </message>
     <message>
+        <location filename="ui/export/screenshot_dialog.cpp"/>
         <location filename="ui/kit/export_bar.cpp"/>
         <location filename="ui/kit/quiet_dialog.cpp"/>
         <location filename="ui/study/study_dock.cpp"/>
         <location filename="ui/study/table_export.cpp"/>
-        <location filename="ui/window/screenshot_dialog.cpp"/>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
     <message>
+        <location filename="ui/export/screenshot_dialog.cpp"/>
         <location filename="ui/jobs/job_dialog.cpp"/>
         <location filename="ui/print/print_dialog.cpp"/>
-        <location filename="ui/window/screenshot_dialog.cpp"/>
         <source>Canceled; no file was written.</source>
         <translation>Abgebrochen; keine Datei wurde geschrieben.</translation>
     </message>
@@ -4398,7 +4399,7 @@ Zeiten nach: %2.</translation>
         <translation>Der Wert kann nicht geändert werden: Der Knoten hat ihn nicht mehr. Bitte einen anderen Knoten wählen.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset_store.cpp"/>
+        <location filename="exhibits/framework/files/preset_store.cpp"/>
         <source>Cannot change {1}: it is part of Vitrine; save a copy under another name.</source>
         <translation>{=1} kann nicht geändert werden: Es gehört zu Vitrine; speichern Sie eine Kopie unter einem anderen Namen.</translation>
     </message>
@@ -4413,7 +4414,7 @@ Zeiten nach: %2.</translation>
         <translation>Dem Verweis „{=1}“ in {=2} kann nicht gefolgt werden: {3}; verwenden Sie einen einfachen relativen Pfad.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset_store.cpp"/>
+        <location filename="exhibits/framework/files/preset_store.cpp"/>
         <source>Cannot import {1}: there is no preset in this picture; choose another.</source>
         <translation>{=1} kann nicht importiert werden: In diesem Bild steckt kein Preset; wählen Sie ein anderes.</translation>
     </message>
@@ -4438,7 +4439,7 @@ Zeiten nach: %2.</translation>
         <translation>{=1} kann nicht erzeugt werden: Der Speicher reicht dafür nicht; wählen Sie etwas Kleineres.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/document_folder.cpp"/>
+        <location filename="exhibits/framework/files/document_folder.cpp"/>
         <source>Cannot move {1} to {2}: {3}; check your permissions.</source>
         <translation>{=1} kann nicht nach {=2} verschoben werden: {3}; prüfen Sie Ihre Rechte.</translation>
     </message>
@@ -4557,7 +4558,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="render/files/atomic_write.cpp"/>
-        <location filename="exhibits/framework/state_folder.cpp"/>
+        <location filename="exhibits/framework/files/state_folder.cpp"/>
         <source>Cannot write {1}: {2}</source>
         <translation>{=1} kann nicht geschrieben werden: {2}</translation>
     </message>
@@ -4768,8 +4769,8 @@ Zeiten nach: %2.</translation>
         <translation>Farbe wählen; das Bild folgt.</translation>
     </message>
     <message>
+        <location filename="ui/export/screenshot_dialog.cpp"/>
         <location filename="ui/kit/export_bar.cpp"/>
-        <location filename="ui/window/screenshot_dialog.cpp"/>
         <source>Choose a file</source>
         <translation>Datei wählen</translation>
     </message>
@@ -4902,9 +4903,9 @@ Zeiten nach: %2.</translation>
         <translation>Uhr: %1, %2.</translation>
     </message>
     <message>
+        <location filename="ui/export/screenshot_dialog.cpp"/>
         <location filename="ui/kit/export_bar.cpp"/>
         <location filename="ui/study/comparison_dialog.cpp"/>
-        <location filename="ui/window/screenshot_dialog.cpp"/>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
@@ -5059,6 +5060,7 @@ Zeiten nach: %2.</translation>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
         <source>Color</source>
+        <extracomment>tables</extracomment>
         <translation>Farbe</translation>
     </message>
     <message>
@@ -5524,7 +5526,7 @@ Zeiten nach: %2.</translation>
         <translation>das Umwandeln eines Frames</translation>
     </message>
     <message>
-        <location filename="ui/window/copies.cpp"/>
+        <location filename="ui/export/copies.cpp"/>
         <source>Copied a command line that renders this picture into picture.png.</source>
         <translation>Eine Befehlszeile wurde kopiert, die dieses Bild in picture.png rendert.</translation>
     </message>
@@ -5712,7 +5714,7 @@ Zeiten nach: %2.</translation>
         <translation>Anzahl</translation>
     </message>
     <message>
-        <location filename="ui/window/ledger_view.cpp"/>
+        <location filename="ui/report/ledger_view.cpp"/>
         <source>count</source>
         <translation>Anzahl</translation>
     </message>
@@ -6582,7 +6584,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Bilder zeichnen</translation>
     </message>
     <message>
-        <location filename="ui/window/screenshot_dialog.cpp"/>
+        <location filename="ui/export/screenshot_dialog.cpp"/>
         <source>Drawing …</source>
         <translation>Zeichnet …</translation>
     </message>
@@ -6984,6 +6986,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <location filename="ui/study/log_chart.cpp"/>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
         <source>exact</source>
+        <extracomment>tables</extracomment>
         <translation>exakt</translation>
     </message>
     <message>
@@ -7056,9 +7059,9 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Exponent des Glanzlichts: Hohe Werte machen es schmal.</translation>
     </message>
     <message>
+        <location filename="ui/export/screenshot_dialog.cpp"/>
         <location filename="ui/kit/export_bar.cpp"/>
         <location filename="ui/print/print_export_bar.cpp"/>
-        <location filename="ui/window/screenshot_dialog.cpp"/>
         <source>Export</source>
         <translation>Exportieren</translation>
     </message>
@@ -7094,7 +7097,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Netz ausgeben</translation>
     </message>
     <message>
-        <location filename="ui/window/screenshot_dialog.cpp"/>
+        <location filename="ui/export/screenshot_dialog.cpp"/>
         <source>Export picture</source>
         <translation>Bild exportieren</translation>
     </message>
@@ -7233,7 +7236,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>weit weg</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/motion_json.cpp"/>
+        <location filename="exhibits/framework/time/motion_json.cpp"/>
         <source>farthest={1} is before nearest={2}; give it a number from {3} to {4}</source>
         <translation>farthest={=1} liegt vor nearest={=2}; gültig ist eine Zahl von {=3} bis {=4}</translation>
     </message>
@@ -7285,9 +7288,9 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Sichtwinkel</translation>
     </message>
     <message>
+        <location filename="ui/export/screenshot_dialog.cpp"/>
         <location filename="ui/kit/export_bar.cpp"/>
         <location filename="ui/print/print_numbers.cpp"/>
-        <location filename="ui/window/screenshot_dialog.cpp"/>
         <source>File</source>
         <translation>Datei</translation>
     </message>
@@ -7486,6 +7489,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <location filename="ui/compare/compare_bar.cpp"/>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
         <source>Flicker</source>
+        <extracomment>tables</extracomment>
         <translation>Flackern</translation>
     </message>
     <message>
@@ -7612,7 +7616,7 @@ Optics, printed dots, and ink that spreads as far as is set.</source>
 Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translation>
     </message>
     <message>
-        <location filename="ui/window/screenshot_dialog.cpp"/>
+        <location filename="ui/export/screenshot_dialog.cpp"/>
         <source>Format</source>
         <translation>Format</translation>
     </message>
@@ -7694,6 +7698,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="exhibits/jobs/record/record_table.h"/>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <source>Frame rate</source>
+        <extracomment>tables</extracomment>
         <translation>Bildrate</translation>
     </message>
     <message>
@@ -7916,12 +7921,12 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Geisterbilder</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/motion_json.cpp"/>
+        <location filename="exhibits/framework/time/motion_json.cpp"/>
         <source>give a kind and two values, such as {1}:0.1:0.9, then its options.</source>
         <translation>geben Sie eine Art und zwei Werte an, etwa {=1}:0.1:0.9, danach ihre Optionen.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/picture_record.cpp"/>
+        <location filename="exhibits/framework/files/picture_record.cpp"/>
         <source>give depth, normal or evaluations; correct it there.</source>
         <translation>geben Sie depth, normal oder evaluations an; korrigieren Sie es dort.</translation>
     </message>
@@ -8257,7 +8262,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Heatmap-Skala</translation>
     </message>
     <message>
-        <location filename="ui/window/screenshot_dialog.cpp"/>
+        <location filename="ui/export/screenshot_dialog.cpp"/>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
         <location filename="exhibits/jobs/record/record_table.h"/>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
@@ -8266,6 +8271,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
         <source>Height</source>
+        <extracomment>tables</extracomment>
         <translation>Höhe</translation>
     </message>
     <message>
@@ -8436,7 +8442,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>zurückgehaltene Ansicht {1}</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/motion_json.cpp"/>
+        <location filename="exhibits/framework/time/motion_json.cpp"/>
         <source>heldAt={1}: give a number of seconds.</source>
         <translation>heldAt={=1}: Geben Sie eine Zahl von Sekunden an.</translation>
     </message>
@@ -8533,6 +8539,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="ui/parameters/parameter_panel.cpp"/>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
         <source>Hold</source>
+        <extracomment>tables</extracomment>
         <translation>Ruhezeit</translation>
     </message>
     <message>
@@ -8748,12 +8755,12 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>In der Referenz steht {1} auf {2}.</translation>
     </message>
     <message>
-        <location filename="ui/window/ledger_view.cpp"/>
+        <location filename="ui/report/ledger_view.cpp"/>
         <source>in the step above</source>
         <translation>im Schritt darüber</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/lesson.cpp"/>
+        <location filename="exhibits/framework/files/lesson.cpp"/>
         <source>in the text below this heading {1}</source>
         <translation>im Text unter dieser Überschrift {1}</translation>
     </message>
@@ -9226,7 +9233,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>der BIN-Block ist nicht der zweite</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/lesson.cpp"/>
+        <location filename="exhibits/framework/files/lesson.cpp"/>
         <source>its block must be an object: {...}.</source>
         <translation>ihr Block muss ein Objekt sein: {...}.</translation>
     </message>
@@ -9584,7 +9591,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Art</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/motion_json.cpp"/>
+        <location filename="exhibits/framework/time/motion_json.cpp"/>
         <source>kind of motion</source>
         <translation>Art von Bewegung</translation>
     </message>
@@ -9783,7 +9790,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Verlässt die Lektion und stellt Ihre Einstellungen wieder her.</translation>
     </message>
     <message>
-        <location filename="ui/window/ledger_view.cpp"/>
+        <location filename="ui/report/ledger_view.cpp"/>
         <location filename="ui/window/window_docks.cpp"/>
         <source>Ledger</source>
         <translation>Frame-Protokoll</translation>
@@ -9792,6 +9799,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="ui/print/eyes_preview.cpp"/>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
         <source>left</source>
+        <extracomment>tables</extracomment>
         <translation>links</translation>
     </message>
     <message>
@@ -9831,6 +9839,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/jobs/record/record_table.h"/>
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
         <source>Length</source>
+        <extracomment>tables</extracomment>
         <translation>Länge</translation>
     </message>
     <message>
@@ -10213,7 +10222,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Die Gruppe sperren</translation>
     </message>
     <message>
-        <location filename="ui/window/log_view.cpp"/>
+        <location filename="ui/report/log_view.cpp"/>
         <location filename="ui/window/window_docks.cpp"/>
         <source>Log</source>
         <translation>Meldungen</translation>
@@ -10360,7 +10369,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Maschine</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset_values.cpp"/>
+        <location filename="exhibits/framework/table/preset_values.cpp"/>
         <source>made unit length)</source>
         <translation>auf Länge eins gebracht)</translation>
     </message>
@@ -10498,7 +10507,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Matrixmischung</translation>
     </message>
     <message>
-        <location filename="ui/window/ledger_view.cpp"/>
+        <location filename="ui/report/ledger_view.cpp"/>
         <location filename="render/plan/contribution_bound.cpp"/>
         <source>may change any pixel</source>
         <translation>kann jedes Pixel ändern</translation>
@@ -10699,12 +10708,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Millisekunden eines Bildes, nach einer Uhr, der nicht zu trauen ist</translation>
     </message>
     <message>
-        <location filename="ui/window/ledger_view.cpp"/>
+        <location filename="ui/report/ledger_view.cpp"/>
         <source>Milliseconds of the same pass with settings B, in a complete frame that reuses nothing from the previous one.</source>
         <translation>Millisekunden desselben Passes mit den Einstellungen B, in einem vollständigen Frame, der nichts vom vorigen übernimmt.</translation>
     </message>
     <message>
-        <location filename="ui/window/ledger_view.cpp"/>
+        <location filename="ui/report/ledger_view.cpp"/>
         <source>Milliseconds that a skipped pass took when it last ran. “Run everything” measures all of them.</source>
         <translation>Millisekunden, die ein ausgelassener Pass brauchte, als er zuletzt lief. „Alles ausführen“ misst sie alle.</translation>
     </message>
@@ -10886,6 +10895,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <location filename="exhibits/sdf_morph/sdf_morph_table.h"/>
         <source>Motion</source>
+        <extracomment>tables</extracomment>
         <translation>Bewegung</translation>
     </message>
     <message>
@@ -10977,8 +10987,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Setzt den Fokus in den vorigen Teil des Fensters.</translation>
     </message>
     <message>
+        <location filename="ui/report/ledger_view.cpp"/>
         <location filename="ui/study/study_dock.cpp"/>
-        <location filename="ui/window/ledger_view.cpp"/>
         <source>ms</source>
         <translation>ms</translation>
     </message>
@@ -11149,7 +11159,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>dafür ist keine Datei gewählt</translation>
     </message>
     <message>
-        <location filename="ui/window/frame_graph.cpp"/>
+        <location filename="ui/report/frame_graph.cpp"/>
         <source>No frame has been drawn yet.</source>
         <translation>Noch wurde kein Frame gezeichnet.</translation>
     </message>
@@ -11229,7 +11239,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Kein Parameter passt zu „%1“.</translation>
     </message>
     <message>
-        <location filename="ui/window/picture_export.cpp"/>
+        <location filename="ui/export/picture_export.cpp"/>
         <source>No picture can be made: there is no graphics context.</source>
         <translation>Es kann kein Bild gemacht werden: Es gibt keinen Grafikkontext.</translation>
     </message>
@@ -11388,6 +11398,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/noise/noise.h"/>
         <location filename="exhibits/noise/noise_table.h"/>
         <source>Noise</source>
+        <extracomment>tables</extracomment>
         <translation>Rauschen</translation>
     </message>
     <message>
@@ -11421,6 +11432,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/printing/print_table.h"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
         <source>none</source>
+        <extracomment>tables</extracomment>
         <translation>keine</translation>
     </message>
     <message>
@@ -12090,6 +12102,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/hall/hall_table.h"/>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
         <source>off</source>
+        <extracomment>tables</extracomment>
         <translation>aus</translation>
     </message>
     <message>
@@ -12124,6 +12137,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="ui/presets/preset_facts.cpp"/>
         <location filename="exhibits/hall/hall_table.h"/>
         <source>on</source>
+        <extracomment>tables</extracomment>
         <translation>ein</translation>
     </message>
     <message>
@@ -12211,12 +12225,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Nur eine Operation mit einem Kind lässt sich darum herum wegnehmen.</translation>
     </message>
     <message>
-        <location filename="ui/window/ledger_view.cpp"/>
+        <location filename="ui/report/ledger_view.cpp"/>
         <source>only B: %1</source>
         <translation>nur B: %1</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/lesson.cpp"/>
+        <location filename="exhibits/framework/files/lesson.cpp"/>
         <source>only blocks of JSON are read; begin it with ```json.</source>
         <translation>nur JSON-Blöcke werden gelesen; beginnen Sie ihn mit ```json.</translation>
     </message>
@@ -12251,7 +12265,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>nur die Strahlen werden gezeigt</translation>
     </message>
     <message>
-        <location filename="ui/window/screenshot_dialog.cpp"/>
+        <location filename="ui/export/screenshot_dialog.cpp"/>
         <source>Only the chosen exhibit</source>
         <translation>Nur das gewählte Exponat</translation>
     </message>
@@ -12910,7 +12924,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Bild und Referenz</translation>
     </message>
     <message>
-        <location filename="ui/window/export_again.cpp"/>
+        <location filename="ui/export/export_again.cpp"/>
         <source>Picture saved to %1.</source>
         <translation>Bild als %1 gespeichert.</translation>
     </message>
@@ -12944,7 +12958,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Bild {1} von {2}</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/picture_record.cpp"/>
+        <location filename="exhibits/framework/files/picture_record.cpp"/>
         <source>picture.{1} is not known here; it is left out</source>
         <translation>picture.{=1} ist hier nicht bekannt; es wird weggelassen</translation>
     </message>
@@ -13443,9 +13457,9 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Profil der Verschmelzung zwischen den Oberflächen.</translation>
     </message>
     <message>
+        <location filename="ui/export/screenshot_dialog.cpp"/>
         <location filename="ui/kit/export_bar.cpp"/>
         <location filename="ui/study/study_dock.cpp"/>
-        <location filename="ui/window/screenshot_dialog.cpp"/>
         <source>Progress</source>
         <translation>Fortschritt</translation>
     </message>
@@ -14410,6 +14424,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <source>Resolution</source>
+        <extracomment>tables</extracomment>
         <translation>Auflösung</translation>
     </message>
     <message>
@@ -14541,6 +14556,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="ui/print/eyes_preview.cpp"/>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
         <source>right</source>
+        <extracomment>tables</extracomment>
         <translation>rechts</translation>
     </message>
     <message>
@@ -14894,7 +14910,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Zeilen: %1</translation>
     </message>
     <message>
-        <location filename="ui/window/ledger_dock.cpp"/>
+        <location filename="ui/report/ledger_dock.cpp"/>
         <source>Run everything</source>
         <translation>Alles ausführen</translation>
     </message>
@@ -14904,7 +14920,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Durchlauf {1} von {2}</translation>
     </message>
     <message>
-        <location filename="ui/window/ledger_dock.cpp"/>
+        <location filename="ui/report/ledger_dock.cpp"/>
         <source>Runs every pass, including those that the picture does not need. The picture stays identical; only the cost changes.</source>
         <translation>Führt jeden Pass aus, auch die, die das Bild nicht braucht. Das Bild bleibt auf das Bit gleich; nur die Kosten ändern sich.</translation>
     </message>
@@ -14957,7 +14973,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>behaltene Samples</translation>
     </message>
     <message>
-        <location filename="ui/window/screenshot_dialog.cpp"/>
+        <location filename="ui/export/screenshot_dialog.cpp"/>
         <source>Samples per pixel</source>
         <translation>Samples pro Pixel</translation>
     </message>
@@ -14972,7 +14988,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Samples pro Pixel: Kanten sind bei 1 Treppen, bei 16 glatt. Auto: wie in dem Bild, dessen Einstellungen übernommen werden, sonst die Supersamples der Halle, wo sie gesetzt sind, sonst 4.</translation>
     </message>
     <message>
-        <location filename="ui/window/screenshot_dialog.cpp"/>
+        <location filename="ui/export/screenshot_dialog.cpp"/>
         <source>Samples per pixel: edges are stairs at 1, smooth at 16; 64 is for prints.</source>
         <translation>Samples pro Pixel: Kanten sind bei 1 Treppen, bei 16 glatt; 64 sind für Drucke.</translation>
     </message>
@@ -15072,7 +15088,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Die angehakten speichern…</translation>
     </message>
     <message>
-        <location filename="ui/window/ledger_view.cpp"/>
+        <location filename="ui/report/ledger_view.cpp"/>
         <source>Saved</source>
         <translation>Gespart</translation>
     </message>
@@ -15092,9 +15108,9 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>%1 gespeichert, und daneben die Einstellungen.</translation>
     </message>
     <message>
+        <location filename="ui/export/screenshot_dialog.cpp"/>
         <location filename="ui/presets/preset_shelf.cpp"/>
         <location filename="ui/record/bookmarks.cpp"/>
-        <location filename="ui/window/screenshot_dialog.cpp"/>
         <source>Saved %1.</source>
         <translation>%1 gespeichert.</translation>
     </message>
@@ -15155,6 +15171,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
         <source>Scale</source>
+        <extracomment>tables</extracomment>
         <translation>Maßstab</translation>
     </message>
     <message>
@@ -15189,6 +15206,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="ui/print/print_numbers.cpp"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
         <source>Scene</source>
+        <extracomment>tables</extracomment>
         <translation>Szene</translation>
     </message>
     <message>
@@ -15219,7 +15237,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Bildschirmf&amp;oto</translation>
     </message>
     <message>
-        <location filename="ui/window/screenshot.cpp"/>
+        <location filename="ui/export/screenshot.cpp"/>
         <source>Screenshot saved to %1.</source>
         <translation>Bildschirmfoto als %1 gespeichert.</translation>
     </message>
@@ -15307,6 +15325,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="exhibits/noise/noise_table.h"/>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
         <source>Seed</source>
+        <extracomment>tables</extracomment>
         <translation>Startwert</translation>
     </message>
     <message>
@@ -15754,6 +15773,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
         <location filename="exhibits/printing/print_table.h"/>
         <source>Sheet</source>
+        <extracomment>tables</extracomment>
         <translation>Folie</translation>
     </message>
     <message>
@@ -15847,6 +15867,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
         <source>Show</source>
+        <extracomment>tables</extracomment>
         <translation>Zeigen</translation>
     </message>
     <message>
@@ -15896,8 +15917,8 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Quader zeigen</translation>
     </message>
     <message>
+        <location filename="ui/export/screenshot_dialog.cpp"/>
         <location filename="ui/kit/message_strip.cpp"/>
-        <location filename="ui/window/screenshot_dialog.cpp"/>
         <source>Show in folder</source>
         <translation>Im Ordner zeigen</translation>
     </message>
@@ -15912,8 +15933,8 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>&amp;Antwort zeigen</translation>
     </message>
     <message>
+        <location filename="ui/export/screenshot_dialog.cpp"/>
         <location filename="ui/kit/message_strip.cpp"/>
-        <location filename="ui/window/screenshot_dialog.cpp"/>
         <source>Show the file in its folder</source>
         <translation>Die Datei in ihrem Ordner zeigen</translation>
     </message>
@@ -16097,12 +16118,13 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Sechzehn Ansichten</translation>
     </message>
     <message>
+        <location filename="ui/export/screenshot_dialog.cpp"/>
         <location filename="ui/print/print_numbers.cpp"/>
-        <location filename="ui/window/screenshot_dialog.cpp"/>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
         <location filename="exhibits/sdf_scenes/operation_kinds.cpp"/>
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
         <source>Size</source>
+        <extracomment>tables</extracomment>
         <translation>Größe</translation>
     </message>
     <message>
@@ -16145,7 +16167,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Skins werden nicht unterstützt; Netze behalten ihre Ruhepose.</translation>
     </message>
     <message>
-        <location filename="ui/window/ledger_view.cpp"/>
+        <location filename="ui/report/ledger_view.cpp"/>
         <source>skipped</source>
         <translation>ausgelassen</translation>
     </message>
@@ -16290,10 +16312,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="render/scene/gltf_guard.cpp"/>
         <source>something follows {1} that is no chunk</source>
         <translation>auf „{1}“ folgt etwas, das kein Block ist</translation>
-    </message>
-    <message>
-        <source>source</source>
-        <translation>Original</translation>
     </message>
     <message>
         <location filename="exhibits/noise/noise_table.h"/>
@@ -16625,7 +16643,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Offen lassen</translation>
     </message>
     <message>
-        <location filename="ui/window/ledger_view.cpp"/>
+        <location filename="ui/report/ledger_view.cpp"/>
         <source>Step</source>
         <translation>Schritt</translation>
     </message>
@@ -16794,6 +16812,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="ui/explore/explore_dock.cpp"/>
         <location filename="exhibits/fur/fur_table.h"/>
         <source>Strength</source>
+        <extracomment>tables</extracomment>
         <translation>Stärke</translation>
     </message>
     <message>
@@ -17352,7 +17371,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>der Anschnitt ist {1}; geben Sie 0 oder mehr an</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/lesson.cpp"/>
+        <location filename="exhibits/framework/files/lesson.cpp"/>
         <source>the block that says whose lesson this is is missing; write ```json, {&quot;format&quot;: &quot;vitrine-lesson&quot;, &quot;version&quot;: 1, &quot;exhibit&quot;: ...} and ``` below the title.</source>
         <translation>der Block, der sagt, wessen Lektion das ist, fehlt; schreiben Sie ```json, {&quot;format&quot;: &quot;vitrine-lesson&quot;, &quot;version&quot;: 1, &quot;exhibit&quot;: ...} und ``` unter den Titel.</translation>
     </message>
@@ -17602,7 +17621,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>der Kanal der Auswertungen ist verlangt</translation>
     </message>
     <message>
-        <location filename="ui/window/screenshot_dialog.cpp"/>
+        <location filename="ui/export/screenshot_dialog.cpp"/>
         <source>The exhibit alone, in the hall's light; around it the picture is transparent.</source>
         <translation>Das Exponat allein, im Licht der Halle; um es herum ist das Bild transparent.</translation>
     </message>
@@ -17819,12 +17838,12 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Der Auftrag wurde angehalten.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/motion_json.cpp"/>
+        <location filename="exhibits/framework/time/motion_json.cpp"/>
         <source>the key &quot;kind&quot; is missing; add it.</source>
         <translation>der Schlüssel &quot;kind&quot; fehlt; ergänzen Sie ihn.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset.cpp"/>
+        <location filename="exhibits/framework/files/preset.cpp"/>
         <location filename="exhibits/recording/tour.cpp"/>
         <source>the key &quot;{1}&quot; is missing; add it.</source>
         <translation>der Schlüssel „{=1}“ fehlt; fügen Sie ihn hinzu.</translation>
@@ -17939,7 +17958,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Das Museum selbst: seine Sonne, sein Himmel, seine Spiegelungen und die Belichtung des Bildes.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset_values.cpp"/>
+        <location filename="exhibits/framework/table/preset_values.cpp"/>
         <source>the name of a choice</source>
         <translation>der Name einer Auswahl</translation>
     </message>
@@ -18039,7 +18058,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>das Bild ist nicht geteilt</translation>
     </message>
     <message>
-        <location filename="ui/window/copies.cpp"/>
+        <location filename="ui/export/copies.cpp"/>
         <source>The picture is on the clipboard, %1 × %2 pixels.</source>
         <translation>Das Bild liegt in der Zwischenablage, %1 × %2 Pixel.</translation>
     </message>
@@ -18219,7 +18238,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Die Reihen enden, bevor Laternen so schmal aussehen.</translation>
     </message>
     <message>
-        <location filename="ui/window/ledger_view.cpp"/>
+        <location filename="ui/report/ledger_view.cpp"/>
         <source>the same in both</source>
         <translation>in beiden gleich</translation>
     </message>
@@ -18445,7 +18464,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>der Tabelle von --manual</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/lesson.cpp"/>
+        <location filename="exhibits/framework/files/lesson.cpp"/>
         <source>the text below this heading has {1} bytes and the strip has room for {2}; shorten it, or make two steps of it.</source>
         <translation>der Text unter dieser Überschrift hat {1} Bytes, und die Leiste hat Platz für {2}; kürzen Sie ihn, oder machen Sie zwei Schritte daraus.</translation>
     </message>
@@ -18734,17 +18753,17 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>es sind {1}, mehr als die erlaubten {2}; vereinfachen Sie das Modell.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/lesson.cpp"/>
+        <location filename="exhibits/framework/files/lesson.cpp"/>
         <source>there is a block under this heading already; put both into one.</source>
         <translation>unter dieser Überschrift steht bereits ein Block; legen Sie beide zusammen.</translation>
     </message>
     <message>
-        <location filename="app/apply_preset.cpp"/>
+        <location filename="app/kit/apply_preset.cpp"/>
         <source>There is neither a file nor a preset of {1} named {2} its presets are {3}</source>
         <translation>Es gibt weder eine Datei noch ein Preset von {=1} namens {2} die Presets sind {=3}</translation>
     </message>
     <message>
-        <location filename="app/apply_preset.cpp"/>
+        <location filename="app/kit/apply_preset.cpp"/>
         <source>There is neither a file nor a preset of {1} named {2}; give a preset file.</source>
         <translation>Es gibt weder eine Datei noch ein Preset von {=1} namens {=2}; geben Sie eine Preset-Datei an.</translation>
     </message>
@@ -18774,7 +18793,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Es gibt keine frühere Position.</translation>
     </message>
     <message>
-        <location filename="app/picture_options.cpp"/>
+        <location filename="app/kit/picture_options.cpp"/>
         <source>There is no exhibit &quot;{1} `vitrine list` names them.</source>
         <translation>Kein Exponat heißt &quot;{1} `vitrine list` nennt alle.</translation>
     </message>
@@ -18784,7 +18803,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>In der Bildmitte ist kein Exponat.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/lesson.cpp"/>
+        <location filename="exhibits/framework/files/lesson.cpp"/>
         <source>there is no exhibit of that name; `vitrine list` names them.</source>
         <translation>ein Exponat dieses Namens gibt es nicht; `vitrine list` nennt sie.</translation>
     </message>
@@ -18836,7 +18855,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Einen Knoten {=1} gibt es nicht mehr; wählen Sie einen anderen.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/lesson.cpp"/>
+        <location filename="exhibits/framework/files/lesson.cpp"/>
         <source>there is no parameter &quot;{1}&quot;; `vitrine list --manual {2}` names those of {3}.</source>
         <translation>einen Parameter „{=1}“ gibt es nicht; `vitrine list --manual {=2}` nennt die von {=3}.</translation>
     </message>
@@ -18881,7 +18900,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Eine Folie „{=1}“ gibt es nicht; bekannt sind {=2}.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/lesson.cpp"/>
+        <location filename="exhibits/framework/files/lesson.cpp"/>
         <source>there is no step in it; write &quot;## Title&quot; for each.</source>
         <translation>sie enthält keinen Schritt; schreiben Sie „## Titel“ für jeden.</translation>
     </message>
@@ -18911,7 +18930,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>diesen Parameter gibt es nicht{1} entfernen Sie ihn dort.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/lesson.cpp"/>
+        <location filename="exhibits/framework/files/lesson.cpp"/>
         <source>there is no text below this heading; write a sentence, or remove the heading.</source>
         <translation>unter dieser Überschrift steht kein Text; schreiben Sie einen Satz, oder entfernen Sie die Überschrift.</translation>
     </message>
@@ -18921,7 +18940,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>es gibt keinen Text zu zeigen</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset.cpp"/>
+        <location filename="exhibits/framework/files/preset.cpp"/>
         <source>there is no version {1}; correct it there.</source>
         <translation>es gibt keine Version {1}; berichtigen Sie sie dort.</translation>
     </message>
@@ -18941,12 +18960,12 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Der Speicher reichte dafür nicht aus, und nichts wurde geändert. Wählen Sie eine kleinere Größe, oder schließen Sie ein anderes Programm.</translation>
     </message>
     <message>
-        <location filename="app/say.h"/>
+        <location filename="app/kit/say.h"/>
         <source>There was not enough memory for this; ask for a smaller size, or fewer samples or views.</source>
         <translation>Der Speicher reichte dafür nicht aus; verlangen Sie eine kleinere Größe, oder weniger Samples oder Ansichten.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset_tags.cpp"/>
+        <location filename="exhibits/framework/files/preset_tags.cpp"/>
         <source>these are more than {1} tags; take some away.</source>
         <translation>das sind mehr als {1} Tags; entfernen Sie einige.</translation>
     </message>
@@ -19137,12 +19156,12 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Fünfunddreißig Körper sind ein Eis; jeder Punkt fragt die wenigen, die entscheiden.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/lesson.cpp"/>
+        <location filename="exhibits/framework/files/lesson.cpp"/>
         <source>this answer has no question; write &quot;### Question&quot; above it.</source>
         <translation>diese Antwort hat keine Frage; schreiben Sie „### Question“ darüber.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/lesson.cpp"/>
+        <location filename="exhibits/framework/files/lesson.cpp"/>
         <source>this block is not closed; end it with ```.</source>
         <translation>dieser Block ist nicht geschlossen; beenden Sie ihn mit ```.</translation>
     </message>
@@ -19162,7 +19181,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>dieses data:-URI ist nicht base64; exportieren Sie die Datei neu.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset_values.cpp"/>
+        <location filename="exhibits/framework/table/preset_values.cpp"/>
         <source>this direction has no length; give it one.</source>
         <translation>diese Richtung hat keine Länge; geben Sie ihr eine.</translation>
     </message>
@@ -19187,7 +19206,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Dieses Exponat hat keine Diagramme.</translation>
     </message>
     <message>
-        <location filename="ui/window/screenshot_dialog.cpp"/>
+        <location filename="ui/export/screenshot_dialog.cpp"/>
         <source>This exhibit is made of light alone: there is nothing to cut out.</source>
         <translation>Dieses Exponat besteht nur aus Licht: Es gibt nichts freizustellen.</translation>
     </message>
@@ -19202,17 +19221,17 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>diese Datei wird nicht geöffnet: {1}; nennen Sie eine im Ordner der Szene oder darunter</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset.cpp"/>
+        <location filename="exhibits/framework/files/preset.cpp"/>
         <source>this holds settings of the whole exhibition; open it as such.</source>
         <translation>das enthält Einstellungen der ganzen Ausstellung; öffnen Sie es als solche.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset.cpp"/>
+        <location filename="exhibits/framework/files/preset.cpp"/>
         <source>this holds settings of {1} and none of {2}; choose another.</source>
         <translation>dies enthält Einstellungen von {=1} und keine von {=2}; wählen Sie ein anderes.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset.cpp"/>
+        <location filename="exhibits/framework/files/preset.cpp"/>
         <source>this is a preset of one exhibit; open it there.</source>
         <translation>das ist ein Preset eines einzelnen Exponats; öffnen Sie es dort.</translation>
     </message>
@@ -19232,12 +19251,12 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>das ist keine Liste von Linsenfolien der Version 1; legen Sie sie beiseite, und eine neue wird begonnen.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset.cpp"/>
+        <location filename="exhibits/framework/files/preset.cpp"/>
         <source>this is no preset of Vitrine: it says neither format nor version.</source>
         <translation>das ist kein Preset von Vitrine: Es nennt weder Format noch Version.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset.cpp"/>
+        <location filename="exhibits/framework/files/preset.cpp"/>
         <source>this is no preset: it must be a JSON object.</source>
         <translation>das ist kein Preset: Es muss ein JSON-Objekt sein.</translation>
     </message>
@@ -19262,7 +19281,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>das ist keine endliche Zahl</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/lesson.cpp"/>
+        <location filename="exhibits/framework/files/lesson.cpp"/>
         <source>this is not a lesson; write &quot;vitrine-lesson&quot;.</source>
         <translation>das ist keine Lektion; schreiben Sie „vitrine-lesson“.</translation>
     </message>
@@ -19297,7 +19316,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>dieser Schlüssel ist länger als {1}</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/lesson.cpp"/>
+        <location filename="exhibits/framework/files/lesson.cpp"/>
         <source>this key is not known here; remove it, or write one of {1}.</source>
         <translation>dieser Schlüssel ist hier nicht bekannt; entfernen Sie ihn, oder schreiben Sie einen von {=1}.</translation>
     </message>
@@ -19307,7 +19326,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Diese Art von Video speichert eine Farbe für zwei mal zwei Pixel und braucht gerade Größen, und nicht {=1}; geben Sie {2}x{3} an, oder wählen Sie .gif, .webp oder .apng.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/lesson.cpp"/>
+        <location filename="exhibits/framework/files/lesson.cpp"/>
         <source>this lesson is of a newer Vitrine; update the program.</source>
         <translation>diese Lektion stammt von einem neueren Vitrine; aktualisieren Sie das Programm.</translation>
     </message>
@@ -19323,17 +19342,17 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>das FFmpeg dieses Rechners hat keinen Encoder {=1}</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/picture_record.cpp"/>
+        <location filename="exhibits/framework/files/picture_record.cpp"/>
         <source>this matrix leaves nothing to draw; correct it there.</source>
         <translation>diese Matrix lässt nichts zu zeichnen übrig; korrigieren Sie es dort.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset_values.cpp"/>
+        <location filename="exhibits/framework/table/preset_values.cpp"/>
         <source>this must be </source>
         <translation>hier muss stehen: </translation>
     </message>
     <message>
-        <location filename="exhibits/framework/lesson.cpp"/>
+        <location filename="exhibits/framework/files/lesson.cpp"/>
         <source>this must be &quot;best&quot;, or an object with eye, target and fov.</source>
         <translation>hier muss „best“ stehen, oder ein Objekt mit eye, target und fov.</translation>
     </message>
@@ -19373,7 +19392,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>hier muss eine Zahl stehen</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/picture_record.cpp"/>
+        <location filename="exhibits/framework/files/picture_record.cpp"/>
         <source>this must be a number of seconds; correct it there.</source>
         <translation>dies muss eine Zahl von Sekunden sein; korrigieren Sie es dort.</translation>
     </message>
@@ -19383,7 +19402,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>hier muss eine Zahl stehen, oder drei als [x, y, z]</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/motion_json.cpp"/>
+        <location filename="exhibits/framework/time/motion_json.cpp"/>
         <location filename="exhibits/study/kept_study.cpp"/>
         <source>this must be a number; correct it there.</source>
         <translation>hier muss eine Zahl stehen; korrigieren Sie es dort.</translation>
@@ -19405,7 +19424,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>hier muss eine ganze Zahl ab 1 stehen; korrigieren Sie es dort.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/picture_record.cpp"/>
+        <location filename="exhibits/framework/files/picture_record.cpp"/>
         <location filename="exhibits/study/kept_study.cpp"/>
         <source>this must be a whole number from {1} to {2}; correct it there.</source>
         <translation>hier muss eine ganze Zahl von {1} bis {2} stehen; korrigieren Sie es dort.</translation>
@@ -19416,7 +19435,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>hier muss eine ganze Zahl stehen, nicht {1}</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset.cpp"/>
+        <location filename="exhibits/framework/files/preset.cpp"/>
         <source>this must be a whole number; correct it there.</source>
         <translation>hier muss eine ganze Zahl stehen; korrigieren Sie es dort.</translation>
     </message>
@@ -19426,17 +19445,17 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>hier muss ein Array mit mindestens einem Lesezeichen stehen; korrigieren Sie es dort.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/picture_record.cpp"/>
+        <location filename="exhibits/framework/files/picture_record.cpp"/>
         <source>this must be an array of names; correct it there.</source>
         <translation>dies muss ein Array aus Namen sein; korrigieren Sie es dort.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset_tags.cpp"/>
+        <location filename="exhibits/framework/files/preset_tags.cpp"/>
         <source>this must be an array of texts; correct it there.</source>
         <translation>hier muss ein Array von Texten stehen; korrigieren Sie es dort.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/picture_record.cpp"/>
+        <location filename="exhibits/framework/files/picture_record.cpp"/>
         <source>this must be an array of two numbers; correct it there.</source>
         <translation>dies muss ein Array aus zwei Zahlen sein; korrigieren Sie es dort.</translation>
     </message>
@@ -19461,10 +19480,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>hier muss ein Array stehen; exportieren Sie die Datei neu.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/lesson.cpp"/>
-        <location filename="exhibits/framework/picture_record.cpp"/>
-        <location filename="exhibits/framework/preset.cpp"/>
-        <location filename="exhibits/framework/motion_json.cpp"/>
+        <location filename="exhibits/framework/files/lesson.cpp"/>
+        <location filename="exhibits/framework/files/picture_record.cpp"/>
+        <location filename="exhibits/framework/files/preset.cpp"/>
+        <location filename="exhibits/framework/time/motion_json.cpp"/>
         <location filename="exhibits/printing/print_json.cpp"/>
         <location filename="exhibits/recording/tour.cpp"/>
         <location filename="exhibits/study/kept_study.cpp"/>
@@ -19497,21 +19516,21 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>hier muss etwas wie 2026-11-25T01:43:23 stehen; korrigieren Sie es dort.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset.cpp"/>
-        <location filename="exhibits/framework/preset_tags.cpp"/>
-        <location filename="exhibits/framework/motion_json.cpp"/>
+        <location filename="exhibits/framework/files/preset.cpp"/>
+        <location filename="exhibits/framework/files/preset_tags.cpp"/>
+        <location filename="exhibits/framework/time/motion_json.cpp"/>
         <location filename="exhibits/recording/tour.cpp"/>
         <location filename="exhibits/study/kept_study.cpp"/>
         <source>this must be text; correct it there.</source>
         <translation>hier muss Text stehen; korrigieren Sie es dort.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/picture_record.cpp"/>
+        <location filename="exhibits/framework/files/picture_record.cpp"/>
         <source>this must be the code of a language; correct it there.</source>
         <translation>dies muss das Kürzel einer Sprache sein; korrigieren Sie es dort.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/picture_record.cpp"/>
+        <location filename="exhibits/framework/files/picture_record.cpp"/>
         <source>this must be three arrays of three numbers; correct it there.</source>
         <translation>dies müssen drei Arrays aus je drei Zahlen sein; korrigieren Sie es dort.</translation>
     </message>
@@ -19527,7 +19546,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>hier muss true oder false stehen</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/picture_record.cpp"/>
+        <location filename="exhibits/framework/files/picture_record.cpp"/>
         <location filename="exhibits/recording/tour.cpp"/>
         <location filename="exhibits/study/kept_study.cpp"/>
         <source>this must be true or false; correct it there.</source>
@@ -19555,7 +19574,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>hier müssen {1} Zahlen stehen</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/lesson.cpp"/>
+        <location filename="exhibits/framework/files/lesson.cpp"/>
         <source>this must be {1}; correct it there.</source>
         <translation>hier muss {1} stehen; korrigieren Sie es dort.</translation>
     </message>
@@ -19630,7 +19649,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Dieser Platz wartet auf ein Exponat.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset.cpp"/>
+        <location filename="exhibits/framework/files/preset.cpp"/>
         <source>this preset is for {1}, not for {2}; choose another.</source>
         <translation>dieses Preset ist für {=1}, nicht für {=2}; wählen Sie ein anderes.</translation>
     </message>
@@ -19640,7 +19659,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Dieser Druck ist nicht möglich: {1}.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/lesson.cpp"/>
+        <location filename="exhibits/framework/files/lesson.cpp"/>
         <source>this question has no answer; write &quot;### Answer&quot; below it.</source>
         <translation>diese Frage hat keine Antwort; schreiben Sie „### Answer“ darunter.</translation>
     </message>
@@ -19670,17 +19689,17 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Diese Folie ist für Wechselbilder gemacht, und ihre Linsen stehen aufrecht: Jedes Auge sieht ein anderes Bild. Legen Sie sie für einen Wechsel quer (Richtung 90°).</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/lesson.cpp"/>
+        <location filename="exhibits/framework/files/lesson.cpp"/>
         <source>this step has &quot;### {1}&quot; already; put both into one, or make two steps.</source>
         <translation>dieser Schritt hat schon „### {=1}“; legen Sie beide zusammen, oder machen Sie zwei Schritte daraus.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/lesson.cpp"/>
+        <location filename="exhibits/framework/files/lesson.cpp"/>
         <source>this step has no preset; write ```json, {&quot;values&quot;: {}} and ``` below its text.</source>
         <translation>dieser Schritt hat kein Preset; schreiben Sie ```json, {&quot;values&quot;: {}} und ``` unter seinen Text.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/lesson.cpp"/>
+        <location filename="exhibits/framework/files/lesson.cpp"/>
         <source>this step has no text; write a sentence below its heading.</source>
         <translation>dieser Schritt hat keinen Text; schreiben Sie einen Satz unter seine Überschrift.</translation>
     </message>
@@ -19857,7 +19876,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Zeitpunkte der Belichtung</translation>
     </message>
     <message>
-        <location filename="ui/window/frame_graph.cpp"/>
+        <location filename="ui/report/frame_graph.cpp"/>
         <source>Times of the last frames</source>
         <translation>Zeiten der letzten Frames</translation>
     </message>
@@ -19976,7 +19995,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Transmission: 0 ist undurchsichtig, 1 ist klares Glas mit der Farbe von 10 cm davon.</translation>
     </message>
     <message>
-        <location filename="ui/window/screenshot_dialog.cpp"/>
+        <location filename="ui/export/screenshot_dialog.cpp"/>
         <source>Transparent</source>
         <translation>Transparent</translation>
     </message>
@@ -20022,7 +20041,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <location filename="render/scene/gltf_schema.cpp"/>
-        <location filename="exhibits/framework/preset_values.cpp"/>
+        <location filename="exhibits/framework/table/preset_values.cpp"/>
         <source>true or false</source>
         <translation>true oder false</translation>
     </message>
@@ -20107,6 +20126,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/jobs/record/record_table.h"/>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <source>Turn</source>
+        <extracomment>tables</extracomment>
         <translation>Drehung</translation>
     </message>
     <message>
@@ -20171,7 +20191,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>zwei Passes haben denselben Namen</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/parameters.cpp"/>
+        <location filename="exhibits/framework/table/parameters.cpp"/>
         <source>two rows share a name</source>
         <translation>zwei Zeilen haben denselben Namen</translation>
     </message>
@@ -20257,22 +20277,22 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Vereinigungen</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset_values.cpp"/>
+        <location filename="exhibits/framework/table/preset_values.cpp"/>
         <source>unknown choice &quot;{1}&quot;; choose one of {2}.</source>
         <translation>Unbekannte Auswahl „{=1}“; wählen Sie eine von {=2}.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/motion_json.cpp"/>
+        <location filename="exhibits/framework/time/motion_json.cpp"/>
         <source>unknown ease &quot;{1}&quot;; give one of {2}</source>
         <translation>unbekannter Verlauf &quot;{=1}&quot;; geben Sie einen an von {=2}</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/motion_json.cpp"/>
+        <location filename="exhibits/framework/time/motion_json.cpp"/>
         <source>unknown kind of motion &quot;{1}&quot;; give one of {2}</source>
         <translation>unbekannte Art von Bewegung &quot;{=1}&quot;; geben Sie eine an von {=2}</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/motion_json.cpp"/>
+        <location filename="exhibits/framework/time/motion_json.cpp"/>
         <source>unknown {1} &quot;{2}&quot;; choose one of {3}.</source>
         <translation>unbekannt ({1}): &quot;{=2}&quot;; wählen Sie eines von {=3}.</translation>
     </message>
@@ -20422,7 +20442,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Übernimmt die gewählte Variation und zeichnet neun neue um sie herum.</translation>
     </message>
     <message>
-        <location filename="ui/window/screenshot_dialog.cpp"/>
+        <location filename="ui/export/screenshot_dialog.cpp"/>
         <source>Usual sizes</source>
         <translation>Übliche Größen</translation>
     </message>
@@ -20509,6 +20529,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <source>View</source>
+        <extracomment>tables</extracomment>
         <translation>Ansicht</translation>
     </message>
     <message>
@@ -20552,6 +20573,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/lenticular/lenticular_table.h"/>
         <location filename="exhibits/printing/print_table.h"/>
         <source>Views</source>
+        <extracomment>tables</extracomment>
         <translation>Ansichten</translation>
     </message>
     <message>
@@ -20588,7 +20610,7 @@ oder aus einem Bild mit einem Raster von Ansichten geschnitten werden. Ein Ordne
         <translation>%1 besuchen</translation>
     </message>
     <message>
-        <location filename="ui/window/screenshot_dialog.cpp"/>
+        <location filename="ui/export/screenshot_dialog.cpp"/>
         <source>Visit an exhibit first: the hall has nothing around it that could be left out.</source>
         <translation>Besuchen Sie zuerst ein Exponat: Um die Halle herum ist nichts, was wegbleiben könnte.</translation>
     </message>
@@ -20888,7 +20910,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>Was von anderswo kommt, hat keine eigene Art; ändern Sie es dort, wo es geschrieben steht.</translation>
     </message>
     <message>
-        <location filename="ui/window/ledger_dock.cpp"/>
+        <location filename="ui/report/ledger_dock.cpp"/>
         <location filename="ui/window/status_line.cpp"/>
         <source>What is drawn and why</source>
         <translation>Was gezeichnet wird, und warum</translation>
@@ -20926,7 +20948,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>Was die Szene umgibt, ist schwarz, bis es gelesen werden kann.</translation>
     </message>
     <message>
-        <location filename="ui/window/ledger_dock.cpp"/>
+        <location filename="ui/report/ledger_dock.cpp"/>
         <source>What the frame cost</source>
         <translation>Was der Frame gekostet hat</translation>
     </message>
@@ -21258,7 +21280,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>Weißes Papier um Beschnitt und Anschnitt, auf jeder Seite.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset_values.cpp"/>
+        <location filename="exhibits/framework/table/preset_values.cpp"/>
         <source>whole numbers only)</source>
         <translation>nur ganze Zahlen)</translation>
     </message>
@@ -21273,7 +21295,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>Wessen Parameter</translation>
     </message>
     <message>
-        <location filename="ui/window/ledger_view.cpp"/>
+        <location filename="ui/report/ledger_view.cpp"/>
         <source>Why</source>
         <translation>Warum</translation>
     </message>
@@ -21283,7 +21305,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>Warum hat das keine Wirkung?</translation>
     </message>
     <message>
-        <location filename="ui/window/screenshot_dialog.cpp"/>
+        <location filename="ui/export/screenshot_dialog.cpp"/>
         <location filename="exhibits/jobs/record/record_table.h"/>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <location filename="exhibits/printing/print_table.h"/>
@@ -21461,7 +21483,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>Mit {1} Pixeln pro Linse kann der Drucker Ansichten nicht trennen.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/lesson.cpp"/>
+        <location filename="exhibits/framework/files/lesson.cpp"/>
         <source>within a step there are the headings &quot;### Try&quot;, &quot;### Question&quot; and &quot;### Answer&quot;; write one of them, or &quot;## &quot; for a step.</source>
         <translation>in einem Schritt gibt es die Überschriften „### Try“, „### Question“ und „### Answer“; schreiben Sie eine davon, oder „## “ für einen Schritt.</translation>
     </message>
@@ -21471,9 +21493,10 @@ steht in assets/SOURCES.md.</translation>
         <translation>vom Knopf geweckt vor {1}</translation>
     </message>
     <message>
-        <location filename="ui/window/ledger_view.cpp"/>
+        <location filename="ui/report/ledger_view.cpp"/>
         <location filename="exhibits/noise/noise_table.h"/>
         <source>Work</source>
+        <extracomment>tables</extracomment>
         <translation>Werk</translation>
     </message>
     <message>
@@ -21520,7 +21543,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>Packt den gewählten Knoten in eine Operation.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/lesson.cpp"/>
+        <location filename="exhibits/framework/files/lesson.cpp"/>
         <source>write &quot;milliseconds&quot;, &quot;row:NAME&quot; or &quot;counter:NAME&quot; here.</source>
         <translation>schreiben Sie hier „milliseconds“, „row:NAME“ oder „counter:NAME“.</translation>
     </message>
@@ -21721,33 +21744,33 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1} &quot;{=2}&quot; ist keine Metrik{3} geben Sie eine an von {=4}</translation>
     </message>
     <message>
-        <location filename="app/number_option.cpp"/>
+        <location filename="render/text/nearest_word.cpp"/>
         <source>{1} &quot;{2}&quot;: did you mean {3}? give one of {4}</source>
         <translation>{=1} &quot;{=2}&quot;: Meinten Sie {=3}? Geben Sie eines an von {=4}</translation>
     </message>
     <message>
-        <location filename="app/picture_options.cpp"/>
+        <location filename="app/kit/picture_options.cpp"/>
         <source>{1} &quot;{2}&quot;: give name=value, such as {3}</source>
         <translation>{=1} &quot;{=2}&quot;: Geben Sie Name=Wert an, etwa {=3}</translation>
     </message>
     <message>
-        <location filename="app/number_option.cpp"/>
+        <location filename="render/text/nearest_word.cpp"/>
         <source>{1} &quot;{2}&quot;: give one of {3}</source>
         <translation>{=1} &quot;{=2}&quot;: Geben Sie eines an von {=3}</translation>
     </message>
     <message>
-        <location filename="app/picture_options.cpp"/>
+        <location filename="app/kit/picture_options.cpp"/>
         <source>{1} &quot;{2}&quot;: give three numbers, such as {3} 1.5,2,-0.5.</source>
         <translation>{=1} „{=2}“: Geben Sie drei Zahlen an, etwa {=3} 1.5,2,-0.5.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/typed_number.cpp"/>
+        <location filename="exhibits/framework/table/typed_number.cpp"/>
         <location filename="exhibits/jobs/kit/job_options.cpp"/>
         <source>{1} &quot;{2}&quot;: give {3}</source>
         <translation>{=1} &quot;{=2}&quot;: Geben Sie an: {3}</translation>
     </message>
     <message>
-        <location filename="app/picture_options.cpp"/>
+        <location filename="app/kit/picture_options.cpp"/>
         <source>{1} &quot;{2}&quot;: give {3}, each from 1 to 1000000, such as {4}</source>
         <translation>{=1} &quot;{=2}&quot;: Geben Sie {3} an, jede Zahl von 1 bis 1000000, etwa {=4}</translation>
     </message>
@@ -21757,12 +21780,12 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1} „{=2}“: geben Sie {=3} an, etwa {=4}</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/typed_number.cpp"/>
+        <location filename="exhibits/framework/table/typed_number.cpp"/>
         <source>{1} &quot;{2}&quot;: numbers have a decimal point here, in every language; write {3}</source>
         <translation>{=1} &quot;{=2}&quot;: Zahlen haben hier einen Dezimalpunkt, in jeder Sprache; schreiben Sie {=3}</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/acting.cpp"/>
+        <location filename="exhibits/framework/table/acting.cpp"/>
         <source>{1} (which acts when {2})</source>
         <translation>{1} (was wirkt, wenn {2})</translation>
     </message>
@@ -21772,12 +21795,12 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1} (beim Bauen von {=2}); korrigieren Sie den Shader, oder installieren Sie das Programm neu.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/motion_json.cpp"/>
+        <location filename="exhibits/framework/time/motion_json.cpp"/>
         <source>{1} -&gt; {2} (allowed {3} to {4})</source>
         <translation>{=1} -&gt; {=2} (erlaubt {=3} bis {=4})</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/motion_json.cpp"/>
+        <location filename="exhibits/framework/time/motion_json.cpp"/>
         <source>{1} -&gt; {2} (allowed {3} to {4}, whole numbers only)</source>
         <translation>{=1} -&gt; {=2} (erlaubt {=3} bis {=4}, nur ganze Zahlen)</translation>
     </message>
@@ -21792,14 +21815,14 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1} und andere</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/acting.cpp"/>
+        <location filename="exhibits/framework/table/acting.cpp"/>
         <location filename="exhibits/study/kept_study.cpp"/>
         <source>{1} and {2}</source>
         <translation>{1} und {2}</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/kit/given_values.cpp"/>
-        <location filename="app/usage_error.cpp"/>
+        <location filename="app/kit/usage_error.cpp"/>
         <source>{1} and {2} exclude each other; give one of them.</source>
         <translation>{=1} und {=2} schließen einander aus; geben Sie eines davon an.</translation>
     </message>
@@ -21819,7 +21842,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1} gehört zu einer anderen Version; </translation>
     </message>
     <message>
-        <location filename="app/usage_error.cpp"/>
+        <location filename="app/kit/usage_error.cpp"/>
         <source>{1} belongs to {2}; give that, too.</source>
         <translation>{=1} gehört zu {=2}; geben Sie das ebenfalls an.</translation>
     </message>
@@ -21858,7 +21881,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>{1} ist misslungen ({=2})</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/typed_number.cpp"/>
+        <location filename="exhibits/framework/table/typed_number.cpp"/>
         <source>{1} from {2} to {3}</source>
         <translation>{1} von {2} bis {3}</translation>
     </message>
@@ -21871,13 +21894,13 @@ steht in assets/SOURCES.md.</translation>
         <translation>{1} von {2} bis {3} innerhalb von {4} s</translation>
     </message>
     <message>
-        <location filename="app/useless_option.cpp"/>
+        <location filename="app/kit/useless_option.cpp"/>
         <source>{1} has no effect on {2}; leave it out.</source>
         <translation>{1} bewirkt nichts bei {2}; lassen Sie es weg.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/kit/given_values.cpp"/>
-        <location filename="app/useless_option.cpp"/>
+        <location filename="app/kit/useless_option.cpp"/>
         <source>{1} has no effect without {2}; leave it out, or give that too.</source>
         <translation>{1} bewirkt nichts ohne {2}; lassen Sie es weg oder geben Sie auch das an.</translation>
     </message>
@@ -21917,13 +21940,13 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1} fehlt; erzeugen Sie alle Teile neu.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset.cpp"/>
+        <location filename="exhibits/framework/files/preset.cpp"/>
         <location filename="exhibits/museum/read_tables.cpp"/>
         <source>{1} is not known here; it is kept</source>
         <translation>{=1} ist hier nicht bekannt; es bleibt erhalten</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/motion_json.cpp"/>
+        <location filename="exhibits/framework/time/motion_json.cpp"/>
         <location filename="exhibits/recording/tour.cpp"/>
         <source>{1} is not known here; it is left out</source>
         <translation>{=1} ist hier nicht bekannt; es wird weggelassen</translation>
@@ -22000,7 +22023,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1} braucht „{=2}“: {3}</translation>
     </message>
     <message>
-        <location filename="app/usage_error.cpp"/>
+        <location filename="app/kit/usage_error.cpp"/>
         <source>{1} needs a value behind it; `{2} --help` says which.</source>
         <translation>{=1} braucht dahinter einen Wert; `{=2} --help` sagt, welchen.</translation>
     </message>
@@ -22026,12 +22049,12 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1} von {=2}</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/prepare.h"/>
+        <location filename="exhibits/framework/scene/prepare.h"/>
         <source>{1} of {2}: {3}</source>
         <translation>{1} von {2}: {3}</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/prepare.h"/>
+        <location filename="exhibits/framework/scene/prepare.h"/>
         <source>{1} of {2}: {3}.</source>
         <translation>{1} von {2}: {3}.</translation>
     </message>
@@ -22046,7 +22069,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1} bietet keine Vergleiche; nennen Sie zwei Einstellungen.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/acting.cpp"/>
+        <location filename="exhibits/framework/table/acting.cpp"/>
         <source>{1} or {2}</source>
         <translation>{1} oder {2}</translation>
     </message>
@@ -22066,12 +22089,12 @@ steht in assets/SOURCES.md.</translation>
         <translation>{1} Samples waren keine endlichen Zahlen und wurden ersetzt.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/motion_json.cpp"/>
+        <location filename="exhibits/framework/time/motion_json.cpp"/>
         <source>{1} Take it out.</source>
         <translation>{1} Nehmen Sie sie heraus.</translation>
     </message>
     <message>
-        <location filename="app/usage_error.cpp"/>
+        <location filename="app/kit/usage_error.cpp"/>
         <source>{1} takes no value; leave out what stands behind it.</source>
         <translation>{=1} nimmt keinen Wert; lassen Sie weg, was dahinter steht.</translation>
     </message>
@@ -22122,7 +22145,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>{1} Ansichten teilen sich {2} Pixel pro Linse: Nicht mehr als {3} davon lassen sich unterscheiden.</translation>
     </message>
     <message>
-        <location filename="app/usage_error.cpp"/>
+        <location filename="app/kit/usage_error.cpp"/>
         <source>{1} was given more than once; give it once.</source>
         <translation>{=1} steht mehrmals da; geben Sie es einmal an.</translation>
     </message>
@@ -22146,7 +22169,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>{1}, Dateien</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/animation.cpp"/>
+        <location filename="exhibits/framework/time/animation.cpp"/>
         <source>{1}, held</source>
         <translation>{1}, angehalten</translation>
     </message>
@@ -22166,7 +22189,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>{1}, Zeile {2}, {3}: {4}</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/lesson.cpp"/>
+        <location filename="exhibits/framework/files/lesson.cpp"/>
         <source>{1}, line {2}: {3}</source>
         <translation>{=1}, Zeile {2}: {3}</translation>
     </message>
@@ -22177,7 +22200,7 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/kit/job.cpp"/>
-        <location filename="app/picture_options.cpp"/>
+        <location filename="app/kit/picture_options.cpp"/>
         <source>{1}: give a name that ends in {2}</source>
         <translation>{=1}: Geben Sie einen Namen an, der auf {2} endet</translation>
     </message>
@@ -22192,7 +22215,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1}: Hier sind keine Teile; erzeugen Sie sie mit --shard 1/N bis N/N und demselben --out.</translation>
     </message>
     <message>
-        <location filename="app/apply_preset.cpp"/>
+        <location filename="app/kit/apply_preset.cpp"/>
         <source>{1}: it is a preset of &quot;{2}&quot;, which is not in this museum.</source>
         <translation>{=1}: Das ist ein Preset von „{=2}“, das es in diesem Museum nicht gibt.</translation>
     </message>
@@ -22217,7 +22240,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1}: Das Diagramm konnte nicht gezeichnet werden; prüfen Sie, ob Qts Offscreen-Plattform und eine Schrift installiert sind.</translation>
     </message>
     <message>
-        <location filename="app/part_folder.cpp"/>
+        <location filename="app/kit/part_folder.cpp"/>
         <location filename="app/render_command.cpp"/>
         <source>{1}: the folder cannot be made ({2}); choose another with --out.</source>
         <translation>{=1}: Der Ordner lässt sich nicht anlegen ({=2}); wählen Sie mit --out einen anderen.</translation>
@@ -22228,7 +22251,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1}: Der Ordner lässt sich nicht anlegen ({2}); wählen Sie einen anderen.</translation>
     </message>
     <message>
-        <location filename="app/part_folder.cpp"/>
+        <location filename="app/kit/part_folder.cpp"/>
         <source>{1}: the folder cannot be put in place ({2}); choose another with --out.</source>
         <translation>{=1}: Der Ordner lässt sich nicht an seinen Platz bringen ({=2}); wählen Sie mit --out einen anderen.</translation>
     </message>
@@ -22238,12 +22261,12 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1}: Die Teile stammen von einer anderen Version des Programms ({=2}); fügen Sie sie mit dieser zusammen.</translation>
     </message>
     <message>
-        <location filename="app/picture_options.cpp"/>
+        <location filename="app/kit/picture_options.cpp"/>
         <source>{1}: there is no exhibit &quot;{2} `vitrine list` names them.</source>
         <translation>{=1}: Kein Exponat heißt &quot;{2} `vitrine list` nennt alle.</translation>
     </message>
     <message>
-        <location filename="app/picture_options.cpp"/>
+        <location filename="app/kit/picture_options.cpp"/>
         <source>{1}: this format holds no 16 bits; give a name that ends in {2}, or leave --sixteen-bit out.</source>
         <translation>{=1}: Dieses Format hält keine 16 Bit; geben Sie einen Namen an, der auf {2} endet, oder lassen Sie --sixteen-bit weg.</translation>
     </message>
@@ -22253,7 +22276,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1}: Dieser Frame fehlt oder hat andere Einstellungen; zeichnen Sie ihn neu.</translation>
     </message>
     <message>
-        <location filename="app/apply_preset.cpp"/>
+        <location filename="app/kit/apply_preset.cpp"/>
         <source>{1}: this is a picture of {2}; its settings were taken, and not its size, samples, time or turns.</source>
         <translation>{=1}: Dies ist ein Bild von {=2}; seine Einstellungen wurden übernommen, nicht aber Größe, Samples, Zeit und Drehungen.</translation>
     </message>
@@ -22269,12 +22292,12 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1}: In diesem Bild steht kein Preset; wählen Sie eine Preset-Datei oder ein Bild, das Vitrine gemacht hat.</translation>
     </message>
     <message>
-        <location filename="app/apply_preset.cpp"/>
+        <location filename="app/kit/apply_preset.cpp"/>
         <source>{1}: this picture carries no preset; give a preset file, or a picture that Vitrine made.</source>
         <translation>{=1}: In diesem Bild steckt kein Preset; geben Sie eine Preset-Datei an, oder ein Bild, das Vitrine erzeugt hat.</translation>
     </message>
     <message>
-        <location filename="app/picture_options.cpp"/>
+        <location filename="app/kit/picture_options.cpp"/>
         <source>{1}: {2} has no parameter of that name{3} `vitrine list --json` names them.</source>
         <translation>{=1}: {=2} hat keinen Parameter dieses Namens{3} `vitrine list --json` nennt alle.</translation>
     </message>
@@ -22284,17 +22307,17 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1}: {2}; entfernen Sie den Ordner, oder geben Sie ein anderes --out an.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/state_folder.cpp"/>
+        <location filename="exhibits/framework/files/state_folder.cpp"/>
         <source>{1}; allow writing in that folder, or start Vitrine with XDG_DATA_HOME set to a folder that can be written.</source>
         <translation>{1}; erlauben Sie das Schreiben in diesem Ordner, oder starten Sie Vitrine mit XDG_DATA_HOME auf einem Ordner, in den geschrieben werden kann.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/state_folder.cpp"/>
+        <location filename="exhibits/framework/files/state_folder.cpp"/>
         <source>{1}; allow writing in that folder, or start Vitrine with XDG_STATE_HOME set to a folder that can be written. Until then nothing is saved there.</source>
         <translation>{1}; erlauben Sie das Schreiben in diesem Ordner, oder starten Sie Vitrine mit XDG_STATE_HOME auf einem Ordner, in den geschrieben werden kann. Bis dahin wird dort nichts gesichert.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/state_folder.cpp"/>
+        <location filename="exhibits/framework/files/state_folder.cpp"/>
         <source>{1}; allow writing in that folder.</source>
         <translation>{1}; erlauben Sie das Schreiben in diesem Ordner.</translation>
     </message>
@@ -22309,7 +22332,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>{1}; wählen Sie einen anderen Ordner, oder geben Sie Platz frei.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/preset_tags.cpp"/>
+        <location filename="exhibits/framework/files/preset_tags.cpp"/>
         <source>{1}; correct it there.</source>
         <translation>{1}; korrigieren Sie es dort.</translation>
     </message>
@@ -22338,49 +22361,49 @@ steht in assets/SOURCES.md.</translation>
         <translation>{1}; der alte Inhalt ist unberührt; geben Sie Platz frei, oder wählen Sie einen anderen Datenträger</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/motion_json.cpp"/>
+        <location filename="exhibits/framework/time/motion_json.cpp"/>
         <source>{1}= is given twice; remove one of them.</source>
         <translation>{=1}= steht zweimal da; entfernen Sie eines davon.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/motion_json.cpp"/>
+        <location filename="exhibits/framework/time/motion_json.cpp"/>
         <source>{1}={2}: give a number from {3} to {4}</source>
         <translation>{=1}={=2}: gültig ist eine Zahl von {=3} bis {=4}</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/motion_json.cpp"/>
+        <location filename="exhibits/framework/time/motion_json.cpp"/>
         <source>{1}={2}: give a whole number from {3} to {4}</source>
         <translation>{=1}={=2}: gültig ist eine ganze Zahl von {=3} bis {=4}</translation>
     </message>
     <message>
-        <location filename="app/usage_error.cpp"/>
+        <location filename="app/kit/usage_error.cpp"/>
         <source>{1}` cannot be run as it was typed; `{2} --help` says what it takes.</source>
         <translation>{=1}` lässt sich so nicht ausführen; `{=2} --help` sagt, was es nimmt.</translation>
     </message>
     <message>
-        <location filename="app/usage_error.cpp"/>
+        <location filename="app/kit/usage_error.cpp"/>
         <source>{1}` has no command &quot;{2} `{3} --help` lists what it has.</source>
         <translation>{=1}` kennt keinen Befehl &quot;{2} `{=3} --help` nennt alle.</translation>
     </message>
     <message>
-        <location filename="app/usage_error.cpp"/>
+        <location filename="app/kit/usage_error.cpp"/>
         <source>{1}` has no option {2} `{3} --help` lists what it has.</source>
         <translation>{=1}` kennt keine Option {2} `{=3} --help` nennt alle.</translation>
     </message>
     <message>
-        <location filename="app/usage_error.cpp"/>
+        <location filename="app/kit/usage_error.cpp"/>
         <source>{1}` needs a command; `{2} --help` lists what it has.</source>
         <translation>{=1}` braucht einen Befehl; `{=2} --help` nennt alle.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/kit/given_values.cpp"/>
         <location filename="app/jobs/job_arguments.cpp"/>
-        <location filename="app/usage_error.cpp"/>
+        <location filename="app/kit/usage_error.cpp"/>
         <source>{1}` needs {2}; `{3} --help` says what it is.</source>
         <translation>{=1}` braucht {=2}; `{=3} --help` sagt, was das ist.</translation>
     </message>
     <message>
-        <location filename="app/usage_error.cpp"/>
+        <location filename="app/kit/usage_error.cpp"/>
         <source>{1}` takes no further argument, and &quot;{2}&quot; is one; `{3} --help` says what it takes.</source>
         <translation>{=1}` nimmt kein weiteres Argument, und &quot;{=2}&quot; ist eines; `{=3} --help` sagt, was es nimmt.</translation>
     </message>
@@ -22405,22 +22428,22 @@ steht in assets/SOURCES.md.</translation>
         <translation>„%1“: %2</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/acting.cpp"/>
+        <location filename="exhibits/framework/table/acting.cpp"/>
         <source>“{1}” is above {2}</source>
         <translation>„{1}“ über {2} liegt</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/acting.cpp"/>
+        <location filename="exhibits/framework/table/acting.cpp"/>
         <source>“{1}” is not {2}</source>
         <translation>„{1}“ nicht auf {2} steht</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/acting.cpp"/>
+        <location filename="exhibits/framework/table/acting.cpp"/>
         <source>“{1}” is {2}</source>
         <translation>„{1}“ auf {2} steht</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/acting.cpp"/>
+        <location filename="exhibits/framework/table/acting.cpp"/>
         <source>“{1}” names a file</source>
         <translation>„{1}“ eine Datei nennt</translation>
     </message>
