@@ -167,7 +167,7 @@ QString DrawSchedule::reason() const
     if (moving_ || dirty_ || refined_ == 0)
         return tr("Rendering at %1 %").arg(static_cast<int>(drawnScale_ * 100 + 0.5));
     if (refined_ < samples_) return tr("Refining (%1 of %2 samples)").arg(refined_).arg(samples_) + limit();
-    return tr("Done (%1 samples)").arg(refined_).arg(samples_) + limit();
+    return tr("Done (%1 samples)").arg(refined_) + limit();
 }
 
 }  // namespace vitrine::ui
