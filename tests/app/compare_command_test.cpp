@@ -72,7 +72,7 @@ TEST(Compare, WhatCannotBeComparedIsSaidInOneSentence)
     EXPECT_EQ(channel.code, 2);
     test::expectOneSentence(channel, {"depth", "--channels"});
     EXPECT_EQ(test::vitrine({"compare", pair.a, pair.folder / "none.png"}).code, 5);
-    EXPECT_EQ(test::vitrine({"compare", pair.a, pair.b, "--heatmap", pair.folder / "map.jpg"}).code, 2);
+    EXPECT_EQ(test::vitrine({"compare", pair.a, pair.b, "--heatmap", pair.folder / "map.webp"}).code, 2);
 }
 
 }  // namespace

@@ -94,7 +94,7 @@ TEST(RenderCommand, TheReportSaysWhatRanWhatWasSkippedAndWhatItCost)
     const Json report = render::readJson(folder / "report.json").root();
     std::set<std::string> keys;
     for (const auto& [key, value] : report.items()) keys.insert(key);
-    EXPECT_EQ(keys, (std::set<std::string>{"exhibit", "size", "renderer", "clock", "ran", "skipped", "counters",
+    EXPECT_EQ(keys, (std::set<std::string>{"app", "exhibit", "size", "renderer", "clock", "ran", "skipped", "counters",
                                            "memory", "ms"}));
     for (const char* owner : {"images", "pictures", "meshes", "programs"})
         EXPECT_GT(report.at("memory").at(owner).at("count").get<int>(), 0) << owner;

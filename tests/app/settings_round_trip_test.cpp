@@ -238,9 +238,9 @@ TEST(SettingsRoundTrip, TheCopiedCommandLineSetsAndMovesEverything)
             }
             return std::string();
         };
-        for (std::size_t w = 0; w + 1 < words.size(); ++w) {
-            if (words[w] == "--set") options.sets.push_back(words[w + 1]);
-            if (words[w] == "--animate") options.motions.push_back(words[w + 1]);
+        for (const std::string& word : words) {
+            if (word.starts_with("--set=")) options.sets.push_back(word.substr(6));
+            if (word.starts_with("--animate=")) options.motions.push_back(word.substr(10));
         }
         options.size = valueOf("--size");
         options.eye = valueOf("--eye");

@@ -3,6 +3,7 @@
 #include "exhibits/exhibits.h"
 #include "exhibits/jobs.h"
 #include "exhibits/jobs/sprite/sprite_table.h"
+#include "render/version.h"
 #include "tests/render/scene/gltf_builder.h"
 #include "tests/ui/ui_main.h"
 #include "ui/jobs/job_dialog.h"
@@ -135,6 +136,12 @@ private slots:
     void initTestCase()
     {
         std::setlocale(LC_NUMERIC, "C");
+        // The program writes its commit into its files, which this one does not know.
+        QProcess program;
+        program.start(QStringLiteral(VITRINE_PROGRAM), {"--version"});
+        QVERIFY(program.waitForFinished(vitrine::test::patience));
+        const QByteArray version = program.readAllStandardOutput().trimmed();
+        render::setProgramCommit(version.contains('+') ? version.mid(version.indexOf('+') + 1).toStdString() : "");
         applyTheme(*qApp, darkTheme());
         museum_ = std::make_unique<Museum>(allExhibits());
         renderers_ = std::make_unique<MuseumRenderers>(*museum_);
