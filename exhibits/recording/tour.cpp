@@ -1,9 +1,11 @@
 #include "exhibits/recording/tour.h"
 
 #include "exhibits/framework/files/preset.h"
+#include "exhibits/framework/files/state_folder.h"
 #include "exhibits/framework/table/preset_values.h"
 #include "exhibits/recording/way_around.h"
 #include "render/failure.h"
+#include "render/files/read_file.h"
 #include "render/version.h"
 
 #include <algorithm>
@@ -114,6 +116,16 @@ CameraPath pathThrough(const Tour& tour, const std::vector<Leg>& legs, std::vect
 }
 
 }  // namespace
+
+std::filesystem::path bookmarksFile()
+{
+    return stateFolder() / "bookmarks.json";
+}
+
+Tour readTour(const std::filesystem::path& file)
+{
+    return parseTour(render::readFile(file, presetLimits.bytes), file.string());
+}
 
 Tour parseTour(std::string text, std::string fileName)
 {

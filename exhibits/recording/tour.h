@@ -4,6 +4,7 @@
 #include "exhibits/recording/camera_path.h"
 #include "render/files/strict_json.h"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,10 @@ struct Tour {
 /// format, a newer version, or no bookmarks. Fields of view and positions out of range are clamped, and unknown keys
 /// are ignored, with a note.
 [[nodiscard]] Tour parseTour(std::string text, std::string fileName);
+/// Reads a tour from a file. Throws Failure as `render::readFile` and `parseTour` do.
+[[nodiscard]] Tour readTour(const std::filesystem::path&);
+/// Returns the path of the file that keeps the visitor's bookmarks, as a tour. It may not exist.
+[[nodiscard]] std::filesystem::path bookmarksFile();
 [[nodiscard]] std::string tourText(const Tour&);
 
 /// Returns a path through the bookmarks that passes all obstacles (`Museum::obstacles`). If the smooth way between two

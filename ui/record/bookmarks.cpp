@@ -1,9 +1,6 @@
 #include "ui/record/bookmarks.h"
 
-#include "exhibits/framework/files/preset.h"
-#include "exhibits/framework/files/state_folder.h"
 #include "render/files/atomic_write.h"
-#include "render/files/read_file.h"
 #include "ui/kit/message_of.h"
 #include "ui/kit/text.h"
 #include "ui/model/history.h"
@@ -14,8 +11,7 @@
 
 namespace vitrine::ui {
 
-Bookmarks::Bookmarks(Workbench& window, QObject* parent)
-    : QObject(parent), window_(window), file_(stateFolder() / "bookmarks.json")
+Bookmarks::Bookmarks(Workbench& window, QObject* parent) : QObject(parent), window_(window), file_(bookmarksFile())
 {
     read();
 }
@@ -29,7 +25,7 @@ void Bookmarks::read()
         return;
     }
     try {
-        const Tour kept = parseTour(render::readFile(file_, presetLimits.bytes), file_.string());
+        const Tour kept = readTour(file_);
         places_.fill(std::nullopt);
         // A name begins with its number.
         for (const Bookmark& bookmark : kept.bookmarks) {

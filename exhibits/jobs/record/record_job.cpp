@@ -1,7 +1,5 @@
 #include "exhibits/jobs/record/record_job.h"
 
-#include "exhibits/framework/files/preset.h"
-#include "exhibits/framework/files/state_folder.h"
 #include "exhibits/jobs/kit/job_document.h"
 #include "exhibits/jobs/record/record_table.h"
 #include "exhibits/museum/picture_settings.h"
@@ -10,7 +8,6 @@
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
 #include "render/files/number_text.h"
-#include "render/files/read_file.h"
 
 #include <numbers>
 #include <optional>
@@ -30,16 +27,6 @@ struct RecordInputs final : JobInputs {
     std::optional<Tour> tour, bookmarks;
     std::string bookmarksProblem;  ///< Sentence on why the bookmarks cannot be read; empty: they can.
 };
-
-std::filesystem::path bookmarksFile()
-{
-    return stateFolder() / "bookmarks.json";
-}
-
-Tour readTour(const std::filesystem::path& file)
-{
-    return parseTour(render::readFile(file, presetLimits.bytes), file.string());
-}
 
 /// Returns the way of the camera, where it is chosen by the scene.
 RecordPath pathOf(const ParameterValues& values, const JobScene& scene)
