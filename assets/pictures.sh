@@ -3,8 +3,8 @@
 # documents and pages, and those of the window. Run it after a build, when something that they show has changed:
 #   sh assets/pictures.sh                            all of them
 #   sh assets/pictures.sh thumbnails|documents|window      one part; the window needs xvfb-run and the target show_window
-# The test `pictures_of_exhibits` draws the exhibits' thumbnails again and says which are out of date, and whether the window's picture shows
-# others than these.
+# The test `pictures_of_exhibits` draws the exhibits' thumbnails again and says which are out of date, and whether the
+# window's picture shows others than these.
 set -e
 cd "$(dirname "$0")/.."
 export LC_ALL=C

@@ -12,7 +12,8 @@ class App;
 
 namespace vitrine::app {
 
-/// What `print` can be told. Parameters of the print table are `typed`, and `views.values` once they are read.
+/// Options of `print`. `typed` holds the parameters of the print table as typed; `views.values` holds their values
+/// after `readPrintOptions`.
 struct PrintOptions {
     ViewOptions views;
     PartOptions part;

@@ -15,7 +15,7 @@ namespace vitrine::app {
 
 class Parts;
 
-/// What `print` can be told about its views, as typed.
+/// Options of `print` about its views, as typed.
 struct ViewOptions {
     std::vector<std::string> files;  ///< --views: folders and files.
     std::vector<std::string> quilt;  ///< "8x6" and a file; empty: none.
@@ -25,7 +25,7 @@ struct ViewOptions {
     int every = 1;
     bool pingPong = false;
 
-    ParameterValues values{printing::printTable()};  ///< Parameters of the print, once they are read.
+    ParameterValues values{printing::printTable()};  ///< Values of the print table, set by `readPrintOptions`.
     PictureOptions scene;                            ///< Of --exhibit; `subject` is empty when there is none.
     std::string viewSize;                            ///< Empty: of the print's shape.
     std::string baselineScale;                       ///< A number or "fit"; empty: 1, or 0 where something else moves.

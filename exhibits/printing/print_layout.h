@@ -60,8 +60,9 @@ public:
     [[nodiscard]] double printPitch() const { return pitch_; }  ///< Millimeters between strips of the same view.
     [[nodiscard]] double printLpi() const { return 25.4 / pitch_; }
     [[nodiscard]] double pixelsPerLens() const;  ///< Along the row or column, whichever crosses more lenses.
-    /// Views that printed dots under a lens can tell apart. Resolutions of files are rounded (PNG stores whole pixels
-    /// per meter), so that 12 pixels may be 11.9999: a ten-thousandth short of a pixel counts as the pixel.
+    /// Returns the number of whole dots under a lens, which is the most views that it can tell apart. Resolutions of
+    /// files are rounded (PNG stores whole pixels per meter), so that 12 pixels may be 11.9999: a ten-thousandth short
+    /// of a pixel counts as the pixel.
     [[nodiscard]] double wholePixelsPerLens() const;
 
     /// Returns the position in lenses of a place on the raster, in pixels from its top left corner. The integer part

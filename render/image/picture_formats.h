@@ -59,17 +59,17 @@ struct PictureFileFormat {
 
 /// Usual extensions of the formats that are written at a depth, or at any: "png", "jpg".
 [[nodiscard]] std::vector<std::string_view> writtenEndings(std::optional<int> bits = std::nullopt);
-/// The same for people: ".png, .jpg, .tif or .exr".
+/// Returns the same extensions as a text for people: ".png, .jpg, .tif or .exr".
 [[nodiscard]] std::string writtenExtensions(std::optional<int> bits = std::nullopt);
-/// Those of the formats that are written row by row: ".png or .tif".
+/// Returns the extensions of streamed formats as a text for people: ".png or .tif".
 [[nodiscard]] std::string streamedExtensions();
-/// All extensions of these, as `ParameterInfo::endings` has them: "png tif tiff".
+/// Returns all extensions of streamed formats in the form of `ParameterInfo::endings`: "png tif tiff".
 [[nodiscard]] std::string_view streamedEndings();
-/// The same for the formats that are written, which carry settings.
+/// Returns all extensions of written formats, which carry settings, in the form of `ParameterInfo::endings`.
 [[nodiscard]] std::string_view settingsEndings();
-/// All extensions that are read, as `ParameterInfo::endings` has them: "png jpg jpeg tif".
+/// Returns all extensions of readable formats in the form of `ParameterInfo::endings`: "png jpg jpeg tif".
 [[nodiscard]] std::string_view readEndings();
-/// Names of all formats that are read: "PNG, JPEG, TIFF or OpenEXR".
+/// Returns the names of all readable formats as a text for people: "PNG, JPEG, TIFF or OpenEXR".
 [[nodiscard]] const std::string& readFormats();
 
 }  // namespace vitrine::render
