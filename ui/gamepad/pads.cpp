@@ -33,12 +33,18 @@ bool padIsPlugged()
     return false;
 }
 
+/// A function of its own for the reason that render/image/video_codec.cpp states.
+static void* openGamepadModule()
+{
+    return render::openModule({"libvitrine_gamepad.so", VITRINE_GAMEPAD_BUILT, "vitrinePads", message("reads gamepads"),
+                               Message::verbatim("SDL")},
+                              [](void* found) { return found; });
+}
+
 std::unique_ptr<Pads> openPads()
 {
     // A static initialization that throws is tried again by the next call.
-    static void* const symbol = render::openModule({"libvitrine_gamepad.so", VITRINE_GAMEPAD_BUILT, "vitrinePads",
-                                                    message("reads gamepads"), Message::verbatim("SDL")},
-                                                   [](void* found) { return found; });
+    static void* const symbol = openGamepadModule();
     std::unique_ptr<Pads> pads(reinterpret_cast<decltype(&vitrinePads)>(symbol)(vitrinePadsVersion));
     if (!pads)
         throw Failure(Blame::file, "libvitrine_gamepad.so belongs to another version of Vitrine; build both together.");
