@@ -80,7 +80,7 @@ private:
 /// represent it) or a string is not valid UTF-8.
 [[nodiscard]] std::string writeJson(const Json&);
 
-/// Returns the same JSON with every non-ASCII character written as \uXXXX, for places that can only store Latin-1.
+/// Returns the same JSON with every non-ASCII character written as `\uXXXX`, for places that can only store Latin-1.
 [[nodiscard]] std::string asciiJson(std::string_view utf8Json);
 
 }  // namespace vitrine::render

@@ -10,7 +10,7 @@ class QLineEdit;
 
 namespace vitrine::ui {
 
-/// Editor of a color: a swatch that opens a dialog over the panel, and the color as #rrggbb. Accepts all notations of
+/// Editor of a color: a swatch that opens a dialog over the panel, and the color as `#rrggbb`. Accepts all notations of
 /// `typedValue`.
 class ColorEditor final : public ValueEditor {
     Q_OBJECT

@@ -44,7 +44,7 @@ enum class SaveOutcome : std::uint8_t { saved, changedOnDisk };
 
 /// Presets on disk: the user's presets, and those that come with the program (shipped).
 ///
-/// Files: <folder>/<exhibit>/<slug>.json with an optional thumbnail <slug>.png beside it. A file that cannot be read is
+/// Files: `FOLDER/EXHIBIT/SLUG.json` with an optional thumbnail `SLUG.png` beside it. A file that cannot be read is
 /// never written, moved or renamed. Every function throws Failure with file and cause, and then has changed nothing.
 class PresetStore {
 public:

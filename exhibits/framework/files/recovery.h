@@ -19,7 +19,7 @@ struct AbandonedSession {
 };
 
 /// Journal of one session: its whole state, so that a crash loses seconds instead of work. Files are
-/// <folder>/<pid>-<start time of the process>.json; the start time distinguishes processes that reuse a pid.
+/// `FOLDER/PID-START.json`, where START is the start time of the process; it distinguishes processes that reuse a pid.
 ///
 /// The caller decides when to write.
 class RecoveryJournal {
