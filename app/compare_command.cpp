@@ -85,16 +85,18 @@ int compare(const CompareOptions& options)
 
 void addCompareCommand(CLI::App& parser, Action& chosen)
 {
-    CLI::App* command = parser.add_subcommand("compare", "Say how far a picture is from its reference");
+    CLI::App* command = parser.add_subcommand("compare", "Measure the difference between a picture and its reference");
     auto options = std::make_shared<CompareOptions>();
     options->metric = "rmse";
     command->add_option("reference", options->reference, "Reference picture: " + render::readFormats())->required();
-    command->add_option("test", options->test, "Another of the same size")->required();
+    command->add_option("test", options->test, "Picture to compare with the reference; of the same size")->required();
     command->add_option("--metric", options->metric, metricNames())->capture_default_str();
-    command->add_option("--heatmap", options->heatMap, "Picture of the differences: " + render::writtenExtensions());
+    command->add_option("--heatmap", options->heatMap,
+                        "Output file for a picture of the differences: " + render::writtenExtensions());
     addNumber(*command, "--max", options->limit, {},
-              "Exit with 1 when the distance is beyond this (for psnr: below it)");
-    addNumber(*command, "--pixels-per-degree", options->pixelsPerDegree, {1, 1000}, "For flip: how large a pixel looks")
+              "Largest distance allowed (for psnr: the smallest); beyond it, the exit code is 1");
+    addNumber(*command, "--pixels-per-degree", options->pixelsPerDegree, {1, 1000},
+              "Pixels per degree of the viewer's field of view, for the metric flip")
         ->capture_default_str();
     command->callback([&chosen, options] { chosen = [options] { return compare(*options); }; });
 }

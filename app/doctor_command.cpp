@@ -97,21 +97,22 @@ int doctor(bool asJson)
 void addDoctorCommand(CLI::App& parser, Action& chosen)
 {
     CLI::App* command =
-        parser.add_subcommand("doctor", "Say what this machine can do: OpenGL, limits, clock, libraries");
+        parser.add_subcommand("doctor", "Print what this machine can do: OpenGL, limits, clock, libraries");
     struct Given {
         bool asJson = false;
         bool stability = false;
         StabilityOptions options;
     };
     auto given = std::make_shared<Given>();
-    command->add_flag("--json", given->asJson, "As JSON");
-    command->add_flag("--stability", given->stability,
-                      "Try the hard cases on this machine's driver, and print what holds and what does not");
+    command->add_flag("--json", given->asJson, "Print the result as JSON");
+    command->add_flag(
+        "--stability", given->stability,
+        "Run the numerically difficult cases on this machine's driver, and print which pass and which fail");
     addNumber(*command, "--presets", given->options.presets, {1, 1e6},
-              "With --stability: random settings of each exhibit")
+              "Number of random settings per exhibit, with --stability")
         ->capture_default_str();
     addNumber(*command, "--first-seed", given->options.firstSeed, {0, 9007199254740992.0},
-              "With --stability: the seed to begin with; a fault names its own")
+              "Seed of the first random setting, with --stability; a failure prints its seed")
         ->capture_default_str();
     command->callback([&chosen, given, command] {
         chosen = [given, command] {

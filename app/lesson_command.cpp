@@ -87,14 +87,14 @@ void addLessonCommand(CLI::App& parser, Action& chosen)
 {
     CLI::App* command = parser.add_subcommand("lesson", "Work with lessons");
     command->require_subcommand(1);
-    command->add_subcommand("list", "The lessons that come with the program")->callback([&chosen] {
+    command->add_subcommand("list", "List the lessons that come with the program")->callback([&chosen] {
         chosen = listLessons;
     });
     CLI::App* showing = command->add_subcommand("show", "Print a lesson to read: steps, tasks, questions and answers");
     auto name = std::make_shared<std::string>();
     showing->add_option("lesson", *name, "Exhibit whose lesson is printed, or a lesson file")->required();
     showing->callback([&chosen, name] { chosen = [name] { return showLesson(*name); }; });
-    CLI::App* checking = command->add_subcommand("check", "Say whether lessons can be read, and what is wrong in them");
+    CLI::App* checking = command->add_subcommand("check", "Check whether lessons can be read, and list their errors");
     auto files = std::make_shared<std::vector<std::string>>();
     checking->add_option("files", *files, "Lessons, as Markdown")->required();
     checking->callback([&chosen, files] { chosen = [files] { return checkLessons(*files); }; });

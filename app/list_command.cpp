@@ -92,18 +92,19 @@ void addListCommand(CLI::App& parser, Action& chosen)
 {
     CLI::App* command = parser.add_subcommand("list", "List the exhibits and their parameters");
     auto asJson = std::make_shared<bool>(false);
-    command->add_flag("--json", *asJson, "Everything about every parameter, as JSON; numbers are in SI units");
+    command->add_flag("--json", *asJson, "Print all properties of every parameter as JSON; numbers are in SI units");
     auto sets = std::make_shared<std::vector<std::string>>();
     command
-        ->add_option("--set", *sets,
-                     "exhibit.name=value: with the rows that an exhibit has then, where the value is a file that gives "
-                     "it rows")
+        ->add_option(
+            "--set", *sets,
+            "Value of a file parameter, as exhibit.name=FILE; the list then has the parameters that the file adds")
         ->take_all()
         ->allow_extra_args(true);
     auto name = std::make_shared<std::string>();
-    command->add_option("--manual", *name, "Parameter table of one exhibit, as Markdown");
+    command->add_option("--manual", *name, "Name of an exhibit whose parameters are printed as a table in Markdown");
     auto ofJobs = std::make_shared<bool>(false);
-    command->add_flag("--jobs", *ofJobs, "The jobs instead; with --json, a JSON Schema of each one's parameters");
+    command->add_flag("--jobs", *ofJobs,
+                      "List the jobs in place of the exhibits; with --json, a JSON Schema of each job's parameters");
     command->callback([&chosen, asJson, sets, name, ofJobs, command] {
         chosen = [asJson, sets, name, ofJobs, command] {
             for (const char* option : {"--manual", "--set"}) refuseOn(*command, option, *ofJobs, "the list of --jobs");

@@ -65,7 +65,8 @@ int parseAndRun(int argc, char** argv)
     parser.set_help_flag("-h,--help", "Print this help and exit");
     std::string language;
     addLanguage(parser, language)
-        ->description("The language of plaques in pictures, and of the window: en (in pictures, without this) or de");
+        ->description("Language of the window and of plaques in pictures: en or de. Default: the desktop's in the "
+                      "window, en in pictures");
     parser.require_subcommand(0, 1);
     vitrine::app::Action chosen = [&] { return vitrine::app::openWindow(argc, argv, {}); };
     vitrine::app::addOpenCommand(parser, chosen, argc, argv);

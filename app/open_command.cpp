@@ -19,7 +19,7 @@ void addOpenCommand(CLI::App& parser, Action& chosen, int& argc, char** argv)
 {
     CLI::App* command = parser.add_subcommand("open", "Open the window with files: presets, prints, scenes, models");
     auto files = std::make_shared<std::vector<std::string>>();
-    command->add_option("files", *files, "What the window takes when it is dropped there");
+    command->add_option("files", *files, "Files to open, as when they are dropped onto the window");
     command->callback([&chosen, &argc, argv, files] {
         for (const std::string& file : *files)
             if (std::error_code error; !std::filesystem::exists(file, error))

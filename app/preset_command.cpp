@@ -76,7 +76,7 @@ void addPresetCommand(CLI::App& parser, Action& chosen)
     CLI::App* command = parser.add_subcommand("preset", "Work with preset files");
     command->require_subcommand(1);
     CLI::App* checking =
-        command->add_subcommand("check", "Say whether preset files can be loaded, and what loading changes");
+        command->add_subcommand("check", "Check whether preset files can be loaded, and list what loading changes");
     auto files = std::make_shared<std::vector<std::string>>();
     checking->add_option("files", *files, "Preset or exhibition files, or pictures that carry a preset")->required();
     checking->callback([&chosen, files] { chosen = [files] { return checkAll(*files); }; });

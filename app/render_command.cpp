@@ -98,9 +98,10 @@ void addRenderCommand(CLI::App& parser, Action& chosen)
                      "Output picture: " + render::writtenExtensions() + "; OpenEXR holds linear light")
         ->required();
     command->add_flag("--sixteen-bit", options->sixteenBit,
-                      "16 bits per channel: codes in PNG and TIFF, half floats for the color in OpenEXR");
+                      "Write 16 bits per channel: integers in PNG and TIFF, half floats for the color in OpenEXR");
     command->add_option("--report", options->report,
-                        "What ran, what was skipped and why, counters, times and memory by owner, as JSON");
+                        "File for the frame report as JSON: passes that ran, passes that were skipped and why, "
+                        "counters, times, memory by owner");
     addPictureOptions(*command, options->picture);
     command->callback([&chosen, options, command] {
         chosen = [options, command] {
@@ -117,7 +118,7 @@ void addTourCommand(CLI::App& parser, Action& chosen)
     auto folder = std::make_shared<std::string>("vitrine-tour");
     auto size = std::make_shared<std::string>("1280x720");
     auto samples = std::make_shared<int>(9);
-    command->add_option("--out", *folder, "The folder")->capture_default_str();
+    command->add_option("--out", *folder, "Output folder")->capture_default_str();
     command->add_option("--size", *size, "Width x height in pixels")->capture_default_str();
     addNumber(*command, "--samples", *samples, {1, 4096}, "Samples per pixel")->capture_default_str();
     command->callback([&chosen, folder, size, samples] {

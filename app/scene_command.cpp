@@ -70,12 +70,12 @@ int checkScenes(const std::vector<std::string>& files, bool asJson)
 void addCheck(CLI::App& command, Action& chosen)
 {
     CLI::App* checking =
-        command.add_subcommand("check", "Say what is wrong in scene files: file:line:column: key: ...");
+        command.add_subcommand("check", "Check scene files, and list their errors as file:line:column: key: ...");
     auto files = std::make_shared<std::vector<std::string>>();
     auto asJson = std::make_shared<bool>(false);
     checking->add_option("files", *files, "Scene files, of this program, or scene objects of the reference as JSON")
         ->required();
-    checking->add_flag("--json", *asJson, "The findings as JSON");
+    checking->add_flag("--json", *asJson, "Print the findings as JSON");
     checking->callback([&chosen, files, asJson] { chosen = [files, asJson] { return checkScenes(*files, *asJson); }; });
 }
 

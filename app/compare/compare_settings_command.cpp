@@ -164,7 +164,7 @@ int compareSettings(const CLI::App& command, SettingsOptions options)
 void addCompareSettingsCommand(CLI::App& parser, Action& chosen)
 {
     CLI::App* command = parser.add_subcommand(
-        "compare-settings", "Two settings side by side: pictures, differences, costs pass by pass, as one page");
+        "compare-settings", "Compare two settings on one page: pictures, differences, costs pass by pass");
     auto options = std::make_shared<SettingsOptions>();
     options->picture.subject = "hall";
     options->picture.size = usualPictureSize;
@@ -172,14 +172,14 @@ void addCompareSettingsCommand(CLI::App& parser, Action& chosen)
     command->add_option("a", options->files[0], what + "; an exhibit's name for its initial values")->required();
     command->add_option("b", options->files[1], what);
     command->add_option("--with", options->with,
-                        "In place of b: what the exhibit of a offers to be compared with, as `list --json` names it");
-    command->add_option("--out", options->picture.out, "The folder of the page")->required();
+                        "Name of a comparison that the exhibit of A offers (see `list --json`), in place of B");
+    command->add_option("--out", options->picture.out, "Output folder for the page")->required();
     command->add_option("--exhibit", options->picture.subject,
-                        "Whose presets they are: shipped ones may then be given by their names");
+                        "Exhibit whose shipped presets A and B may be given by their names");
     command->add_option("--size", options->picture.size, "Width x height in pixels")->capture_default_str();
     addNumber(*command, "--samples", options->picture.samples, {1, 4096},
-              "Samples per pixel; without it 4, or each one's supersamples where it changes them");
-    addNumber(*command, "--runs", options->runs, {1, 99}, "Timed frames of each")->capture_default_str();
+              "Samples per pixel. Default: the supersamples of a setting that changes them, else 4");
+    addNumber(*command, "--runs", options->runs, {1, 99}, "Number of timed frames per setting")->capture_default_str();
     std::vector<std::string> gains;
     for (const int gain : comparisonGains) gains.push_back(std::to_string(gain));
     addChoice(*command, "--gain", options->gain, gains, "Initial gain of the difference pictures")

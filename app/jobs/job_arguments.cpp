@@ -89,10 +89,11 @@ void addJobArguments(CLI::App& command, const jobs::Job& job, JobArguments& type
             ->allow_extra_args(true);
     }
     typed.parameters.addTo(command, job.parameters());
-    command.add_option("--out", typed.out, "Output file (" + extensionsText(job) + "); further files take its name");
+    command.add_option("--out", typed.out,
+                       "Output file (" + extensionsText(job) + "); further files have the same name and other endings");
     command.add_option("--like", typed.like,
-                       "Settings document (.vitrine-job.json), or an output beside which one lies: its settings, where "
-                       "no option gives others");
+                       "File whose settings are the initial ones: a settings document (.vitrine-job.json), or an "
+                       "output with one beside it");
     command.add_flag("--dry-run", typed.dryRun, "Print what would be written; write nothing");
 }
 

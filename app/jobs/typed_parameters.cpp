@@ -17,7 +17,7 @@ void TypedParameters::addTo(CLI::App& command, const Parameters& table, const Wa
             // Both ways: a document may have it either way. The help shows the one that changes the initial value.
             const bool on = std::get<double>(first.initial) != 0;
             command.add_flag(option.name, help)->group(on ? "" : "Options");
-            const std::string off = "Switches off, which is on at first: " + help;
+            const std::string off = "Turn this off (it is on by default): " + help;
             command.add_flag(jobs::withoutFlag(option), off)->group(on ? "Options" : "");
             continue;
         }

@@ -204,14 +204,15 @@ void addCameraOptions(CLI::App& command, PictureOptions& o, const std::string& h
     const auto add = [&](const char* name, auto& value, const char* help) {
         return command.add_option(name, value, help)->group(heading);
     };
-    addNumber(command, "--time", o.time, {.unit = Unit::second}, "Seconds on the exhibit's clock")
+    addNumber(command, "--time", o.time, {.unit = Unit::second}, "Time on the exhibit's clock, in seconds")
         ->default_str("0")
         ->group(heading);
     addNumber(command, "--seed", o.seed, {0, 4294967295.0}, "Seed of the random numbers")
         ->default_str("1")
         ->group(heading);
-    add("--eye", o.eye, "Where the camera is: x,y,z in meters (the exhibit's own space with --alone)");
-    add("--target", o.target, "What it looks at: x,y,z in meters");
+    add("--eye", o.eye,
+        "Position of the camera: x,y,z in meters, in the hall's space (with --alone: in the exhibit's)");
+    add("--target", o.target, "Point that the camera looks at: x,y,z in meters");
     addNumber(command, "--fov", o.fovDegrees, {1, 175, Unit::degree}, "Vertical field of view in degrees")
         ->group(heading);
 }
@@ -222,31 +223,36 @@ void addSceneOptions(CLI::App& command, PictureOptions& o, const std::string& he
         return command.add_option(name, value, help)->group(heading);
     };
     add("--preset", o.preset,
-        "A shipped preset of the exhibit by its name, or a file: a preset, an exhibition, or a picture that carries "
-        "one, which also says how it was taken: size, samples, time, seed, camera, --alone, --transparent, --rotate, "
-        "--scale; options that are given take precedence");
+        "Settings to start from: the name of a shipped preset, or a file (preset, exhibition, or picture with settings "
+        "in it). A picture also sets size, samples, time, seed, camera, --alone, --transparent, --rotate and --scale. "
+        "Other options take precedence");
     command
         .add_flag("--settings-only", o.settingsOnly,
-                  "Take only the settings and the camera of the picture that --preset names, not how it was taken")
+                  "Take only settings and camera from the picture that --preset names, and not its size, samples, time "
+                  "or seed")
         ->group(heading);
-    add("--set", o.sets, "name=value, or exhibit.name=value; plain numbers are in SI units")
+    add("--set", o.sets,
+        "Value of a parameter, as name=value or exhibit.name=value; numbers without a unit are in SI units")
         ->take_all()
         ->allow_extra_args(true);
     add("--animate", o.motions,
-        "name=kind:from:to, then what the kind goes by: name=sine:0.1:0.9:period=4; --time says when")
+        "Animation of a parameter, as NAME=KIND:FROM:TO[:KEY=VALUE...], such as morph=sine:0.1:0.9:period=4; --time is "
+        "its clock")
         ->take_all()
         ->allow_extra_args(true);
     addCameraOptions(command, o, heading);
-    add("--scale", o.scale, "Scales the exhibit: x,y,z; negative mirrors");
-    add("--rotate", o.rotate, "Turns the exhibit about x, then y, then z: degrees");
-    command.add_flag("--alone", o.alone, "Only the exhibit, in the environment's light")->group(heading);
-    addNumber(command, "--samples", o.samples, {1, 4096},
-              "Samples per pixel; without it as in the picture of --preset, else 4, or the hall's supersamples where a "
-              "preset or --set changes them")
+    add("--scale", o.scale, "Scale of the exhibit: X,Y,Z; negative numbers mirror it");
+    add("--rotate", o.rotate, "Rotation of the exhibit in degrees: X,Y,Z, applied about x first, then y, then z");
+    command.add_flag("--alone", o.alone, "Show the exhibit alone, without the hall, in the environment's light")
         ->group(heading);
-    command.add_flag("--transparent", o.transparent, "Nothing around the exhibit: alpha 0 there")->group(heading);
-    add("--environment", o.environment, "A panorama in place of the sky");
-    add("--model", o.model, "A glTF object for the free plinth");
+    addNumber(command, "--samples", o.samples, {1, 4096},
+              "Samples per pixel. Default: as in the picture that --preset names, else the hall's supersamples if a "
+              "preset or --set changes them, else 4")
+        ->group(heading);
+    command.add_flag("--transparent", o.transparent, "Make the background of the exhibit transparent (alpha 0)")
+        ->group(heading);
+    add("--environment", o.environment, "File of a panorama that replaces the sky");
+    add("--model", o.model, "File of a glTF object that stands on the free plinth");
 }
 
 void addPictureOptions(CLI::App& command, PictureOptions& o)
@@ -256,8 +262,11 @@ void addPictureOptions(CLI::App& command, PictureOptions& o)
         ->default_str(usualPictureSize);
     addSceneOptions(command, o);
     command.add_flag("--run-everything", o.everything,
-                     "Run every pass, called for or not: the picture must not change");
-    command.add_option("--channels", o.channels, "color,depth,normal,evaluations (EXR)")->default_str("color");
+                     "Run all passes, even those that can be skipped. The picture stays the same; this is a check");
+    command
+        .add_option("--channels", o.channels,
+                    "Channels of an OpenEXR file, separated by commas: color, depth, normal, evaluations")
+        ->default_str("color");
 }
 
 namespace {

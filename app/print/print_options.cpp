@@ -42,13 +42,15 @@ void addPrintOptions(CLI::App& command, PrintOptions& o)
 {
     o.typed.addTo(command, printTable(), isOption);
     CLI::Option* chart = command.get_option("--chart");
-    chart->description("Chart to calibrate with, in place of views. " + chart->get_description())->default_str("");
+    chart->description("Calibration chart to print in place of views. " + chart->get_description())->default_str("");
     addViewOptions(command, o.views);
     command.add_option("--out", o.out,
-                       "Output print: " + render::streamedExtensions() + "; may be left out with --save-views");
-    command.add_option("--report", o.report,
-                       "Also write the print's description here, as JSON; it always lies beside the print and in it");
-    command.add_option("--sheet", o.sheet, "A known sheet, such as 60-3d or 75-flip");
+                       "Output file of the print: " + render::streamedExtensions() + "; optional with --save-views");
+    command.add_option(
+        "--report", o.report,
+        "Additional file for the print's description, as JSON; it is always written beside the print and into it");
+    command.add_option("--sheet", o.sheet,
+                       "Lenticular sheet by its name, such as 60-3d or 75-flip, in place of its single numbers");
 }
 
 void readPrintOptions(const CLI::App& command, PrintOptions& o)

@@ -16,17 +16,17 @@ void addPictureViews(CLI::App& command, ViewOptions& o)
     command.get_option("--fit")->group(pictures);
     command
         .add_option("--views", o.files,
-                    "A folder of pictures, or the pictures, in the order seen from left to right; two or more of "
-                    "anything make a flip")
+                    "Views to print: a folder of pictures, or the picture files, in order from left to right. "
+                    "Unrelated pictures make a flip")
         ->group(pictures);
-    CLI::Option* quilt = command.add_option("--quilt", o.quilt,
-                                            "A picture of many views in a grid: COLUMNSxROWS and the file, such as "
-                                            "--quilt 8x6 quilt.png. Where it does not "
-                                            "divide evenly, views are rounded down and the rest is left out");
+    CLI::Option* quilt = command.add_option(
+        "--quilt", o.quilt,
+        "Picture with a grid of views, as COLUMNSxROWS and file, such as --quilt 8x6 quilt.png. If its size is not "
+        "divisible, the size of a view is rounded down and the remainder is cut off");
     quilt->expected(2)->group(pictures);
     addChoice(command, "--quilt-order", o.quiltOrder, {"bottom-left", "top-left"},
-              "Where the quilt's first view is: bottom-left (then rightwards and up, as Looking Glass quilts "
-              "have it) or top-left (then rightwards and down)")
+              "Position of the first view in the quilt: bottom-left (next to the right, rows upwards, as for Looking "
+              "Glass) or top-left (next to the right, rows downwards)")
         ->capture_default_str()
         ->needs(quilt)
         ->group(pictures);
@@ -37,12 +37,13 @@ void addPictureViews(CLI::App& command, ViewOptions& o)
             "degrees clockwise, and percent of the view's width and height, such as 3:1.5,2,-0.5")
         ->allow_extra_args(true)
         ->group(pictures);
-    addNumber(command, "--every", o.every, {1, 1e6}, "Take every so many of them, as from the frames of a video")
+    addNumber(command, "--every", o.every, {1, 1e6},
+              "Interval at which pictures of --views are taken: 3 takes every third, for example of a video's frames")
         ->capture_default_str()
         ->group(pictures);
     command
         .add_flag("--ping-pong", o.pingPong,
-                  "After the last, back to the first: 1 2 3 4 3 2, so that nothing jumps where the views start again")
+                  "Append the pictures in reverse order (1 2 3 4 3 2), so that the views repeat without a jump")
         ->group(pictures);
 }
 
@@ -50,31 +51,33 @@ void addRenderedViews(CLI::App& command, ViewOptions& o)
 {
     const char* rendered = "Views of an exhibit";
     CLI::Option* exhibit =
-        command.add_option("--exhibit", o.scene.subject, "Render the views: an exhibit's name, or hall");
+        command.add_option("--exhibit", o.scene.subject, "Name of the exhibit, or hall, whose views are rendered");
     exhibit->group(rendered);
     command
         .add_option("--view-size", o.viewSize,
-                    "Width x height of a view in pixels; by default of the print's shape, at most 1200 on a side")
+                    "Width x height of a view in pixels. Default: the print's aspect ratio, at most 1200 on a side")
         ->group(rendered);
     command
         .add_option("--baseline-scale", o.baselineScale,
-                    "Of the cameras' line: 1 shows depth in its true measure (the default), less is flatter, 0 is one "
-                    "camera (the default with --turn or --sweep), fit is the most that shows no doubled contours")
+                    "Distance between the cameras: 1 gives true depth (the default), less is flatter, 0 is a single "
+                    "camera (the default with --turn or --sweep), fit is the largest without doubled contours")
         ->group(rendered);
     addNumber(command, "--turn", o.turnDegrees, {-36000, 36000, Unit::degree},
-              "Turn the exhibit on its vertical axis by so many degrees over all views, as if one walked around "
-              "it to the right; 360 meets itself")
+              "Angle in degrees by which the exhibit turns from the first to the last view, as seen when walking "
+              "around it to the right; 360 repeats without a jump")
         ->group(rendered);
     command
         .add_option("--sweep", o.sweeps,
-                    "Let a parameter run over the views: name=a..b, such as morph=0..1, or time=0..2 in seconds")
+                    "Parameter that changes from the first to the last view, as NAME=FROM..TO, such as morph=0..1, or "
+                    "time=0..2 in seconds")
         ->take_all()
         ->allow_extra_args(true)
         ->group(rendered);
     command
-        .add_option("--save-views", o.saveViews, "Also write the views into this folder: view_00.png, view_01.png, ...")
+        .add_option("--save-views", o.saveViews,
+                    "Folder into which the views are written, too: view_00.png, view_01.png, ...")
         ->group(rendered);
-    addChoice(command, "--view-format", o.viewFormat, viewFormats(), "Format of these")
+    addChoice(command, "--view-format", o.viewFormat, viewFormats(), "Format of the files of --save-views")
         ->capture_default_str()
         ->group(rendered);
     addSceneOptions(command, o.scene, rendered);
@@ -93,8 +96,8 @@ void addViewOptions(CLI::App& command, ViewOptions& o)
 {
     addPictureViews(command, o);
     addNumber(command, "--count", o.count, {1, printing::mostViews},
-              "How many views: of pictures, spread evenly (by default all); of an exhibit, rendered (by "
-              "default as many as the print can tell apart, 24 at most)");
+              "Number of views. Of pictures: chosen evenly (default: all). Of an exhibit: rendered (default: as many "
+              "as are distinguishable in the print, at most 24)");
     addRenderedViews(command, o);
 }
 

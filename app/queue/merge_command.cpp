@@ -10,9 +10,9 @@ namespace vitrine::app {
 
 void addMergeCommand(CLI::App& parser, Action& chosen, const std::function<int(const std::vector<std::string>&)>& run)
 {
-    CLI::App* command = parser.add_subcommand("merge", "Put together what was made in parts by --shard");
+    CLI::App* command = parser.add_subcommand("merge", "Join the parts that --shard made");
     auto out = std::make_shared<std::string>();
-    command->add_option("out", *out, "What the parts were told as --out")->required();
+    command->add_option("out", *out, "Value of --out with which the parts were made")->required();
     command->callback([&chosen, out, run] {
         chosen = [out, run] {
             std::vector<std::string> words = Parts::commandFor(*out);

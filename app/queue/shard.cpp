@@ -31,8 +31,9 @@ Shard parseShard(const std::string& typed)
 
 void addPartOptions(CLI::App& command, PartOptions& options)
 {
-    command.add_option("--shard", options.shard,
-                       "Make only part k of n, such as 2/8, into OUT.parts; `vitrine merge OUT` puts all together");
+    command.add_option(
+        "--shard", options.shard,
+        "Part to make, as K/N such as 2/8. It is written into OUT.parts; `vitrine merge OUT` joins all parts");
     command.add_flag("--from-parts", options.fromParts)->group("");
 }
 

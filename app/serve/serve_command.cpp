@@ -49,11 +49,14 @@ void addServeCommand(CLI::App& parser, Action& chosen)
     CLI::App* command = parser.add_subcommand(
         "serve", "Answer tools and notebooks of the same user over a local socket, in JSON-RPC; no network");
     auto path = std::make_shared<std::string>();
-    command->add_option("--socket", *path, "Where to listen; only the owner can connect, and it is removed at the end")
+    command
+        ->add_option("--socket", *path,
+                     "Path of the socket to listen on. Only its owner can connect; it is removed when the service ends")
         ->required();
     auto idle = std::make_shared<double>(60);
     addNumber(*command, "--idle-seconds", *idle, {0, 1e9, Unit::second},
-              "Seconds of silence after which a connection gives way to a new one while all places are taken")
+              "Seconds without a request after which a connection is closed for a new one if the limit of connections "
+              "is reached")
         ->capture_default_str();
     command->footer(serveFooter);
     command->callback([&chosen, path, idle] { chosen = [path, idle] { return serve(*path, *idle); }; });

@@ -115,17 +115,15 @@ int compareStudyFiles(const ComparisonOptions& options)
 void addCompareStudiesCommand(CLI::App& parser, Action& chosen)
 {
     CLI::App* command = parser.add_subcommand(
-        "compare-studies", "Studies over each other: their fronts in one chart, and how they differ, as one page");
+        "compare-studies", "Compare studies on one page: their best settings in one chart, and how they differ");
     auto options = std::make_shared<ComparisonOptions>();
-    command
-        ->add_option("files", options->files, "Two or more study.json, of which the first is what the others stand to")
+    command->add_option("files", options->files, "Two or more study.json files; the first is the baseline")
         ->required()
         ->expected(1, -1);
-    command->add_option(
-        "--cost", options->cost,
-        "Costs that are compared: ms, work (the most telling count), or a counter such as evaluations; by "
-        "default ms if the times can be compared. The page shows time and work");
-    command->add_option("--out", options->out, "The folder of the page; one that holds a comparison is replaced")
+    command->add_option("--cost", options->cost,
+                        "Cost to compare: ms (time), work (the counter that differs most), or one counter such as "
+                        "evaluations. Default: ms if the times are comparable, else work. The page shows both");
+    command->add_option("--out", options->out, "Output folder for the page; an older comparison in it is replaced")
         ->required();
     command->callback([&chosen, options] { chosen = [options] { return compareStudyFiles(*options); }; });
 }

@@ -177,10 +177,9 @@ void addStudyCommand(CLI::App& parser, Action& chosen)
         parser.add_subcommand("study", "Measure what accuracy costs: error over work and time, with pictures");
     auto options = std::make_shared<StudyOptions>();
     addStudyOptions(*command, *options);
-    command->add_option(
-        "--cost", options->cost,
-        "Costs in chart.svg and chart.png: ms (milliseconds of a picture) or work (counted); by default "
-        "ms if the clock can be trusted. The page shows both");
+    command->add_option("--cost", options->cost,
+                        "Cost in chart.svg and chart.png: ms (milliseconds per picture) or work (counted). Default: ms "
+                        "if the clock is reliable. The page shows both");
     addPartOptions(*command, options->part);
     command->callback([&chosen, options, command] {
         chosen = [options, command] {

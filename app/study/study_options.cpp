@@ -100,32 +100,39 @@ void addStudyOptions(CLI::App& command, StudyOptions& o)
 {
     command.add_option("exhibit", o.subject, "An exhibit's name, or hall")->required();
     command.add_option("parameters", o.parameters,
-                       "What to vary: one for a curve, two for a surface, none for the front over all; "
-                       "hall.supersamples and hall.resolutionScale go with every exhibit");
-    command.add_option("--values", o.values, "The values of the one parameter, separated by commas");
-    addNumber(command, "--points", o.points, {2, 64}, "About so many values of each parameter");
-    addNumber(command, "--views", o.views, {1, 64}, "How many of the exhibit's views")->capture_default_str();
+                       "Parameters to vary: one gives a curve, two a surface, none the best settings over all of them. "
+                       "hall.supersamples and hall.resolutionScale are possible for every exhibit");
+    command.add_option("--values", o.values, "Values of the parameter if only one varies, separated by commas");
+    addNumber(command, "--points", o.points, {2, 64}, "Approximate number of values of each parameter");
+    addNumber(command, "--views", o.views, {1, 64}, "Number of the exhibit's views in which to measure")
+        ->capture_default_str();
     command.add_option("--size", o.size, "Width x height in pixels")->capture_default_str();
-    command.add_option("--metric", o.metric, "What is called the error: " + metricNames(true))->capture_default_str();
-    addNumber(command, "--runs", o.runs, {1, 1000}, "Timed frames of each setting in each view")->capture_default_str();
+    command.add_option("--metric", o.metric, "Measure of the error: " + metricNames(true))->capture_default_str();
+    addNumber(command, "--runs", o.runs, {1, 1000}, "Number of timed frames per setting and view")
+        ->capture_default_str();
     addNumber(command, "--settings", o.settings, {2, 10000},
               "Maximum number of settings to measure when three or more parameters vary")
         ->capture_default_str();
-    addNumber(command, "--pixels-per-degree", o.pixelsPerDegree, {1, 1000}, "For flip: how large a pixel looks")
+    addNumber(command, "--pixels-per-degree", o.pixelsPerDegree, {1, 1000},
+              "Pixels per degree of the viewer's field of view, for the metric flip")
         ->capture_default_str();
-    command.add_option("--preset", o.preset, "What the study starts from");
-    command.add_option("--set", o.sets, "name=value, before the study starts")->take_all()->allow_extra_args(true);
-    command.add_flag("--alone", o.alone,
-                     "Without the hall, in the environment's light: quicker, but neither sun nor shadow");
+    command.add_option("--preset", o.preset, "Settings to start from: the name of a shipped preset, or a file");
+    command.add_option("--set", o.sets, "Value of a parameter that does not vary, as name=value")
+        ->take_all()
+        ->allow_extra_args(true);
+    command.add_flag(
+        "--alone", o.alone,
+        "Measure the exhibit without the hall, in the environment's light: quicker, but without sun and shadows");
     command.add_flag("--as-set", o.asSet,
-                     "Change no setting and leave out no view, even where a parameter does not show");
-    command.add_flag("--no-model-error", o.noModelError, "Leave out the comparison with everything at its most exact");
+                     "Do not adjust other parameters or skip views to make the studied parameter visible");
+    command.add_flag("--no-model-error", o.noModelError,
+                     "Skip the second reference, in which all parameters are at their most exact");
     CLI::Option* error = addNumber(command, "--max-error", o.maxError, {0, 1e6},
-                                   "Choose the cheapest setting with no larger error in any view");
+                                   "Largest error allowed in any view: choose the cheapest setting within it");
     addNumber(command, "--max-ms", o.maxMilliseconds, {0, 1e9},
-              "Choose the most exact setting whose frame takes no longer")
+              "Longest frame time allowed, in milliseconds: choose the most exact setting within it")
         ->excludes(error);
-    command.add_option("--out", o.out, "The folder for the study; one that holds a study is replaced")->required();
+    command.add_option("--out", o.out, "Output folder for the study; an older study in it is replaced")->required();
 }
 
 StudyRequest studyRequest(const Museum& museum, const StudyOptions& options, std::vector<std::string>& notes)

@@ -2837,11 +2837,6 @@ Zeiten nach: %2.</translation>
         <translation>Winkel von +y zu jedem Ende des Bogens.</translation>
     </message>
     <message>
-        <location filename="exhibits/printing/print_table.h"/>
-        <source>Angle in which all views are seen once: about 30° for depth, 50° for flips.</source>
-        <translation>Winkel, in dem alle Ansichten einmal zu sehen sind: etwa 30° für Tiefe, 50° für Wechselbilder.</translation>
-    </message>
-    <message>
         <location filename="ui/print/print_numbers.cpp"/>
         <source>Angle in which all views are seen once; beyond it they start again.</source>
         <translation>Winkel, in dem alle Ansichten einmal zu sehen sind; darüber hinaus beginnen sie von vorn.</translation>
@@ -4680,11 +4675,6 @@ Zeiten nach: %2.</translation>
         <translation>Den Wert ändern; Umschalt zehnmal feiner, Strg zehnmal gröber</translation>
     </message>
     <message>
-        <location filename="exhibits/printing/print_table.h"/>
-        <source>Change the views so that the sheet's mixing of them shows less; costs contrast.</source>
-        <translation>Ändert die Ansichten so, dass man weniger davon sieht, wie die Folie sie mischt; kostet Kontrast.</translation>
-    </message>
-    <message>
         <location filename="ui/print/print_dialog.cpp"/>
         <source>Change where the views come from</source>
         <translation>Herkunft der Ansichten ändern</translation>
@@ -5435,8 +5425,8 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
-        <source>Compression of a TIFF: none is what every print shop reads. PNG is always compressed.</source>
-        <translation>Kompression eines TIFF: ohne liest jede Druckerei. PNG ist immer komprimiert.</translation>
+        <source>Compression of a TIFF: every print shop reads files without it (none). PNG is always compressed.</source>
+        <translation>Kompression eines TIFF: Dateien ohne sie („keine“) liest jede Druckerei. PNG ist immer komprimiert.</translation>
     </message>
     <message>
         <location filename="exhibits/fur/fur_table.h"/>
@@ -5689,9 +5679,9 @@ Zeiten nach: %2.</translation>
         <translation>Rundung</translation>
     </message>
     <message>
-        <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
-        <source>Corner of the part that is meshed and cut there; without it, the whole scene.</source>
-        <translation>Ecke des Teils, der vernetzt und dort abgeschnitten wird; ohne sie die ganze Szene.</translation>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Correct the views in advance for the crosstalk of the sheet, which mixes neighboring views; lowers the contrast.</source>
+        <translation>Korrigiert die Ansichten im Voraus um das Übersprechen der Folie, die benachbarte Ansichten mischt; verringert den Kontrast.</translation>
     </message>
     <message>
         <source>cost</source>
@@ -6199,8 +6189,8 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
-        <source>Direction of the lenses: upright for depth, across for flips, between them slanted.</source>
-        <translation>Richtung der Linsen: aufrecht für Tiefe, quer für Wechselbilder, dazwischen schräg.</translation>
+        <source>Direction of the lenses: vertical for depth, horizontal for flips; angles in between are slanted lenses.</source>
+        <translation>Richtung der Linsen: senkrecht für Tiefe, waagerecht für Wechselbilder; Winkel dazwischen sind geneigte Linsen.</translation>
     </message>
     <message>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
@@ -6347,6 +6337,11 @@ Zeiten nach: %2.</translation>
         <translation>Abstand der Kopien entlang x, y und z; 0 wiederholt entlang dieser Achse nicht.</translation>
     </message>
     <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Distance between the cameras of rendered views: 0 is flat, 1 gives true depth at the viewing distance, above 1 exaggerates depth.</source>
+        <translation>Abstand zwischen den Kameras gerenderter Ansichten: 0 ist flach, 1 gibt beim Betrachtungsabstand die wahre Tiefe, über 1 übertreibt die Tiefe.</translation>
+    </message>
+    <message>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
         <source>Distance between the eyes.</source>
         <extracomment>tables</extracomment>
@@ -6398,6 +6393,11 @@ Zeiten nach: %2.</translation>
         <translation>Abstand von einem Teil, ab dem ein Strahl kleine gleiche Schritte macht, bis er trifft, in Pixeln bei dieser Tiefe: Hohe Werte machen Kanten ungleichmäßig.</translation>
     </message>
     <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Distance from the camera to the objects that appear in the plane of the print. Auto: the camera's target.</source>
+        <translation>Abstand der Kamera von den Objekten, die in der Ebene des Drucks erscheinen. Auto: das Ziel der Kamera.</translation>
+    </message>
+    <message>
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
         <source>Distance from the center to a corner.</source>
         <translation>Abstand vom Mittelpunkt zu einer Ecke.</translation>
@@ -6406,11 +6406,6 @@ Zeiten nach: %2.</translation>
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
         <source>Distance from the center to a side.</source>
         <translation>Abstand vom Mittelpunkt zu einer Seite.</translation>
-    </message>
-    <message>
-        <location filename="exhibits/printing/print_table.h"/>
-        <source>Distance in the scene that will lie in the print's plane; 0 is what the camera looks at.</source>
-        <translation>Entfernung in der Szene, die in der Ebene des Drucks liegen wird; 0 ist das, worauf die Kamera schaut.</translation>
     </message>
     <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
@@ -6441,6 +6436,11 @@ Zeiten nach: %2.</translation>
         <translation>Abstand der Ansicht vom Ursprung des Rauschens: Das Bild bleibt auch zehntausend Kilometer entfernt scharf.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <source>Distance that the object travels in the animation: kept in the frames, or removed from them (in place), so that it walks on the spot and the pivot moves. Automatic: removed if longer than the object.</source>
+        <translation>Strecke, die das Objekt in der Animation zurücklegt: in den Bildern behalten oder aus ihnen entfernt (auf der Stelle), sodass es auf der Stelle geht und der Drehpunkt wandert. Automatisch: entfernt, wenn sie länger als das Objekt ist.</translation>
+    </message>
+    <message>
         <location filename="exhibits/fur/fur_table.h"/>
         <source>Distribution of the shells over the length of the fur: below 1 more of them lie near the tips, above 1 near the skin.</source>
         <extracomment>tables</extracomment>
@@ -6459,6 +6459,16 @@ Zeiten nach: %2.</translation>
         <source>Dither strength</source>
         <extracomment>tables</extracomment>
         <translation>Dithering-Stärke</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Dither to 8 bits: spread the rounding error over neighboring dots.</source>
+        <translation>Dithert auf 8 Bit: verteilt den Rundungsfehler auf benachbarte Punkte.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <source>Dithering method for colors between those of the palette. Ordered and blue noise keep their pattern from frame to frame.</source>
+        <translation>Dithering-Verfahren für Farben zwischen denen der Palette. „Geordnet“ und „blaues Rauschen“ behalten ihr Muster von Bild zu Bild.</translation>
     </message>
     <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
@@ -6502,11 +6512,6 @@ Zeiten nach: %2.</translation>
         <location filename="exhibits/printing/print_table.h"/>
         <source>Dots per inch</source>
         <translation>Punkte pro Zoll</translation>
-    </message>
-    <message>
-        <location filename="exhibits/printing/print_table.h"/>
-        <source>Dots per inch the other way. Auto: the same.</source>
-        <translation>Punkte pro Zoll in der anderen Richtung. Auto: dieselben.</translation>
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
@@ -6725,8 +6730,8 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
-        <source>Edge length of a cell. What is thinner than a cell is lost.</source>
-        <translation>Kantenlänge einer Zelle. Was dünner ist als eine Zelle, geht verloren.</translation>
+        <source>Edge length of a cell. Parts that are thinner than a cell are lost.</source>
+        <translation>Kantenlänge einer Zelle. Teile, die dünner als eine Zelle sind, gehen verloren.</translation>
     </message>
     <message>
         <location filename="exhibits/lenticular/lenticular.cpp"/>
@@ -7295,6 +7300,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Datei</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/record/record_table.h"/>
+        <source>File of the tour that the camera follows. Empty: a tour past all exhibits.</source>
+        <translation>Datei der Tour, der die Kamera folgt. Leer: eine Tour an allen Exponaten vorbei.</translation>
+    </message>
+    <message>
         <location filename="ui/preferences/preferences_dialog.cpp"/>
         <source>Files</source>
         <translation>Dateien</translation>
@@ -7431,6 +7441,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <location filename="exhibits/printing/print_table.h"/>
         <source>Fitting</source>
         <translation>Einpassen</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Fitting of pictures whose aspect ratio is not the print's: cropped at two sides (crop), whole between white margins (fit), or distorted (stretch).</source>
+        <translation>Einpassung von Bildern, deren Seitenverhältnis vom Druck abweicht: an zwei Seiten beschnitten, ganz zwischen weißen Rändern oder verzerrt.</translation>
     </message>
     <message>
         <source>Five o’clock</source>
@@ -7741,8 +7756,8 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
-        <source>Frames per second that the description tells. Auto: as long as the animation.</source>
-        <translation>Bilder je Sekunde, die die Beschreibung nennt. Automatisch: so lang wie die Animation.</translation>
+        <source>Frames per second that the description file gives. Auto: the frames last as long as the animation.</source>
+        <translation>Bilder je Sekunde, die in der Beschreibungsdatei stehen. Auto: Die Bilder dauern so lange wie die Animation.</translation>
     </message>
     <message>
         <location filename="exhibits/hall/hall_table.h"/>
@@ -8622,11 +8637,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Stunde eines Tages der Tagundnachtgleiche: Sonnenlicht fällt ab drei Uhr durch das Fenster, um sechs geht die Sonne unter.</translation>
     </message>
     <message>
-        <location filename="exhibits/printing/print_table.h"/>
-        <source>How far apart the cameras of rendered views stand: 0 is flat, 1 true to scale for the viewing distance, above 1 deeper than life.</source>
-        <translation>Wie weit die Kameras gerenderter Ansichten auseinander stehen: 0 ist flach, 1 maßstabsgetreu für den Betrachtungsabstand, über 1 tiefer als in Wirklichkeit.</translation>
-    </message>
-    <message>
         <location filename="ui/print/print_numbers.cpp"/>
         <source>How far the scene may reach before and behind the print, together, without doubled contours.</source>
         <translation>Wie weit die Szene vor und hinter dem Druck zusammen reichen darf, ohne doppelte Konturen.</translation>
@@ -8640,11 +8650,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="ui/print/print_numbers.cpp"/>
         <source>How many views can be told apart.</source>
         <translation>Wie viele Ansichten sich unterscheiden lassen.</translation>
-    </message>
-    <message>
-        <location filename="exhibits/printing/print_table.h"/>
-        <source>How many views to render, or to take from the files, spread evenly.</source>
-        <translation>Wie viele Ansichten gerendert oder gleichmäßig aus den Dateien genommen werden.</translation>
     </message>
     <message>
         <location filename="ui/study/comparison_dialog.cpp"/>
@@ -9674,6 +9679,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Laternen</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
+        <source>Largest amount of memory for meshing, in megabytes. Auto: half of the machine's.</source>
+        <translation>Größter Speicherbedarf der Vernetzung, in Megabyte. Auto: die Hälfte des Arbeitsspeichers.</translation>
+    </message>
+    <message>
         <location filename="exhibits/fur/fur_table.h"/>
         <source>Largest angle by which the tips lag behind the rotation of their body; the reference allows 30 degrees.</source>
         <extracomment>tables</extracomment>
@@ -9971,23 +9981,18 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
-        <source>Lenses per inch as a pitch chart showed it with this printer. Auto: not measured, that of the sheet.</source>
-        <translation>Linsen pro Zoll, wie ein Pitch-Testchart sie mit diesem Drucker zeigte. Auto: nicht gemessen, die der Folie.</translation>
+        <source>Lenses per inch as measured with a pitch chart on this printer. Auto: not measured; the LPI of the sheet are used.</source>
+        <translation>Linsen pro Zoll, wie mit einem Pitch-Testchart auf diesem Drucker gemessen. Auto: nicht gemessen; der LPI-Wert der Folie wird verwendet.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Lenses per inch as read from a pitch chart at the viewing distance. Auto: not measured; computed from the viewing distance.</source>
+        <translation>Linsen pro Zoll, wie beim Betrachtungsabstand von einem Pitch-Testchart abgelesen. Auto: nicht gemessen; aus dem Betrachtungsabstand berechnet.</translation>
     </message>
     <message>
         <location filename="ui/print/print_numbers.cpp"/>
         <source>Lenses per inch of the strips, with the resolution as the file stores it.</source>
         <translation>Linsen pro Zoll der Streifen, bei der Auflösung, wie die Datei sie speichert.</translation>
-    </message>
-    <message>
-        <location filename="exhibits/printing/print_table.h"/>
-        <source>Lenses per inch read from a pitch chart at that distance. Auto: not measured, it follows from the distance.</source>
-        <translation>Linsen pro Zoll, aus diesem Abstand an einem Pitch-Testchart abgelesen. Auto: nicht gemessen, sie folgt aus dem Abstand.</translation>
-    </message>
-    <message>
-        <location filename="exhibits/printing/print_table.h"/>
-        <source>Lenses per inch that the sheet is sold as.</source>
-        <translation>Linsen pro Zoll, als die die Folie verkauft wird.</translation>
     </message>
     <message>
         <location filename="exhibits/printing/chart.cpp"/>
@@ -10293,6 +10298,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Untere Schicht: Rundung</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
+        <source>Lower corner of the box that is meshed; the mesh is cut at its sides. Inf: the whole scene.</source>
+        <translation>Untere Ecke des Quaders, der vernetzt wird; das Netz wird an dessen Seiten abgeschnitten. Inf: die ganze Szene.</translation>
+    </message>
+    <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
         <source>lower cream</source>
         <extracomment>tables</extracomment>
@@ -10439,8 +10449,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
-        <source>Margin beyond the trim on every side; lenses and views go on there.</source>
-        <translation>Rand über den Beschnitt hinaus an jeder Seite; Linsen und Ansichten gehen dort weiter.</translation>
+        <source>Margin beyond the trim on every side, into which lenses and views continue.</source>
+        <translation>Rand über den Beschnitt hinaus an jeder Seite, in dem sich Linsen und Ansichten fortsetzen.</translation>
     </message>
     <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
@@ -10584,11 +10594,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>der Speicher ist voll</translation>
     </message>
     <message>
-        <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
-        <source>Memory that meshing may take, in megabytes. Auto: half of the machine's.</source>
-        <translation>Speicher, den das Vernetzen belegen darf, in Megabyte. Automatisch: die Hälfte des Speichers der Maschine.</translation>
-    </message>
-    <message>
         <location filename="ui/parameters/parameter_panel.cpp"/>
         <source>Menu of %1</source>
         <translation>Menü von %1</translation>
@@ -10657,6 +10662,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Method that fills the gaps between shells seen from the side: nothing, fins along the edges, more shells at oblique angles, or ray marching between the shells.</source>
         <extracomment>tables</extracomment>
         <translation>Verfahren, das die Lücken zwischen seitlich gesehenen Shells füllt: nichts, Fins entlang der Kanten, mehr Shells bei schrägem Blick oder Raymarching zwischen den Shells.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Method that mixes the views under a printed dot: the one at its center (nearest), all by area, or all by area with blended strip edges (guard).</source>
+        <translation>Methode, nach der die Ansichten unter einem Druckpunkt gemischt werden: nur die in seiner Mitte, alle nach Fläche, oder alle nach Fläche mit überblendeten Streifenkanten.</translation>
     </message>
     <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
@@ -11018,8 +11028,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
-        <source>Name of the animation that is played. Empty: the first one of the file.</source>
-        <translation>Name der Animation, die abgespielt wird. Leer: die erste der Datei.</translation>
+        <source>Name of the model's animation to play. Empty: the first one in its file.</source>
+        <translation>Name der Animation des Modells, die abgespielt wird. Leer: die erste in seiner Datei.</translation>
     </message>
     <message>
         <location filename="ui/print/sheet_bar.cpp"/>
@@ -11417,6 +11427,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Rauschwert, unter dem der Raum fest ist: -1 lässt nichts, 1 füllt alles.</translation>
     </message>
     <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Nominal number of lenses per inch of the sheet.</source>
+        <translation>Nennwert der Linsen pro Zoll der Folie.</translation>
+    </message>
+    <message>
         <location filename="ui/preferences/keys_page.cpp"/>
         <source>None</source>
         <translation>Keines</translation>
@@ -11741,8 +11756,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
-        <source>Number of frames per direction, evenly spaced over the animation. Auto: 12 of what is animated, else 1.</source>
-        <translation>Anzahl der Bilder je Richtung, gleichmäßig über die Animation verteilt. Automatisch: 12, wo etwas animiert ist, sonst 1.</translation>
+        <source>Number of frames per direction, evenly spaced over the animation. Auto: 12 if the model is animated, else 1.</source>
+        <translation>Anzahl der Bilder je Richtung, gleichmäßig über die Animation verteilt. Auto: 12, wenn das Modell animiert ist, sonst 1.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/record/record_table.h"/>
@@ -11958,6 +11973,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <source>Number of view directions, evenly spaced around the object.</source>
         <translation>Anzahl der Blickrichtungen, gleichmäßig um das Objekt verteilt.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Number of views to render, or to choose evenly from the files.</source>
+        <translation>Anzahl der Ansichten, die gerendert oder gleichmäßig aus den Dateien ausgewählt werden.</translation>
     </message>
     <message>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
@@ -12391,11 +12411,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Operatoren</translation>
     </message>
     <message>
-        <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
-        <source>Opposite corner of the part that is meshed.</source>
-        <translation>Gegenüberliegende Ecke des Teils, der vernetzt wird.</translation>
-    </message>
-    <message>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
         <source>Optical thickness of the paper, as the mean number of scattering events: low is clear and bright, high is dim and white.</source>
         <extracomment>tables</extracomment>
@@ -12678,11 +12693,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Teil</translation>
     </message>
     <message>
-        <location filename="exhibits/printing/print_table.h"/>
-        <source>Part of a strip that its two blended edges take.</source>
-        <translation>Teil eines Streifens, den seine beiden weichen Ränder einnehmen.</translation>
-    </message>
-    <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
         <source>Part of the ice cream to show: one alone, or all.</source>
         <extracomment>tables</extracomment>
@@ -12787,6 +12797,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Pfad eines weiteren glTF-Objekts (.glb oder .gltf), das gezeigt wird, zuerst auf einem eigenen Sockel.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/record/record_table.h"/>
+        <source>Path of the camera: around its target (turntable), none (still), along a tour, or along the bookmarks set in the window. Auto: around an exhibit; along a tour in the hall.</source>
+        <translation>Weg der Kamera: um ihr Ziel, keiner, entlang einer Tour oder entlang der im Fenster gesetzten Lesezeichen. Auto: um ein Exponat; in der Halle entlang einer Tour.</translation>
+    </message>
+    <message>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
         <source>Path of the lantern that the button releases: up into the air, or away on the water.</source>
         <extracomment>tables</extracomment>
@@ -12803,11 +12818,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Path of the views of the second print: a folder of pictures, or a file written by “vitrine print”. Empty: the melting torus.</source>
         <extracomment>tables</extracomment>
         <translation>Pfad der Ansichten des zweiten Drucks: ein Ordner mit Bildern oder eine Datei von „vitrine print“. Leer: der schmelzende Torus.</translation>
-    </message>
-    <message>
-        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
-        <source>Pattern that hints at colors between those of the palette. Ordered and blue noise stay where they are from frame to frame.</source>
-        <translation>Muster, das Farben zwischen denen der Palette andeutet. Geordnet und blaues Rauschen bleiben von Bild zu Bild an ihrem Platz.</translation>
     </message>
     <message>
         <location filename="ui/window/clock_bar.cpp"/>
@@ -13005,13 +13015,18 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
-        <source>Pitch finds the LPI that printer and sheet agree on; phase where the strips lie; views how many can be told apart; rotation whether the sheet is straight.</source>
-        <translation>„Pitch“ findet den LPI-Wert, auf den sich Drucker und Folie einigen; „Phase“, wo die Streifen liegen; „Ansichten“, wie viele sich unterscheiden lassen; „Drehung“, ob die Folie gerade liegt.</translation>
+        <source>Pitch finds the LPI at which printer and sheet match; phase, the shift of the strips; views, how many views are distinguishable; rotation, whether the sheet is straight.</source>
+        <translation>„Pitch“ findet den LPI-Wert, bei dem Drucker und Folie zusammenpassen; „Phase“ die Verschiebung der Streifen; „Ansichten“, wie viele Ansichten unterscheidbar sind; „Drehung“, ob die Folie gerade liegt.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <source>Pivot</source>
         <translation>Drehpunkt</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <source>Pivot of the frames in the description file: the object's origin, the middle of the frame, or the middle of its lower edge.</source>
+        <translation>Drehpunkt der Bilder in der Beschreibungsdatei: der Ursprung des Objekts, die Mitte des Bildes oder die Mitte seines unteren Rands.</translation>
     </message>
     <message>
         <location filename="ui/study/picture_panes.cpp"/>
@@ -13142,11 +13157,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Point size</source>
         <extracomment>tables</extracomment>
         <translation>Punktgröße</translation>
-    </message>
-    <message>
-        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
-        <source>Point that the description gives: the object's origin, the middle of the frame, or the middle of its lower edge.</source>
-        <translation>Punkt, den die Beschreibung angibt: der Ursprung des Objekts, die Mitte des Bildes oder die Mitte seiner Unterkante.</translation>
     </message>
     <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
@@ -13395,6 +13405,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Print that the card shows while it does not scroll.</source>
         <extracomment>tables</extracomment>
         <translation>Druck, den die Karte zeigt, solange sie nicht rollt.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Printed dots per inch in vertical direction. Auto: as in horizontal direction.</source>
+        <translation>Punkte pro Zoll in senkrechter Richtung. Auto: wie in waagerechter Richtung.</translation>
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
@@ -13839,6 +13854,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="ui/parameters/parameter_panel.cpp"/>
         <source>Randomize parameters, seed %1</source>
         <translation>Parameter zufällig ändern, Startwert %1</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Range of a pitch chart to either side of the LPI: 1 % is coarse, 0.1 % fine.</source>
+        <translation>Bereich eines Pitch-Testcharts zu beiden Seiten des LPI-Werts: 1 % ist grob, 0,1 % fein.</translation>
     </message>
     <message>
         <location filename="ui/parameters/shown_text.cpp"/>
@@ -14984,13 +15004,13 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/jobs/record/record_table.h"/>
-        <source>Samples per pixel: edges are stairs at 1, smooth at 16. Auto: as in the picture whose settings are taken, else the supersamples of the hall where they are set, else 4.</source>
-        <translation>Samples pro Pixel: Kanten sind bei 1 Treppen, bei 16 glatt. Auto: wie in dem Bild, dessen Einstellungen übernommen werden, sonst die Supersamples der Halle, wo sie gesetzt sind, sonst 4.</translation>
+        <source>Samples per pixel: 1 leaves jagged edges, 16 gives smooth ones. Auto: as in the picture whose settings are used, else the hall's supersamples if they are set, else 4.</source>
+        <translation>Samples pro Pixel: 1 lässt Kanten treppig, 16 macht sie glatt. Auto: wie im Bild, dessen Einstellungen verwendet werden, sonst die Supersamples der Halle, falls sie gesetzt sind, sonst 4.</translation>
     </message>
     <message>
         <location filename="ui/export/screenshot_dialog.cpp"/>
-        <source>Samples per pixel: edges are stairs at 1, smooth at 16; 64 is for prints.</source>
-        <translation>Samples pro Pixel: Kanten sind bei 1 Treppen, bei 16 glatt; 64 sind für Drucke.</translation>
+        <source>Samples per pixel: 1 leaves jagged edges, 16 gives smooth ones; 64 is for prints.</source>
+        <translation>Samples pro Pixel: 1 lässt Kanten treppig, 16 macht sie glatt; 64 ist für Drucke.</translation>
     </message>
     <message>
         <location filename="ui/parameters/color_picker.cpp"/>
@@ -15624,6 +15644,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Form jeder Oktave, bevor sie addiert wird: einfaches Rauschen, scharfe Grate, runde Klumpen (bauschig) oder ihr Betrag (Turbulenz).</translation>
     </message>
     <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Shape of the lenses: radius and thickness computed from LPI, zone and index so that the lens focuses on the print, or given by numbers.</source>
+        <translation>Form der Linsen: Radius und Dicke, berechnet aus LPI, Zone und Brechungsindex, sodass die Linse auf den Druck fokussiert, oder als Zahlen angegeben.</translation>
+    </message>
+    <message>
         <location filename="exhibits/fur/fur_table.h"/>
         <source>Shape of the strands along their length: 0 tapers them to a needle, high keeps them thick with a blunt tip.</source>
         <extracomment>tables</extracomment>
@@ -15646,6 +15671,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="exhibits/sdf_scenes/operation_kinds.cpp"/>
         <source>Share</source>
         <translation>Anteil</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Share of a strip's width that is blended with its two neighbors: 0 blends nothing, 100 % all of it.</source>
+        <translation>Anteil der Streifenbreite, der mit den beiden Nachbarn überblendet wird: 0 überblendet nichts, 100 % den ganzen Streifen.</translation>
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
@@ -15822,15 +15852,15 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Verschiebung des Rauschens durch den Raum.</translation>
     </message>
     <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Shift of the strips under the lenses, in lens widths, as read from a phase chart.</source>
+        <translation>Verschiebung der Streifen unter den Linsen, in Linsenbreiten, wie von einem Phasen-Testchart abgelesen.</translation>
+    </message>
+    <message>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
         <source>Shift of the strips under the lenses, in lens widths.</source>
         <extracomment>tables</extracomment>
         <translation>Verschiebung der Streifen unter den Linsen, in Linsenbreiten.</translation>
-    </message>
-    <message>
-        <location filename="exhibits/printing/print_table.h"/>
-        <source>Shift of the strips under the lenses, in lenses; a phase chart tells.</source>
-        <translation>Verschiebung der Streifen unter den Linsen, in Linsen; ein Phasen-Testchart zeigt sie.</translation>
     </message>
     <message>
         <location filename="ui/print/place_bar.cpp"/>
@@ -16343,11 +16373,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Abstand</translation>
     </message>
     <message>
-        <location filename="exhibits/printing/print_table.h"/>
-        <source>Span of a pitch chart, each way: 1 % is coarse, 0.1 % fine.</source>
-        <translation>Spanne eines Pitch-Testcharts, nach beiden Seiten: 1 % ist grob, 0,1 % fein.</translation>
-    </message>
-    <message>
         <location filename="render/scene/gltf_validate.cpp"/>
         <source>sparse indices must be unsigned integers</source>
         <translation>dünn besetzte Indizes müssen vorzeichenlose ganze Zahlen sein</translation>
@@ -16425,8 +16450,8 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/record/record_table.h"/>
-        <source>Speed of the camera: constant, or from rest to rest. Auto: as the tour says; constant in a loop, else eased.</source>
-        <translation>Geschwindigkeit der Kamera: gleichmäßig, oder von Stillstand zu Stillstand. Auto: wie es die Tour sagt; in einer Schleife gleichmäßig, sonst sanft.</translation>
+        <source>Speed of the camera: constant, or slower at start and end (eased). Auto: as in the file of the tour; otherwise constant in a loop, else eased.</source>
+        <translation>Geschwindigkeit der Kamera: gleichmäßig, oder am Anfang und Ende langsamer (sanft). Auto: wie in der Datei der Tour; sonst in einer Schleife gleichmäßig, andernfalls sanft.</translation>
     </message>
     <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
@@ -16475,13 +16500,8 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
-        <source>Spread of a printed point (standard deviation), which counts as cross-talk; 10 to 40 µm are usual.</source>
-        <translation>Ausbreitung eines gedruckten Punkts (Standardabweichung), die als Übersprechen zählt; üblich sind 10 bis 40 µm.</translation>
-    </message>
-    <message>
-        <location filename="exhibits/printing/print_table.h"/>
-        <source>Spread what 8 bits cannot say over neighboring dots.</source>
-        <translation>Verteilt, was 8 Bits nicht sagen können, auf benachbarte Punkte.</translation>
+        <source>Spread of a printed point (standard deviation), which adds to the crosstalk; 10 to 40 µm are usual.</source>
+        <translation>Verlaufen eines gedruckten Punkts (Standardabweichung), das zum Übersprechen beiträgt; 10 bis 40 µm sind üblich.</translation>
     </message>
     <message>
         <location filename="exhibits/fur/fur_table.h"/>
@@ -19965,11 +19985,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Tour</translation>
     </message>
     <message>
-        <location filename="exhibits/jobs/record/record_table.h"/>
-        <source>Tour that the camera follows. Without one, past all exhibits.</source>
-        <translation>Tour, der die Kamera folgt. Ohne eine führt sie an allen Exponaten vorbei.</translation>
-    </message>
-    <message>
         <location filename="ui/window/window_dialogs.cpp"/>
         <source>Tours (*.json)</source>
         <translation>Rundgänge (*.json)</translation>
@@ -20352,6 +20367,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Obere Schicht: Rundung</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
+        <source>Upper corner of the box that is meshed.</source>
+        <translation>Obere Ecke des Quaders, der vernetzt wird.</translation>
+    </message>
+    <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
         <source>upper cream</source>
         <extracomment>tables</extracomment>
@@ -20553,6 +20573,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Ansichtsbreite</translation>
     </message>
     <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Viewing angle over which all views are seen once: about 30° for depth, 50° for flips.</source>
+        <translation>Blickwinkel, über den alle Ansichten einmal zu sehen sind: etwa 30° für Tiefe, 50° für Wechselbilder.</translation>
+    </message>
+    <message>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
         <source>Viewing distance for which the pitch of the strips is made: at it, the whole card shows one view. Large values make it parallel.</source>
         <extracomment>tables</extracomment>
@@ -20560,8 +20585,8 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
-        <source>Viewing distance, from which the pitch of the strips follows. Inf: none in particular, strips lie exactly at the pitch of the lenses.</source>
-        <translation>Betrachtungsabstand, aus dem der Abstand der Streifen folgt. Inf: kein bestimmter, die Streifen liegen genau im Abstand der Linsen.</translation>
+        <source>Viewing distance that determines the pitch of the strips. Inf: strips have exactly the pitch of the lenses.</source>
+        <translation>Betrachtungsabstand, der den Abstand der Streifen bestimmt. Inf: Die Streifen haben genau den Abstand der Linsen.</translation>
     </message>
     <message>
         <location filename="ui/print/print_numbers.cpp"/>
@@ -20829,21 +20854,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>Wachs</translation>
     </message>
     <message>
-        <location filename="exhibits/jobs/record/record_table.h"/>
-        <source>Way of the camera: around its target, not at all, along a tour, or along the bookmarks that are set in the window. Auto: around an exhibit, along a tour of the hall.</source>
-        <translation>Weg der Kamera: um ihr Ziel, gar keiner, entlang einer Tour, oder entlang der Lesezeichen, die im Fenster gesetzt sind. Auto: um ein Exponat, in der Halle entlang einer Tour.</translation>
-    </message>
-    <message>
-        <location filename="exhibits/printing/print_table.h"/>
-        <source>Way that a printed dot chooses among the views under it: the one at its middle, all by area, or by area with blended strip edges.</source>
-        <translation>Art, wie ein gedruckter Punkt unter den Ansichten darunter wählt: die in seiner Mitte, alle nach Fläche oder nach Fläche mit überblendeten Streifenrändern.</translation>
-    </message>
-    <message>
-        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
-        <source>Way that the animation carries the object from its first to its last moment: kept, so that the frames hold all of it, or taken out of the frames, so that it walks in place and the pivot moves. Automatic takes out what is longer than the object.</source>
-        <translation>Weg, den die Animation das Objekt von ihrem ersten bis zu ihrem letzten Moment trägt: beibehalten, sodass die Frames ihn ganz enthalten, oder aus den Frames genommen, sodass es auf der Stelle läuft und der Drehpunkt wandert. Automatisch nimmt heraus, was länger als das Objekt ist.</translation>
-    </message>
-    <message>
         <location filename="exhibits/hall/hall_table.h"/>
         <source>Way to set the sun: by its angles and color, or by the time of day, with which it moves, reddens and sets.</source>
         <extracomment>tables</extracomment>
@@ -20867,11 +20877,6 @@ steht in assets/SOURCES.md.</translation>
         <location filename="app/serve/listener.cpp"/>
         <source>what a server left there cannot be removed ({1}); choose another path.</source>
         <translation>Was ein Server dort hinterließ, lässt sich nicht entfernen ({1}); wählen Sie einen anderen Pfad.</translation>
-    </message>
-    <message>
-        <location filename="exhibits/printing/print_table.h"/>
-        <source>What becomes of pictures that are not shaped as the print is: cropped at two sides, seen whole between white margins, or distorted.</source>
-        <translation>Was aus Bildern wird, die nicht das Format des Drucks haben: an zwei Seiten beschnitten, ganz zwischen weißen Rändern zu sehen oder verzerrt.</translation>
     </message>
     <message>
         <location filename="ui/study/comparison_dialog.cpp"/>
@@ -21045,11 +21050,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>Ob zuerst ein Kegel je 8 × 8 Pixel abgeschritten wird; deren Strahlen beginnen an seinem Ende.</translation>
     </message>
     <message>
-        <location filename="exhibits/printing/print_table.h"/>
-        <source>Whether radius and thickness follow from LPI, zone and index, focused on the back, or are as given below.</source>
-        <translation>Ob Radius und Dicke aus LPI, Zone und Index folgen, auf die Rückseite fokussiert, oder wie unten angegeben sind.</translation>
-    </message>
-    <message>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
         <source>Whether red, green and blue are refracted separately, by Cauchy's formula.</source>
         <extracomment>tables</extracomment>
@@ -21116,11 +21116,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>Ob der leere Hintergrund Normalen zur Kamera bekommt, sodass Objekte gegen ihn keine Kanten haben.</translation>
     </message>
     <message>
-        <location filename="exhibits/printing/print_table.h"/>
-        <source>Whether the first view lies on the left under each lens: turns depth inside out, or a reversed sequence right.</source>
-        <translation>Ob die erste Ansicht links unter jeder Linse liegt: kehrt die Tiefe um oder eine umgekehrte Folge richtig herum.</translation>
-    </message>
-    <message>
         <location filename="exhibits/hall/hall_table.h"/>
         <source>Whether the floor is darkened around the things that stand on it; without it, feet and plinths seem to float.</source>
         <extracomment>tables</extracomment>
@@ -21173,6 +21168,11 @@ steht in assets/SOURCES.md.</translation>
         <source>Whether the next four parameters set how the fur lies, while the bodies stand still.</source>
         <extracomment>tables</extracomment>
         <translation>Ob die nächsten vier Parameter bestimmen, wie das Fell liegt, während die Körper stillstehen.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Whether the order of the views under each lens is reversed. This turns depth inside out, or corrects a reversed sequence.</source>
+        <translation>Ob die Reihenfolge der Ansichten unter jeder Linse umgekehrt ist. Das stülpt die Tiefe um oder berichtigt eine umgekehrte Folge.</translation>
     </message>
     <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
@@ -21345,8 +21345,8 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
-        <source>Width of the files into which the print is cut, between lenses. Auto: one file.</source>
-        <translation>Breite der Dateien, in die der Druck zwischen den Linsen geschnitten wird. Auto: eine Datei.</translation>
+        <source>Width of the files into which the print is divided; the cuts lie between lenses. Auto: one file.</source>
+        <translation>Breite der Dateien, in die der Druck geteilt wird; die Schnitte liegen zwischen Linsen. Auto: eine Datei.</translation>
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
@@ -21549,18 +21549,18 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
-        <source>Write a second sheet with normals, view space, aligned to the pixel.</source>
-        <translation>Schreibt einen zweiten Bogen mit Normalen im Blickraum, auf das Pixel deckungsgleich.</translation>
+        <source>Write a description file with the place of every frame, as JSON in Aseprite's format.</source>
+        <translation>Schreibt eine Beschreibungsdatei mit der Lage jedes Bildes, als JSON in Aseprites Format.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <source>Write a second sheet with normals in view space, aligned with the first to the pixel.</source>
+        <translation>Schreibt einen zweiten Bogen mit Normalen im Blickraum, auf das Pixel deckungsgleich mit dem ersten.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <source>Write a third sheet with depth: near is white.</source>
         <translation>Schreibt einen dritten Bogen mit der Tiefe: nah ist weiß.</translation>
-    </message>
-    <message>
-        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
-        <source>Write where every frame lies, in the JSON that Aseprite exports.</source>
-        <translation>Schreibt, wo jedes Bild liegt, im JSON, das Aseprite ausgibt.</translation>
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>

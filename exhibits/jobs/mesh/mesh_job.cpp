@@ -28,13 +28,15 @@ struct MeshTable final : Parameters {
 
     Group meshGroup = group("Mesh");
     Real cell = real("cell", 0.01, meter, Range{1e-6, 1000, logarithmic}.soft(0.001, 0.1),
-                     "Edge length of a cell. What is thinner than a cell is lost.");
-    std::array<Real, 3> low = corner({"lowX", "lowY", "lowZ"}, "low", -endless, "-inf",
-                                     "Corner of the part that is meshed and cut there; without it, the whole scene.");
+                     "Edge length of a cell. Parts that are thinner than a cell are lost.");
+    std::array<Real, 3> low =
+        corner({"lowX", "lowY", "lowZ"}, "low", -endless, "-inf",
+               "Lower corner of the box that is meshed; the mesh is cut at its sides. Inf: the whole scene.");
     std::array<Real, 3> high =
-        corner({"highX", "highY", "highZ"}, "high", endless, "inf", "Opposite corner of the part that is meshed.");
-    Real memory = real("memoryMb", 0, none, Range{1, 1e9, logarithmic}.soft(100, 1e5),
-                       "Memory that meshing may take, in megabytes. Auto: half of the machine's.", reads(0, "auto"));
+        corner({"highX", "highY", "highZ"}, "high", endless, "inf", "Upper corner of the box that is meshed.");
+    Real memory =
+        real("memoryMb", 0, none, Range{1, 1e9, logarithmic}.soft(100, 1e5),
+             "Largest amount of memory for meshing, in megabytes. Auto: half of the machine's.", reads(0, "auto"));
 
 private:
     std::array<Real, 3> corner(std::array<std::string_view, 3> names, std::string_view name, double unset,

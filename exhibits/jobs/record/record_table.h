@@ -12,20 +12,19 @@ struct RecordTable final : Parameters {
     Group cameraGroup = group("Camera");
     Choice<RecordPath> path =
         choice("path", RecordPath::automatic, {"auto", "turntable", "still", "tour", "bookmarks"},
-               "Way of the camera: around its target, not at all, along a tour, or along the bookmarks that are set in "
-               "the window. Auto: around an exhibit, along a tour of the hall.");
-    File tour = file("tour", "Tour that the camera follows. Without one, past all exhibits.", endings("json"),
-                     when(path, RecordPath::tour), implies(path, RecordPath::tour));
+               "Path of the camera: around its target (turntable), none (still), along a tour, or along the bookmarks "
+               "set in the window. Auto: around an exhibit; along a tour in the hall.");
+    File tour = file("tour", "File of the tour that the camera follows. Empty: a tour past all exhibits.",
+                     endings("json"), when(path, RecordPath::tour), implies(path, RecordPath::tour));
     Real turn = real("turn", 0, degree, Range{degrees(-36000), degrees(36000)}.soft(degrees(-360), degrees(360)),
                      "Angle by which the camera turns around its target, counter-clockwise from above. Auto: once "
                      "around an exhibit that is shown alone, 60° in the hall.",
                      reads(0, "auto"), typedIn(degree), when(path, {RecordPath::turntable, RecordPath::automatic}),
                      implies(path, RecordPath::turntable));
-    Choice<RecordPace> pace =
-        choice("pace", RecordPace::automatic, {"auto", "constant", "eased"},
-               "Speed of the camera: constant, or from rest to rest. Auto: as the tour says; constant in a loop, else "
-               "eased.",
-               whenNot(path, RecordPath::still));
+    Choice<RecordPace> pace = choice("pace", RecordPace::automatic, {"auto", "constant", "eased"},
+                                     "Speed of the camera: constant, or slower at start and end (eased). Auto: as in "
+                                     "the file of the tour; otherwise constant in a loop, else eased.",
+                                     whenNot(path, RecordPath::still));
 
     Group timeGroup = group("Time");
     Real seconds = real("seconds", 8, second, Range{0.001, 36000, logarithmic}.soft(1, 120), "Length of the recording.",
@@ -45,8 +44,8 @@ struct RecordTable final : Parameters {
     Count height = count("height", 720, Range{1, 1000000, logarithmic}.soft(64, 3840), "Size of a frame in pixels.",
                          tuple("size", 'x'));
     Count samples = count("samples", 0, Range{1, 4096, logarithmic}.soft(1, 64),
-                          "Samples per pixel: edges are stairs at 1, smooth at 16. Auto: as in the picture whose "
-                          "settings are taken, else the supersamples of the hall where they are set, else 4.",
+                          "Samples per pixel: 1 leaves jagged edges, 16 gives smooth ones. Auto: as in the picture "
+                          "whose settings are used, else the hall's supersamples if they are set, else 4.",
                           reads(0, "auto"));
 };
 

@@ -20,24 +20,24 @@ struct SpriteTable final : Parameters {
              "Object that is drawn: a glTF 2.0 file (.glb, .gltf), whose animation is played. Without one, the "
              "torus over its pillar.",
              endings("glb gltf"), positional());
-    Text animation = text("animation", "Name of the animation that is played. Empty: the first one of the file.",
+    Text animation = text("animation", "Name of the model's animation to play. Empty: the first one in its file.",
                           whenGiven(model), ofFile(model));
 
     Group frameGroup = group("Frames");
     Count directions =
         count("directions", 8, Range{1, 64}.soft(1, 16), "Number of view directions, evenly spaced around the object.");
-    Count frames = count("frames", 0, Range{1, 256}.soft(1, 24),
-                         "Number of frames per direction, evenly spaced over the animation. Auto: 12 of what is "
-                         "animated, else 1.",
-                         reads(0, "auto"));
-    Choice<SpriteMotion> motion =
-        choice("motion", SpriteMotion::automatic, {"automatic", "kept", "in place"},
-               "Way that the animation carries the object from its first to its last moment: kept, so that the frames "
-               "hold all of it, or taken out of the frames, so that it walks in place and the pivot moves. Automatic "
-               "takes out what is longer than the object.");
-    Real framesPerSecond = real("framesPerSecond", 12, none, Range{0, 1000}.soft(0, 30),
-                                "Frames per second that the description tells. Auto: as long as the animation.",
-                                reads(0, "auto"), option("fps"));
+    Count frames = count(
+        "frames", 0, Range{1, 256}.soft(1, 24),
+        "Number of frames per direction, evenly spaced over the animation. Auto: 12 if the model is animated, else 1.",
+        reads(0, "auto"));
+    Choice<SpriteMotion> motion = choice(
+        "motion", SpriteMotion::automatic, {"automatic", "kept", "in place"},
+        "Distance that the object travels in the animation: kept in the frames, or removed from them (in place), so "
+        "that it walks on the spot and the pivot moves. Automatic: removed if longer than the object.");
+    Real framesPerSecond =
+        real("framesPerSecond", 12, none, Range{0, 1000}.soft(0, 30),
+             "Frames per second that the description file gives. Auto: the frames last as long as the animation.",
+             reads(0, "auto"), option("fps"));
     Count width =
         count("width", 64, Range{1, 16384, logarithmic}.soft(8, 256), "Size of a frame in pixels.", tuple("size", 'x'));
     Count height = count("height", 64, Range{1, 16384, logarithmic}.soft(8, 256), "Size of a frame in pixels.",
@@ -52,18 +52,19 @@ struct SpriteTable final : Parameters {
                          when(palette, SpritePalette::own));
     Choice<SpriteDither> dither =
         choice("dither", SpriteDither::none, {"none", "ordered", "error diffusion", "blue noise"},
-               "Pattern that hints at colors between those of the palette. Ordered and blue noise stay where they are "
+               "Dithering method for colors between those of the palette. Ordered and blue noise keep their pattern "
                "from frame to frame.");
 
     Group sheetGroup = group("Sheet");
     Toggle trimmed = toggle("trimmed", false, "Cut off the empty rows and columns around each frame.", option("trim"));
     Choice<SpritePivot> pivot = choice("pivot", SpritePivot::origin, {"origin", "center", "bottom"},
-                                       "Point that the description gives: the object's origin, the middle of the "
-                                       "frame, or the middle of its lower edge.");
-    Toggle normals = toggle("normals", true, "Write a second sheet with normals, view space, aligned to the pixel.");
+                                       "Pivot of the frames in the description file: the object's origin, the middle "
+                                       "of the frame, or the middle of its lower edge.");
+    Toggle normals = toggle("normals", true,
+                            "Write a second sheet with normals in view space, aligned with the first to the pixel.");
     Toggle depth = toggle("depth", true, "Write a third sheet with depth: near is white.");
-    Toggle description =
-        toggle("description", true, "Write where every frame lies, in the JSON that Aseprite exports.");
+    Toggle description = toggle(
+        "description", true, "Write a description file with the place of every frame, as JSON in Aseprite's format.");
 };
 
 [[nodiscard]] const SpriteTable& spriteTable();
