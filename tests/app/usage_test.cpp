@@ -14,8 +14,7 @@
 namespace vitrine {
 namespace {
 
-using test::Ended;
-using test::expectOneSentence;
+using namespace test;
 
 TEST(Usage, HelpNeedsNeitherDisplayNorOpenGl)
 {

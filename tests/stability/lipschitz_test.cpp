@@ -18,11 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using glm::dvec3;
 using glm::vec3;
-using test::Claim;
-using test::LibraryField;
-using test::libraryOperators;
-using test::librarySolids;
-using test::Sizes;
+using namespace test;
 using LibraryShape = LibraryField<double>;
 
 std::vector<LibraryShape> everything(const Sizes& sizes = {})

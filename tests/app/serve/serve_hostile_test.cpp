@@ -14,8 +14,7 @@ namespace vitrine {
 namespace {
 
 using render::Json;
-using test::RpcClient;
-using test::ServedProgram;
+using namespace test;
 
 class ServeHostile : public testing::Test {
 protected:

@@ -16,9 +16,7 @@ namespace vitrine {
 namespace {
 
 using render::Json;
-using test::Ended;
-using test::RpcClient;
-using test::ServedProgram;
+using namespace test;
 
 /// Returns the error message of an answer.
 std::string messageOf(const Json& answer)

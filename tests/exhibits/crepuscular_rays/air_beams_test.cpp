@@ -15,13 +15,7 @@ namespace {
 
 using glm::dvec2;
 using glm::dvec3;
-using test::degree;
-using test::gallery;
-using test::hallTable;
-using test::Picture;
-using test::Rays;
-using test::RayShot;
-using test::raysTable;
+using namespace test;
 
 /// Looks across the beam. No walls keep the sun off, so all of the beam is lit.
 struct SlabShot : RayShot {

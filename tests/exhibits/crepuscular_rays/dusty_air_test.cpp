@@ -17,10 +17,7 @@ namespace {
 
 using glm::dvec2;
 using glm::dvec3;
-using test::hallTable;
-using test::Picture;
-using test::RayShot;
-using test::raysTable;
+using namespace test;
 
 class DustyAir : public test::GlTest {};
 

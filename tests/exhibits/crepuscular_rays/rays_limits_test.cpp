@@ -16,12 +16,7 @@ namespace {
 
 using glm::dvec2;
 using glm::dvec3;
-using test::degree;
-using test::gallery;
-using test::Picture;
-using test::Rays;
-using test::RayShot;
-using test::raysTable;
+using namespace test;
 
 /// Direction to the sun at the hall's initial values.
 const dvec3 towardsSun(std::sin(-3 * degree) * std::cos(19 * degree), std::sin(19 * degree),

@@ -21,11 +21,7 @@ namespace {
 
 using glm::dvec2;
 using glm::dvec3;
-using test::degree;
-using test::raysTable;
-using test::reasonFor;
-using test::runs;
-using test::Scene;
+using namespace test;
 
 /// Scene that looks along the hall at the window.
 Scene atTheWindow(RayTechnique technique = RayTechnique::both)

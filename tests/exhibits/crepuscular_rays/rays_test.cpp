@@ -16,13 +16,7 @@ namespace {
 
 using glm::dvec2;
 using glm::dvec3;
-using test::degree;
-using test::gallery;
-using test::hallTable;
-using test::Picture;
-using test::Rays;
-using test::RayShot;
-using test::raysTable;
+using namespace test;
 
 /// Mask of the last picture, sampled like in the shader; pixels from the lower left.
 struct Mask {

@@ -14,10 +14,7 @@
 namespace vitrine {
 namespace {
 
-using test::reasonFor;
-using test::runs;
-
-using test::never;
+using namespace test;
 
 const FurTable& furTable()
 {

@@ -17,9 +17,7 @@
 namespace vitrine {
 namespace {
 
-using test::Air;
-using test::degree;
-using test::reasonFor;
+using namespace test;
 constexpr const char* bouncePasses[] = {"hall/bounced light in the air", "hall/bounced light",
                                         "hall/bounced light/edges"};
 

@@ -12,9 +12,7 @@
 namespace vitrine {
 namespace {
 
-using test::hallTable;
-using test::Picture;
-using test::Shot;
+using namespace test;
 
 class Floor : public test::GlTest {};
 

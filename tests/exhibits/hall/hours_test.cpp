@@ -6,9 +6,7 @@
 namespace vitrine {
 namespace {
 
-using test::hallTable;
-using test::Picture;
-using test::Shot;
+using namespace test;
 
 class Hours : public test::GlTest {};
 

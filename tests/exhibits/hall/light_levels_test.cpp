@@ -17,10 +17,7 @@
 namespace vitrine {
 namespace {
 
-using test::degree;
-using test::hallTable;
-using test::Picture;
-using test::Shot;
+using namespace test;
 
 class LightLevels : public test::GlTest {};
 

@@ -11,9 +11,7 @@
 namespace vitrine {
 namespace {
 
-using test::hallTable;
-using test::Picture;
-using test::Shot;
+using namespace test;
 
 class Plaques : public test::GlTest {};
 

@@ -9,9 +9,7 @@
 namespace vitrine {
 namespace {
 
-using test::hallTable;
-using test::Picture;
-using test::Shot;
+using namespace test;
 
 class SunDisk : public test::GlTest {};
 

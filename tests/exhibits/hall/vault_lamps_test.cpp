@@ -16,8 +16,7 @@
 namespace vitrine {
 namespace {
 
-using test::hallTable;
-using test::reasonFor;
+using namespace test;
 
 render::Json readReference(const char* name)
 {

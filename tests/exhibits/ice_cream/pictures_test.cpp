@@ -13,10 +13,7 @@ namespace vitrine {
 namespace {
 
 using glm::dvec3;
-using test::EverySolid;
-using test::IceCreamShot;
-using test::iceCreamTable;
-using test::Picture;
+using namespace test;
 
 class IceCreamPicture : public test::GlTest {};
 

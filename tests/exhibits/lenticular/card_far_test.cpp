@@ -18,9 +18,7 @@
 namespace vitrine {
 namespace {
 
-using test::CardShot;
-using test::cardTable;
-using test::CardViews;
+using namespace test;
 
 class CardFar : public test::GlTest {
 protected:

@@ -11,10 +11,7 @@ namespace vitrine {
 namespace {
 
 using glm::dvec3;
-using test::CardShot;
-using test::cardTable;
-using test::CardViews;
-using test::Picture;
+using namespace test;
 
 const dvec3 lamp(-0.5, 1.1, 2.4);     ///< Position in the card's space (shaders/lenticular/gloss.glsl).
 constexpr double greenOfLamp = 0.90;  ///< Green component of its color.

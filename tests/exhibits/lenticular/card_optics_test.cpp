@@ -13,9 +13,7 @@ namespace vitrine {
 namespace {
 
 using printing::Sheet;
-using test::CardShot;
-using test::cardTable;
-using test::CardViews;
+using namespace test;
 
 constexpr double half = std::numbers::pi / 2;
 constexpr int middle = 12 * 25 + 12;  ///< Center of the 25 x 25 pixels.

@@ -23,8 +23,7 @@ namespace {
 
 using render::FramePlan;
 using render::Pass;
-using test::museum;
-using test::reasonFor;
+using namespace test;
 
 struct CardScene : test::Scene {
     std::size_t card = *museum().find("lenticular");

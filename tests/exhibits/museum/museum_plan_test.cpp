@@ -20,12 +20,7 @@ namespace {
 
 using render::FramePlan;
 using render::toString;
-using test::keptAfter;
-using test::reasonFor;
-using test::runs;
-using test::Scene;
-
-using test::never;
+using namespace test;
 
 /// Sets the sun to shine straight through the window onto the middle of the hall.
 void shineOnTheExhibit(Scene& scene)

@@ -17,9 +17,7 @@ namespace vitrine {
 namespace {
 
 using render::Json;
-using test::gallery;
-using test::GltfBuilder;
-using test::hallTable;
+using namespace test;
 
 constexpr float gray = 0.5F;  ///< Gray of the square above each tested one, in the same light.
 

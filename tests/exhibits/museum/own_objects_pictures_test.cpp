@@ -8,10 +8,7 @@
 namespace vitrine {
 namespace {
 
-using test::gallery;
-using test::hallTable;
-using test::Picture;
-using test::Shot;
+using namespace test;
 
 class OwnObjectsPictures : public test::GlTest {};
 

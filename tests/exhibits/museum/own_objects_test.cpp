@@ -15,9 +15,7 @@ namespace vitrine {
 namespace {
 
 using glm::dvec3;
-using test::museum;
-using test::reasonFor;
-using test::Scene;
+using namespace test;
 
 const std::array<const char*, mostOwnObjects> modelRows{"model", "secondModel", "thirdModel", "fourthModel"};
 const std::array<const char*, mostOwnObjects> passes{"hall/visitor", "hall/visitor/2", "hall/visitor/3",

@@ -7,9 +7,7 @@
 namespace vitrine {
 namespace {
 
-using test::gallery;
-using test::Picture;
-using test::Shot;
+using namespace test;
 
 class PickTest : public test::GlTest {};
 

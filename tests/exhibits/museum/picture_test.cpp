@@ -10,11 +10,7 @@
 namespace vitrine {
 namespace {
 
-using test::gallery;
-using test::hallTable;
-using test::Picture;
-using test::sdfTable;
-using test::Shot;
+using namespace test;
 
 class PictureTest : public test::GlTest {};
 

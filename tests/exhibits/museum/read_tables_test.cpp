@@ -12,9 +12,7 @@
 namespace vitrine {
 namespace {
 
-using test::rowOf;
-using test::setRow;
-using test::writeBalls;
+using namespace test;
 
 class ReadTables : public testing::Test {
 protected:

@@ -18,8 +18,7 @@
 namespace vitrine {
 namespace {
 
-using test::building;
-using test::museum;
+using namespace test;
 
 /// Skipped pass, and its picture.
 struct Skipped {

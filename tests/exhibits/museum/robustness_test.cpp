@@ -12,11 +12,7 @@
 namespace vitrine {
 namespace {
 
-using test::gallery;
-using test::hallTable;
-using test::Picture;
-using test::sdfTable;
-using test::Shot;
+using namespace test;
 
 class Robustness : public test::GlTest {};
 

@@ -14,9 +14,7 @@ namespace {
 
 using glm::dvec2;
 using glm::dvec3;
-using test::lakeAtFloat64;
-using test::lanternsTable;
-using test::sourceLake;
+using namespace test;
 
 TEST(LakeWaves, AreTheReferencesFiveAndStayWithinTheirBounds)
 {

@@ -15,9 +15,7 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 using std::numbers::pi;
-using test::lakeAtFloat64;
-using test::lanternsTable;
-using test::sourceLake;
+using namespace test;
 
 double boxDistance(const dvec3& p, const dvec3& halfSize)
 {

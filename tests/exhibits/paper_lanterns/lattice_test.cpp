@@ -12,11 +12,7 @@ namespace vitrine {
 namespace {
 
 using glm::dvec3;
-using test::everyLantern;
-using test::lakeAtFloat64;
-using test::lanternsTable;
-using test::nearestOfAll;
-using test::sourceLake;
+using namespace test;
 
 struct Missed {
     int rays = 0, hits = 0, missed = 0, wrong = 0;

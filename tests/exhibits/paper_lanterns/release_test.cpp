@@ -15,8 +15,7 @@ namespace {
 
 using glm::dvec2;
 using glm::dvec3;
-using test::lakeAtFloat64;
-using test::lanternsTable;
+using namespace test;
 
 /// Returns the lake at a time, `since` seconds after a lantern was released.
 glsl::Lake lakeSince(const ParameterValues& values, double seconds, double since)

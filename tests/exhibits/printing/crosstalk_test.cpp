@@ -11,10 +11,7 @@
 namespace vitrine::printing {
 namespace {
 
-using test::linearImage;
-using test::noisyViews;
-using test::printOf;
-using test::settingsFor;
+using namespace test;
 
 TEST(CrossTalk, EveryRowOfTheMixingSumsToOneAndItsOwnViewIsLargest)
 {

@@ -12,9 +12,7 @@
 namespace vitrine::printing {
 namespace {
 
-using test::linearImage;
-using test::printOf;
-using test::settingsFor;
+using namespace test;
 
 ViewSet blackAndWhite()
 {

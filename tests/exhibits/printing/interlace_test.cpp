@@ -11,10 +11,7 @@
 namespace vitrine::printing {
 namespace {
 
-using test::noisyViews;
-using test::printOf;
-using test::settingsFor;
-using test::solidViews;
+using namespace test;
 
 constexpr std::array<Method, 3> methods{Method::nearest, Method::area, Method::guard};
 

@@ -21,12 +21,7 @@
 namespace vitrine::printing {
 namespace {
 
-using test::noisyViews;
-using test::printOf;
-using test::settingsFor;
-using test::solidViews;
-using vitrine::test::bytesOf;
-using vitrine::test::TemporaryFolder;
+using namespace test;
 
 std::vector<render::Image> noisyImages(int count, int width, int height)
 {

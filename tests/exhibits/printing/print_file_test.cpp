@@ -15,10 +15,7 @@
 namespace vitrine::printing {
 namespace {
 
-using test::noisyViews;
-using test::settingsFor;
-using vitrine::test::bytesOf;
-using vitrine::test::TemporaryFolder;
+using namespace test;
 
 std::vector<std::uint8_t> codesOf(const std::filesystem::path& path)
 {

@@ -13,8 +13,7 @@
 namespace vitrine::printing {
 namespace {
 
-using vitrine::test::bytesOf;
-using vitrine::test::TemporaryFolder;
+using namespace vitrine::test;
 
 struct Ended {
     int code = -1;

@@ -15,10 +15,7 @@
 namespace vitrine::printing {
 namespace {
 
-using test::linearImage;
-using test::printOf;
-using test::settingsFor;
-using test::solidViews;
+using namespace test;
 
 /// Returns the view that the center of the print shows, as a real number.
 double viewSeen(const PrintLayout& layout, const render::Image& raster, double angle)

@@ -18,9 +18,7 @@
 namespace vitrine::printing {
 namespace {
 
-using vitrine::test::refusalOf;
-using vitrine::test::TemporaryFolder;
-using vitrine::test::writeBytes;
+using namespace vitrine::test;
 using Row = std::vector<std::size_t>;
 
 TEST(ViewFiles, CountNumbersInNamesByTheirValue)

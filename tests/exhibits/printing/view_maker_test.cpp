@@ -13,11 +13,7 @@
 namespace vitrine::printing {
 namespace {
 
-using vitrine::test::hallTable;
-using vitrine::test::museum;
-using vitrine::test::refusalOf;
-using vitrine::test::Scene;
-using vitrine::test::sdfTable;
+using namespace vitrine::test;
 
 std::vector<ViewShot> shots(int count)
 {

@@ -9,9 +9,7 @@
 namespace vitrine {
 namespace {
 
-using test::gallery;
-using test::Picture;
-using test::Shot;
+using namespace test;
 
 class ViewsTest : public test::GlTest {};
 

@@ -15,11 +15,7 @@ namespace vitrine {
 namespace {
 
 using glm::dvec3;
-using test::gallery;
-using test::hallTable;
-using test::Picture;
-using test::sdfTable;
-using test::Shot;
+using namespace test;
 
 class GlassInTheHall : public test::GlTest {};
 

@@ -14,11 +14,7 @@ namespace vitrine {
 namespace {
 
 using glm::dvec3;
-using test::gallery;
-using test::hallTable;
-using test::Picture;
-using test::sdfTable;
-using test::Shot;
+using namespace test;
 
 class Light : public test::GlTest {};
 

@@ -14,13 +14,7 @@ namespace {
 
 using glm::dmat4;
 using glm::dvec3;
-using test::Found;
-using test::gallery;
-using test::hallTable;
-using test::Picture;
-using test::sdfTable;
-using test::Shot;
-using test::Solid;
+using namespace test;
 
 class Scene : public test::GlTest {};
 

@@ -10,9 +10,7 @@
 namespace vitrine {
 namespace {
 
-using test::SceneShot;
-using test::scenesTable;
-using test::shippedScene;
+using namespace test;
 
 class SceneHalves : public test::GlTest {};
 

@@ -13,9 +13,7 @@ namespace vitrine {
 namespace {
 
 using glm::dvec3;
-using test::SceneShot;
-using test::scenesTable;
-using test::shippedScene;
+using namespace test;
 
 class NearPicture : public test::GlTest {
 protected:

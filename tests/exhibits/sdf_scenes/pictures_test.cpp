@@ -16,9 +16,7 @@ namespace vitrine {
 namespace {
 
 using glm::dvec3;
-using test::SceneShot;
-using test::scenesTable;
-using test::shippedScene;
+using namespace test;
 
 class ScenePicture : public test::GlTest {
 protected:

@@ -11,9 +11,7 @@
 namespace vitrine {
 namespace {
 
-using test::KnownBackend;
-using test::KnownExhibit;
-using test::KnownTable;
+using namespace test;
 
 /// Study of "steps" of an exhibit with a known law, step by step.
 class StudyOfSteps {

@@ -22,8 +22,7 @@ namespace {
 using namespace vitrine;
 using render::Asset;
 using render::AssetStore;
-using test::TemporaryFolder;
-using test::writeBytes;
+using namespace test;
 
 /// Reader of texts that counts its calls.
 struct Reader {

@@ -19,8 +19,7 @@
 namespace vitrine::render {
 namespace {
 
-using test::bytesOf;
-using test::TemporaryFolder;
+using namespace test;
 
 struct Raster {
     std::int64_t width = 1, height = 1;

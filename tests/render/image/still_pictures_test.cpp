@@ -13,8 +13,7 @@
 namespace vitrine::render {
 namespace {
 
-using test::littleEndian32;
-using vitrine::test::TemporaryFolder;
+using namespace test;
 
 std::string little16(unsigned x)
 {

@@ -14,10 +14,7 @@ namespace vitrine {
 namespace {
 
 using namespace render;
-using test::hallTable;
-using test::reasonFor;
-using test::Scene;
-using test::sdfTable;
+using namespace test;
 
 TEST(ContributionBound, IsInProportionToEveryFactor)
 {

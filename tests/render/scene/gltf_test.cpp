@@ -14,8 +14,7 @@ namespace {
 
 using namespace vitrine;
 using namespace vitrine::render;
-using test::GltfBuilder;
-using test::TemporaryFolder;
+using namespace test;
 
 Model modelOf(const GltfBuilder& builder)
 {

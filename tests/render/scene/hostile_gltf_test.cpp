@@ -14,9 +14,7 @@ namespace {
 
 using namespace vitrine;
 using namespace vitrine::render;
-using test::glbOf;
-using test::GltfBuilder;
-using test::littleEndian32;
+using namespace test;
 
 /// Returns the error message for a valid file after `breakIt` has changed its JSON.
 template <typename Break> std::string refusalOf(const Break& breakIt)
