@@ -38,42 +38,11 @@ inline const BallTable& ballTable()
 }
 
 /// A picture of that museum's exhibit: by default alone, linear, with depth and normals, from 2 m before it.
-struct BallShot {
-    const Museum& museum;
-    SceneState sceneState;
-    PictureRequest request;
-    std::size_t subject = 0;
-
-    explicit BallShot(const Museum& of = ballMuseum(), const char* exhibit = "ball")
-        : museum(of), sceneState(of.initialSceneState()), subject(*of.find(exhibit))
+struct BallShot : Shot {
+    explicit BallShot(const Museum& of = ballMuseum(), const char* name = "ball") : Shot(name, of)
     {
-        useSmallMaps(hall(), 512);
-        seeAlone(request, subject);
-        FrameRequest& frame = request.frame;
-        frame.raster.size = {96, 72};
-        frame.camera = {{0, 0, 2}, {0, 0, 0}, 0.6};
-    }
-    [[nodiscard]] ParameterValues& hall() { return sceneState.hall(); }
-    [[nodiscard]] ParameterValues& values() { return sceneState.values[subject]; }
-    BallShot& inHall()
-    {
-        request.frame.alone.reset();
-        request.frame.subject = subject;
-        request.frame.transparent = false;
-        request.frame.camera = museum.bestView(subject, values());
-        return *this;
-    }
-    [[nodiscard]] glm::dmat4 worldFromExhibit() const
-    {
-        return (request.frame.alone ? glm::dmat4(1) : museum.worldFromExhibit(subject)) *
-               request.frame.exhibitTransform;
-    }
-    [[nodiscard]] Picture take() const
-    {
-        PictureMaker maker(museum, gallery().renderer, sceneState, request);
-        while (maker.step()) {
-        }
-        return {maker.picture(), render::makeView(request.frame.camera, request.frame.raster)};
+        size(96, 72);
+        request.frame.camera = {{0, 0, 2}, {0, 0, 0}, 0.6};
     }
 };
 
@@ -81,13 +50,6 @@ struct BallShot {
 inline double distanceOf(const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& point)
 {
     return glm::length(glm::cross(point - origin, glm::normalize(direction)));
-}
-
-/// Through the middle of a pixel (from the top left), length 1 along the view axis.
-inline glm::dvec3 rayThrough(const render::View& view, int x, int y)
-{
-    const glm::dvec2 size(view.raster.size);
-    return view.direction(glm::dvec2(x + 0.5, size.y - y - 0.5) / size * 2.0 - 1.0);
 }
 
 }  // namespace vitrine::test

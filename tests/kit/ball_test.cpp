@@ -25,7 +25,7 @@ TEST_F(Ball, ShowsTheCircleOfItsSphereToAPixel)
         const Picture p = shot.take();
         int inside = 0, wrong = 0;
         p.each([&](int x, int y) {
-            const dvec3 ray = test::rayThrough(p.view, x, y);
+            const dvec3 ray = p.ray(x, y);
             // A pixel is as wide as this where the ray passes the ball.
             const double pixel = 2 * p.view.tanHalfFov.y / p.height() * glm::length(p.view.eye);
             const double beyond = test::distanceOf(p.view.eye, ray, dvec3(0)) - radius;
@@ -87,7 +87,7 @@ TEST_F(Ball, ThrowsItsShadowWhereTheSphereHidesTheSun)
     with.each([&](int x, int y) {
         // Only where the sun reaches the floor when the ball is not there.
         if (!with.hit(x, y) || without.luminance(x, y) < 0.99 * lit.luminance(x, y)) return;
-        const dvec3 floor = with.view.eye + test::rayThrough(with.view, x, y) * with.depth(x, y);
+        const dvec3 floor = with.view.eye + with.ray(x, y) * with.depth(x, y);
         const double beyond = test::distanceOf(floor, towardsSun, center) - radius;
         if (std::abs(beyond) < 0.06) return;  // The width of the filter: five texels.
         const double ratio = with.luminance(x, y) / without.luminance(x, y);
@@ -127,9 +127,9 @@ TEST_F(Ball, IsStudiedAndErrsLessTheFinerItIsMarched)
 {
     BallShot shot;
     StudyRequest request;
-    request.subject = shot.subject;
+    request.subject = shot.exhibit;
     request.sceneState = shot.sceneState;
-    request.axes = {{shot.subject, ballTable().hitTolerance.row, {0.25, 1, 4, 16}}};
+    request.axes = {{shot.exhibit, ballTable().hitTolerance.row, {0.25, 1, 4, 16}}};
     request.size = {64, 48};
     request.runs = 1;
     request.views = 1;

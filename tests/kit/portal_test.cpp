@@ -81,7 +81,7 @@ TEST_F(PortalTest, ShowsTheWorldBeyondInTheVisitorsPerspective)
         const Picture p = s.take();
         int open = 0, hidden = 0, wrong = 0, wrongDepth = 0, leaked = 0;
         p.each([&](int x, int y) {
-            const dvec3 ray = test::rayThrough(p.view, x, y);
+            const dvec3 ray = p.ray(x, y);
             const dvec3 d(glm::inverse(world) * glm::dvec4(ray, 0));
             const auto at = [&](double z) { return eye + d * ((z - eye.z) / d.z); };
             const double margin = 0.02;
@@ -119,7 +119,7 @@ TEST_F(PortalTest, FillsThePictureWhereItStandsAloneWithDepthAndNormals)
     const Picture p = s.take();
     int floor = 0, wrong = 0;
     p.each([&](int x, int y) {
-        const dvec3 ray = test::rayThrough(p.view, x, y);
+        const dvec3 ray = p.ray(x, y);
         const Seen seen = seenAlong(p.view.eye, ray, glm::dmat4(1), p.view.tanHalfFov.y * 2 / p.height(), 0);
         ASSERT_TRUE(p.hit(x, y));
         if (seen.nearEdge) return;

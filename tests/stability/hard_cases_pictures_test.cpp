@@ -73,7 +73,7 @@ TEST_F(HardCases, AfterACutNothingOfTheOldViewRemains)
 TEST_F(HardCases, APictureWiderThanAnyTextureIsDrawnInTiles)
 {
     Shot shot;
-    shot.object().set(sdfTable().conePrepass, false);
+    shot.values().set(sdfTable().conePrepass, false);
     shot.size(20000, 2);
     ASSERT_GT(20000, gallery().renderer.largestSide());  // Too wide to be drawn in one piece.
     const Picture wide = shot.take();

@@ -60,26 +60,24 @@ void seeAlone(PictureRequest& request, std::size_t subject)
     request.depth = true;
 }
 
-Shot::Shot()
+Shot::Shot(std::string_view name, const Museum& in)
+    : museum(in), sceneState(in.initialSceneState()), exhibit(in.find(name).value())
 {
-    const Museum& museum = gallery().museum;
-    sceneState = museum.initialSceneState();
-    sdf = *museum.find("sdf_morph");
     useSmallMaps(hall(), 512);
     // Without haze, so that colors of surfaces are exact.
-    sceneState.values[*museum.find("crepuscular_rays")].set(raysTable().technique, RayTechnique::none);
-    seeAlone(request, sdf);
-    FrameRequest& frame = request.frame;
-    frame.raster.size = {96, 54};
-    frame.camera = museum.subject(sdf).bestView(object());
+    if (const auto rays = in.find("crepuscular_rays"))
+        sceneState.values[*rays].set(raysTable().technique, RayTechnique::none);
+    seeAlone(request, exhibit);
+    request.frame.raster.size = {96, 54};
+    request.frame.camera = in.subject(exhibit).bestView(values());
 }
 
 Shot& Shot::inHall()
 {
     request.frame.alone.reset();
-    request.frame.subject = sdf;
+    request.frame.subject = exhibit;
     request.frame.transparent = false;
-    request.frame.camera = gallery().museum.bestView(sdf, object());
+    request.frame.camera = museum.get().bestView(exhibit, values());
     return *this;
 }
 
@@ -104,16 +102,16 @@ Shot& Shot::transform(const glm::dmat4& m)
 
 glm::dmat4 Shot::worldFromExhibit() const
 {
-    return (request.frame.alone ? glm::dmat4(1) : gallery().museum.worldFromExhibit(sdf)) *
+    return (request.frame.alone ? glm::dmat4(1) : museum.get().worldFromExhibit(exhibit)) *
            request.frame.exhibitTransform;
 }
 
 Picture Shot::take() const
 {
-    PictureMaker maker(gallery().museum, gallery().renderer, sceneState, request);
+    PictureMaker maker(museum, gallery().renderer, sceneState, request);
     while (maker.step()) {
     }
-    return {maker.picture(), render::makeView(request.frame.camera, request.frame.raster)};
+    return {maker.picture(), render::makeView(request.frame.camera, request.frame.raster), maker.report()};
 }
 
 double largestDifference(const render::Image& a, const render::Image& b)

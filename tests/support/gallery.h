@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 
 namespace vitrine::test {
 
@@ -41,10 +42,11 @@ void useSmallMaps(ParameterValues& hall, int shadowMapSize);
 /// Shows one exhibit alone without a background: linear light, depth and normals.
 void seeAlone(PictureRequest&, std::size_t subject);
 
-/// Finished picture with its view. Pixels count from the top left.
+/// Finished picture with its view and its frame report. Pixels count from the top left.
 struct Picture {
     render::Image image;
     render::View view;
+    render::FrameReport report;
 
     [[nodiscard]] int width() const { return image.width; }
     [[nodiscard]] int height() const { return image.height; }
@@ -64,6 +66,12 @@ struct Picture {
     {
         return {image.at(x, y, 5), image.at(x, y, 6), image.at(x, y, 7)};
     }
+    /// Returns the ray through the center of a pixel, with length 1 along the view axis.
+    [[nodiscard]] glm::dvec3 ray(int x, int y) const
+    {
+        const glm::dvec2 size(width(), height());
+        return view.direction(glm::dvec2(x + 0.5, size.y - y - 0.5) / size * 2.0 - 1.0);
+    }
     [[nodiscard]] int hits() const;
     /// Returns the mean luminance of all pixels.
     [[nodiscard]] double mean() const;
@@ -75,17 +83,19 @@ struct Picture {
     }
 };
 
-/// Picture to take. By default the torus-mug alone from its best view: transparent, linear, with depth and normals,
-/// small. Shadow map and probe are small, so that changing the light costs little.
+/// Picture to take. By default an exhibit alone from its best view: transparent, linear, with depth and normals, small.
+/// Shadow map and probe are small, so that changing the light costs little.
 struct Shot {
-    Shot();
+    Shot() : Shot("sdf_morph") {}
+    explicit Shot(std::string_view name, const Museum& in = gallery().museum);
 
+    std::reference_wrapper<const Museum> museum;
     SceneState sceneState;
     PictureRequest request;
-    std::size_t sdf = 0;
+    std::size_t exhibit;
 
     [[nodiscard]] ParameterValues& hall() { return sceneState.hall(); }
-    [[nodiscard]] ParameterValues& object() { return sceneState.values[sdf]; }
+    [[nodiscard]] ParameterValues& values() { return sceneState.values[exhibit]; }
     /// Shows the exhibit in the hall, from its best view there.
     Shot& inHall();
     Shot& size(int width, int height);
@@ -95,6 +105,21 @@ struct Shot {
     /// Returns the transform from the exhibit's own space to the world.
     [[nodiscard]] glm::dmat4 worldFromExhibit() const;
     [[nodiscard]] Picture take() const;
+};
+
+/// Shot of the exhibit that has this table.
+template <typename Table> struct ExhibitShot : Shot {
+    explicit ExhibitShot(std::string_view name) : Shot(name) {}
+    template <typename Row, typename Value> ExhibitShot& set(Row row, const Value& value)
+    {
+        values().set(row, value);
+        return *this;
+    }
+    [[nodiscard]] static const Table& table()
+    {
+        static const Table made;
+        return made;
+    }
 };
 
 /// Returns the largest difference over all channels of two pictures of equal size; infinite if only one of them is

@@ -300,7 +300,7 @@ TEST_F(Rays, HaveOneMaskBehindWhatIsMarchedToo)
     EXPECT_EQ(test::largestDifference(masks[0], masks[1]), 0);
     EXPECT_EQ(test::largestDifference(masks[0], masks[2]), 0);
     // Control: without the object, more of the sky is visible.
-    shot.object().set(test::sdfTable().boxSize, shot.object().rows()[test::sdfTable().boxSize.row].range.low);
+    shot.values().set(test::sdfTable().boxSize, shot.values().rows()[test::sdfTable().boxSize.row].range.low);
     (void)shot.take();
     double hidden = 0;
     const render::Image open = gallery().renderer.read("crepuscular_rays.mask");

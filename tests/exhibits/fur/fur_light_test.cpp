@@ -32,12 +32,12 @@ TEST_F(FurLight, BareSkinIsLitAndNotBlack)
         return s.take();
     };
     const auto density = [](FurShot& s, int strands) {
-        for (const CoatRows& coat : table().coats) s.object().set(coat.density, strands);
+        for (const CoatRows& coat : furTable().coats) s.values().set(coat.density, strands);
     };
     const Picture oneShell = shot([](FurShot& s) { s.shells(1, FurSilhouette::march); });
     const Picture sparse = shot([&](FurShot& s) { density(s, 100); });
     const Picture bald = shot([](FurShot& s) {
-        for (const CoatRows& coat : table().coats) s.object().set(coat.length, 0.0);
+        for (const CoatRows& coat : furTable().coats) s.values().set(coat.length, 0.0);
     });
     const Picture dense = shot([&](FurShot& s) { density(s, 1000000); });
     for (const Picture* p : {&oneShell, &sparse, &bald, &dense}) EXPECT_LT(blackShare(*p, 1), 0.01);
@@ -50,9 +50,9 @@ TEST_F(FurLight, ShowsWhatIsBehindTheFringeAndNotTheHallWhereThePitIs)
     const auto mean = [](const glm::dvec3& eye, const glm::dvec3& target, double rim) {
         FurShot s;
         s.size(96, 54).see(eye, target).request.frame.camera.fovY = 0.5;
-        s.object().set(table().lamp, 0.0);
-        s.object().set(table().sheen, 0.0);
-        s.object().set(table().rimLight, rim);
+        s.values().set(furTable().lamp, 0.0);
+        s.values().set(furTable().sheen, 0.0);
+        s.values().set(furTable().rimLight, rim);
         const Picture p = s.take();
         double sum = 0;
         int seen = 0;

@@ -71,7 +71,7 @@ TEST_F(FurQuality, ShellsByAngleLeaveNoHoleInTheSkinAndAreTheSameInBothOrders)
         FurShot s;
         s.shells(7, silhouette, order);
         for (int i = 0; i < furBodyCount; ++i)
-            s.object().set(table().coats[static_cast<std::size_t>(i)].density, density);
+            s.values().set(furTable().coats[static_cast<std::size_t>(i)].density, density);
         return s.take();
     };
     const Picture bare = shot(FurSilhouette::none, FurOrder::outerFirst, 1);
@@ -88,7 +88,7 @@ TEST_F(FurQuality, IsNearTheReferenceAtSixteenSamplesPerPixel)
     usual.request.samples = reference.request.samples = sparse.request.samples = 16;
     usual.request.frame.averageIn = reference.request.frame.averageIn = sparse.request.frame.averageIn =
         AverageIn::display;
-    usual.object().set(table().levelOfDetail, false);  // The picture is small, but the full coat has to be measured.
+    usual.values().set(furTable().levelOfDetail, false);  // The picture is small, but the full coat has to be measured.
     const Picture truth = reference.reference().take();
     const double error = colorDifference(usual.take(), truth);
     std::printf("error of the initial coat against 256 shells: %.4f\n", error);
@@ -121,7 +121,7 @@ struct CloseShot : FurShot {
         size(136, 96);
         request.samples = 4;
         request.frame.averageIn = AverageIn::display;
-        object().set(table().levelOfDetail, false);
+        values().set(furTable().levelOfDetail, false);
     }
 };
 
@@ -154,7 +154,7 @@ TEST_F(FurQuality, WithFewerShellsFromItsBestViewIsWithinTwelveLevelsOfShellsWit
     PartOfBestView usual, all, reference, bare;
     const Picture truth = reference.reference().take();
     const double error = levelsApart(usual.take(), truth);
-    all.object().set(table().levelOfDetail, false);
+    all.values().set(furTable().levelOfDetail, false);
     const double allError = levelsApart(all.take(), truth);
     const double bareError = levelsApart(bare.shells(5, FurSilhouette::none).take(), truth);
     std::printf(
@@ -170,15 +170,15 @@ TEST_F(FurQuality, SpinesAreSmooth)
     const auto shot = [](const auto& change) {
         CloseShot s;
         s.see({-0.62, 0.9, 1.8}, {-0.62, 0.45, 0});
-        ParameterValues& v = s.object();
-        const CoatRows ball = table().coats[furBall];
+        ParameterValues& v = s.values();
+        const CoatRows ball = furTable().coats[furBall];
         v.set(ball.density, 900);
         v.set(ball.length, 0.26);
         v.set(ball.thickness, 0.017);
         v.set(ball.uniformity, 0.75);
-        for (const Real none : {table().clump, table().comb, table().gravity}) v.set(none, 0.0);
-        v.set(table().disorder, 0.08);
-        v.set(table().strandRoundness, 0.1);
+        for (const Real none : {furTable().clump, furTable().comb, furTable().gravity}) v.set(none, 0.0);
+        v.set(furTable().disorder, 0.08);
+        v.set(furTable().strandRoundness, 0.1);
         change(s);
         return s.take();
     };
@@ -195,19 +195,19 @@ TEST_F(FurQuality, EachStudyHasAViewThatTellsItsMethodsApart)
     const Exhibit& exhibit = gallery().museum.exhibit(*gallery().museum.find("fur"));
     const auto shot = [&](std::string_view name, const auto& change) {
         FurShot s;
-        for (const StudyView& view : exhibit.studyViews(s.object())) {
+        for (const StudyView& view : exhibit.studyViews(s.values())) {
             if (view.name != name) continue;
-            s.object() = view.values;
+            s.values() = view.values;
             s.request.frame.camera = view.camera;
             s.request.frame.time = view.time;
-            change(s.object());
+            change(s.values());
             return s.take();
         }
         ADD_FAILURE() << "no view " << name;
         return s.take();
     };
     const auto rotation = [&](FurRotation model) {
-        return shot("spin of 120 degrees", [&](ParameterValues& v) { v.set(table().rotationModel, model); });
+        return shot("spin of 120 degrees", [&](ParameterValues& v) { v.set(furTable().rotationModel, model); });
     };
     const Picture slerp = rotation(FurRotation::slerp);
     const double nlerp = colorDifference(rotation(FurRotation::nlerp), slerp);
@@ -215,7 +215,7 @@ TEST_F(FurQuality, EachStudyHasAViewThatTellsItsMethodsApart)
     EXPECT_GT(colorDifference(rotation(FurRotation::matrixMix), slerp), 1.2 * nlerp);
 
     const auto springs = [&](FurSpring model) {
-        return shot("stiff fur in long steps", [&](ParameterValues& v) { v.set(table().springModel, model); });
+        return shot("stiff fur in long steps", [&](ParameterValues& v) { v.set(furTable().springModel, model); });
     };
     const Picture exact = springs(FurSpring::closedForm);
     const double semiImplicit = colorDifference(springs(FurSpring::semiImplicit), exact);
@@ -223,7 +223,7 @@ TEST_F(FurQuality, EachStudyHasAViewThatTellsItsMethodsApart)
     EXPECT_GT(colorDifference(springs(FurSpring::explicitEuler), exact), 1.2 * semiImplicit);
 
     const auto shells = [&](int count) {
-        return shot("silhouette", [&](ParameterValues& v) { v.set(table().shellCount, count); });
+        return shot("silhouette", [&](ParameterValues& v) { v.set(furTable().shellCount, count); });
     };
     const Picture many = shells(256);
     const double few = colorDifference(shells(4), many);

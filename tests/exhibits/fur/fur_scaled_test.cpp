@@ -15,26 +15,14 @@ namespace {
 
 using FurScaled = GlTest;
 
-const FurTable& table()
-{
-    static const FurTable made;
-    return made;
-}
-
 /// Returns a shot of the bodies alone, with static, upright fur.
-Shot furShot()
+FurShot uprightFur()
 {
-    Shot shot;
-    shot.sdf = *gallery().museum.find("fur");
-    shot.request.frame.alone = shot.sdf;
-    shot.request.frame.camera = gallery().museum.subject(shot.sdf).bestView(shot.object());
-    ParameterValues& values = shot.object();
-    values.set(table().byHand, true);
-    for (const Real tipOffset : {table().handX, table().handY, table().handZ, table().comb, table().disorder,
-                                 table().clump, table().flattening})
-        values.set(tipOffset, 0.0);
-    values.set(table().levelOfDetail, false);
-    shot.size(128, 80);
+    FurShot shot;
+    shot.set(furTable().byHand, true).set(furTable().levelOfDetail, false);
+    for (const Real tipOffset : {furTable().handX, furTable().handY, furTable().handZ, furTable().comb,
+                                 furTable().disorder, furTable().clump, furTable().flattening})
+        shot.set(tipOffset, 0.0);
     return shot;
 }
 
@@ -45,7 +33,7 @@ glm::dvec3 mirrored(const glm::dvec3& v)
 
 TEST_F(FurScaled, AMirroredExhibitIsTheMirrorImageOfItself)
 {
-    const Shot plain = furShot();
+    const Shot plain = uprightFur();
     Shot turned = plain;
     turned.transform(glm::scale(glm::dmat4(1), glm::dvec3(-1, 1, 1)));
     const render::Camera& camera = plain.request.frame.camera;
@@ -73,16 +61,16 @@ TEST_F(FurScaled, AMirroredExhibitIsTheMirrorImageOfItself)
 
 TEST_F(FurScaled, NormalsOfAnUnevenlyScaledSkinAreThoseOfItsEllipsoid)
 {
-    Shot shot = furShot();
+    Shot shot = uprightFur();
     for (const Real length :
-         {table().coats[furBall].length, table().coats[furRoll].length, table().coats[furRing].length})
-        shot.object().set(length, 0.0);
+         {furTable().coats[furBall].length, furTable().coats[furRoll].length, furTable().coats[furRing].length})
+        shot.values().set(length, 0.0);
     const glm::dmat4 scale = glm::scale(glm::dmat4(1), glm::dvec3(1, 2, 0.7));
     shot.transform(scale);
     render::Camera camera = shot.request.frame.camera;
     shot.see(glm::dvec3(scale * glm::dvec4(camera.eye, 1)), glm::dvec3(scale * glm::dvec4(camera.target, 1)));
     const Picture p = shot.take();
-    const FurState ball = restStates(bounceSettings(table(), shot.object(), nullptr, 0))[furBall];
+    const FurState ball = restStates(bounceSettings(furTable(), shot.values(), nullptr, 0))[furBall];
     const glm::dmat3 back = glm::inverse(glm::dmat3(scale));
     struct Seen {
         /// Offset from the ball's center, scaled back, and the normal as written, in world space.
@@ -111,12 +99,12 @@ TEST_F(FurScaled, NormalsOfAnUnevenlyScaledSkinAreThoseOfItsEllipsoid)
 TEST_F(FurScaled, AnUnevenlyScaledCoatIsTheScaledCoatOnEverySide)
 {
     // Extent of the fur beyond the skin, up and sideways: that of the scaled sphere of skin and fur, at float64.
-    Shot shot = furShot();
-    shot.object().set(table().coats[furBall].uniformity, 1.0);
-    shot.object().set(table().strandRoundness, 0.999);
-    shot.object().set(table().gravity, 0.0);
-    const FurState ball = restStates(bounceSettings(table(), shot.object(), nullptr, 0))[furBall];
-    const double reach = ballRadius * ball.skinScale + shot.object()[table().coats[furBall].length];
+    Shot shot = uprightFur();
+    shot.values().set(furTable().coats[furBall].uniformity, 1.0);
+    shot.values().set(furTable().strandRoundness, 0.999);
+    shot.values().set(furTable().gravity, 0.0);
+    const FurState ball = restStates(bounceSettings(furTable(), shot.values(), nullptr, 0))[furBall];
+    const double reach = ballRadius * ball.skinScale + shot.object()[furTable().coats[furBall].length];
     for (const glm::dvec3 factors : {glm::dvec3(1), glm::dvec3(1, 1.6, 1), glm::dvec3(1.6, 1, 0.5)}) {
         const glm::dmat4 scale = glm::scale(glm::dmat4(1), factors);
         shot.transform(scale);
@@ -136,7 +124,7 @@ TEST_F(FurScaled, AnUnevenlyScaledCoatIsTheScaledCoatOnEverySide)
         EXPECT_NEAR((p.height() / 2.0 - highest) * pixel, reach * factors.y, 0.04 * reach * factors.y) << factors.y;
         EXPECT_NEAR((p.width() / 2.0 - leftmost) * pixel, reach * factors.x, 0.04 * reach * factors.x) << factors.x;
         // Control: the naive method moves the skin along its transformed normal by the unscaled length.
-        const double naive = ballRadius * ball.skinScale * factors.y + shot.object()[table().coats[furBall].length];
+        const double naive = ballRadius * ball.skinScale * factors.y + shot.object()[furTable().coats[furBall].length];
         EXPECT_TRUE(factors.y == 1 || std::abs(naive - reach * factors.y) > 0.1 * reach);
     }
 }

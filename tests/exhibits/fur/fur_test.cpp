@@ -22,7 +22,7 @@ TEST_F(FurTest, WithoutLengthIsTheSkin)
     FurShot bare, one;
     for (FurShot* shot : {&bare, &one})
         for (int i = 0; i < furBodyCount; ++i)
-            shot->object().set(table().coats[static_cast<std::size_t>(i)].length, 0.0);
+            shot->values().set(furTable().coats[static_cast<std::size_t>(i)].length, 0.0);
     one.shells(1, FurSilhouette::none);
     const Picture a = bare.take();
     EXPECT_GT(a.hits(), 300);
@@ -72,7 +72,7 @@ TEST_F(FurTest, StaysWithinItsLengthHoweverItIsPulled)
 
 TEST_F(FurTest, IsFiniteWhateverOneSets)
 {
-    const auto& t = table();
+    const auto& t = furTable();
     const std::vector<std::function<void(ParameterValues&)>> hostile{
         [&](ParameterValues& v) {
             v.set(t.coats[furBall].density, 1);
@@ -147,7 +147,7 @@ TEST_F(FurTest, IsFiniteWhateverOneSets)
     for (std::size_t i = 0; i < hostile.size(); ++i) {
         FurShot shot;
         shot.size(64, 40);
-        hostile[i](shot.object());
+        hostile[i](shot.values());
         const Picture p = shot.take();
         EXPECT_EQ(notFinite(p.image, 4), "") << i;
         EXPECT_GT(p.hits(), 20) << i;
@@ -185,9 +185,9 @@ TEST_F(FurTest, AVisitorsModelWearsTheRingsCoatAndJumps)
         writeBytes(path, file.glb());
         FurShot shot;
         const Picture ring = shot.take();
-        shot.object().set(table().ringModel, path);
+        shot.values().set(furTable().ringModel, path);
         for (const double at : {0.0, 0.3, 1.5}) {
-            shot.object().set(table().frozenAt, at);
+            shot.values().set(furTable().frozenAt, at);
             const Picture p = shot.take();
             EXPECT_EQ(notFinite(p.image, 4), "") << at;
             EXPECT_GT(p.hits(), 300) << at;
@@ -204,12 +204,12 @@ TEST_F(FurTest, AVisitorsModelWearsTheRingsCoatAndJumps)
         }
         EXPECT_TRUE(lines().empty()) << "said again in the next frame";
         for (const FurSilhouette silhouette : {FurSilhouette::fins, FurSilhouette::byAngle}) {
-            shot.object().set(table().silhouette, silhouette);
+            shot.values().set(furTable().silhouette, silhouette);
             EXPECT_EQ(notFinite(shot.take().image, 4), "");
         }
     }
     FurShot shot;
-    shot.object().set(table().ringModel, (folder / "no-such.glb").string());
+    shot.values().set(furTable().ringModel, (folder / "no-such.glb").string());
     shot.request.frame.needsFiles = true;
     try {
         (void)shot.take();
@@ -223,8 +223,8 @@ TEST_F(FurTest, GrowsDarkerTowardsTheRoots)
 {
     const auto brightness = [](double attenuation, double bias) {
         FurShot shot;
-        shot.object().set(table().occlusionAttenuation, attenuation);
-        shot.object().set(table().occlusionBias, bias);
+        shot.values().set(furTable().occlusionAttenuation, attenuation);
+        shot.values().set(furTable().occlusionBias, bias);
         return shot.take().mean();
     };
     EXPECT_GT(brightness(0, 0), brightness(1, 0));
@@ -235,8 +235,8 @@ TEST_F(FurTest, GrowsDarkerTowardsTheRoots)
 TEST_F(FurTest, CastsTheLampsShadowOnTheFloorAndOnItsNeighbors)
 {
     FurShot shot;
-    shot.object().set(table().lamp, 20.0);
-    shot.object().set(table().lampDirection, {glm::normalize(glm::dvec3(-1, 1, 0))});
+    shot.values().set(furTable().lamp, 20.0);
+    shot.values().set(furTable().lampDirection, {glm::normalize(glm::dvec3(-1, 1, 0))});
     shot.size(192, 120);
     const Picture p = shot.take();
     const auto floorAt = [&](double x, double z) {
@@ -256,7 +256,7 @@ TEST_F(FurTest, IsThinnedFromAfarWithoutAChangeOfLook)
         shot->see({-0.3, 2.2, 7}, {0, 0.3, 0}).request.frame.camera.fovY = 0.35;
         shot->request.samples = 8;
     }
-    without.object().set(table().levelOfDetail, false);
+    without.values().set(furTable().levelOfDetail, false);
     const Picture thinned = with.take();
     const Picture full = without.take();
     EXPECT_LT(with.samplesPassed(), without.samplesPassed());

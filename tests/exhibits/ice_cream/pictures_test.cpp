@@ -19,7 +19,7 @@ class IceCreamPicture : public test::GlTest {};
 
 const IceCreamTable& t()
 {
-    return iceCreamTable();
+    return IceCreamShot::table();
 }
 
 void candiesOfTheReference(ParameterValues& values)
@@ -61,7 +61,7 @@ std::array<int, candyCount> candyPixels(double angle, bool placesOfTheReference)
         const double shade = (static_cast<double>(i) + 1) / candyCount;
         values.set(t().candies[i].color, {dvec3(shade, 1 - shade, 0.5)});
     }
-    shot.see({3 * std::sin(angle), 1.5, 2 * std::cos(angle)}, {0, 0.5, 0}).size(784, 441);
+    shot.from({3 * std::sin(angle), 1.5, 2 * std::cos(angle)}, {0, 0.5, 0}).size(784, 441);
     const Picture p = shot.take();
     std::array<int, candyCount> pixels{};
     p.each([&](int x, int y) {
@@ -106,7 +106,7 @@ TEST_F(IceCreamPicture, UndersidesAreDarkerThanTops)
     for (const CreamRows& layer : t().layers) shot.values().set(layer.color, {dvec3(1)});
     for (const CandyRows& candy : t().candies) shot.values().set(candy.color, {dvec3(1)});
     shot.values().set(t().waferColor, {dvec3(1)});
-    shot.see({0, 0.6, 2.4}, {0, 0.6, 0});
+    shot.from({0, 0.6, 2.4}, {0, 0.6, 0});
     const Picture p = shot.take();
     double top = 0, largest = 0, inverted = 0;
     p.each([&](int x, int y) {
@@ -148,7 +148,7 @@ TEST_F(IceCreamPicture, RoughnessIsTheReferencesExponent)
         values.set(t().ground, false);
         values.set(t().creamRoughness, roughness);
         // View in which the highlight is visible.
-        shot.see({-1.2, 1.9, 1.2}, {0, 1.15, 0}, 0.5);
+        shot.from({-1.2, 1.9, 1.2}, {0, 1.15, 0}, 0.5);
         const Picture p = shot.take();
         double scale = 0;
         dvec3 most(0);
@@ -181,7 +181,7 @@ double shareOfSun(const glm::dvec2& at, SdfShadow method)
     shot.values().set(t().referenceFog, 0.0);
     // A low sun makes a long shadow.
     shot.values().set(t().referenceSun, {glm::normalize(dvec3(-1, 0.12, 0))});
-    shot.see({at.x, 0.5, at.y + 0.001}, {at.x, 0, at.y}, 0.05).size(8, 8);
+    shot.from({at.x, 0.5, at.y + 0.001}, {at.x, 0, at.y}, 0.05).size(8, 8);
     shot.values().set(t().shadowMethod, method);
     const double with = shot.take().mean();
     shot.values().set(t().shadowMethod, SdfShadow::none);
@@ -205,7 +205,7 @@ TEST_F(IceCreamPicture, NormalsAreThoseOfFloat64)
     IceCreamShot shot;
     shot.values().set(t().ground, false);
     // Close enough for pixels finer than the step.
-    shot.size(320, 180).see({0.3, 1.3, 2}, {0.02, 0.95, 0.1}, 0.12);
+    shot.from({0.3, 1.3, 2}, {0.02, 0.95, 0.1}, 0.12).size(320, 180);
     const EverySolid every(iceCreamShape(t(), shot.values(), 0));
     const auto worst = [&](double step) {
         shot.values().set(t().normalStep, step);
@@ -237,7 +237,7 @@ TEST_F(IceCreamPicture, NormalsAreThoseOfFloat64)
 TEST_F(IceCreamPicture, EachStageOfTheBuildUpIsAnotherPictureAndTheLastOneIsTheWhole)
 {
     IceCreamShot shot;
-    shot.size(128, 96).see({0.4, 1.5, 2}, {0, 0.6, 0});
+    shot.from({0.4, 1.5, 2}, {0, 0.6, 0}).size(128, 96);
     shot.values().set(t().lighting, IceCreamLighting::reference);
     shot.request.samples = 4;
     const Picture finished = shot.take();

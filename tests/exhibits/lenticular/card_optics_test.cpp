@@ -43,7 +43,7 @@ double grayBetween(double from, double to, int count)
 /// Returns the same for a whole lens, with the table's model in double precision.
 double expectedGray(const CardShot& shot, const Sheet& sheet, double theta, int count, double beta = 0)
 {
-    const ParameterValues& values = shot.sceneState.values[shot.card];
+    const ParameterValues& values = shot.sceneState.values[shot.exhibit];
     const LenticularTable& t = cardTable();
     const double m = values[t.magnification];
     if (values[t.model] == CardModel::linear) {

@@ -37,19 +37,11 @@ std::string CardViews::level(double linear)
     return folder.string();
 }
 
-CardShot::CardShot()
+CardShot::CardShot() : ExhibitShot("lenticular")
 {
-    card = *gallery().museum.find("lenticular");
-    request.frame.alone = card;
     request.frame.channels.normal = false;
-    const LenticularTable& t = cardTable();
-    values().set(t.scroll, false);
-    values().set(t.margin, 0.0);
-    values().set(t.distance, 1e6);
-    values().set(t.inkSpread, 0.0);
-    values().set(t.views, 256);
-    values().set(t.apertureSamples, 64);
-    values().set(t.specular, 0.0);
+    set(table().scroll, false).set(table().margin, 0.0).set(table().distance, 1e6).set(table().inkSpread, 0.0);
+    set(table().views, 256).set(table().apertureSamples, 64).set(table().specular, 0.0);
     size(25, 25);
 }
 
@@ -65,7 +57,7 @@ CardShot& CardShot::from(double angle, double distance, double pixel, double ris
 std::vector<double> CardShot::printed(CardViews& views, const std::string& path, int channel)
 {
     const auto shot = [&](const std::string& print) {
-        values().set(cardTable().frontPrint, print);
+        values().set(table().frontPrint, print);
         return take().image;
     };
     const render::Image image = shot(path);

@@ -11,12 +11,6 @@
 
 namespace vitrine::test {
 
-inline const LenticularTable& cardTable()
-{
-    static const LenticularTable table;
-    return table;
-}
-
 /// Returns the linear light of view `k` of `count` solid ones: (k + 1) / (count + 1), rounded to an sRGB code.
 [[nodiscard]] double solidLevel(int k, int count);
 
@@ -32,17 +26,19 @@ private:
 };
 
 /// Shot of the card alone, from far away with a narrow field of view, and with strips for parallel view directions.
-struct CardShot : Shot {
+struct CardShot : ExhibitShot<LenticularTable> {
     CardShot();
 
-    std::size_t card = 0;
-
-    [[nodiscard]] ParameterValues& values() { return sceneState.values[card]; }
     /// Looks at the card's center from `angle` across and `rise` above (radians), `distance` meters away. A pixel is
     /// `pixel` meters wide there; the whole picture is at least 1 degree wide.
     CardShot& from(double angle, double distance, double pixel, double rise = 0);
     /// Returns the linear light of the print at every pixel, in one channel: relative to a black and a white print.
     [[nodiscard]] std::vector<double> printed(CardViews&, const std::string& views, int channel = 1);
 };
+
+inline const LenticularTable& cardTable()
+{
+    return CardShot::table();
+}
 
 }  // namespace vitrine::test

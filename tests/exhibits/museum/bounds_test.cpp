@@ -158,38 +158,38 @@ TEST_F(BoundsOfEffects, OfTheTorusMugHold)
     const auto plain = [](Shot& shot) {
         noAir(shot);
         for (std::size_t row = sdfTable().morph.row; row <= sdfTable().blend.row; ++row)
-            shot.object().resetRow(row);  // A visible shape.
-        shot.object().set(sdfTable().heatMap, SdfHeatMap::none);
-        shot.object().set(sdfTable().shownAs, SdfShown::field);
-        shot.object().set(sdfTable().animate, false);
-        shot.object().set(sdfTable().boxSize, 1.0);
-        shot.object().set(sdfTable().showBox, false);
+            shot.values().resetRow(row);  // A visible shape.
+        shot.values().set(sdfTable().heatMap, SdfHeatMap::none);
+        shot.values().set(sdfTable().shownAs, SdfShown::field);
+        shot.values().set(sdfTable().animate, false);
+        shot.values().set(sdfTable().boxSize, 1.0);
+        shot.values().set(sdfTable().showBox, false);
     };
     const auto opaque = [plain](Shot& shot) {
         plain(shot);
-        shot.object().set(sdfTable().material, SdfMaterial::opaque);
+        shot.values().set(sdfTable().material, SdfMaterial::opaque);
     };
     expectHeld({"sdf_morph", "sdf_morph/occlusion",
-                [](Shot& s, bool on) { s.object().set(sdfTable().ambientOcclusion, on); }, false, opaque},
+                [](Shot& s, bool on) { s.values().set(sdfTable().ambientOcclusion, on); }, false, opaque},
                6);
     // View into the mug, whose wall shades its bottom.
     const auto mugInTheSun = [opaque](Shot& shot) {
         opaque(shot);
-        shot.object().set(sdfTable().morph, 1.0);
-        shot.object().set(sdfTable().metalness, 0.2);  // Metal shows the sun in its highlight only.
-        shot.object().set(sdfTable().roughness, 0.5);
+        shot.values().set(sdfTable().morph, 1.0);
+        shot.values().set(sdfTable().metalness, 0.2);  // Metal shows the sun in its highlight only.
+        shot.values().set(sdfTable().roughness, 0.5);
         shot.hall().set(hallTable().sunAzimuth, 2.6);
         shot.hall().set(hallTable().sunElevation, 0.9);
     };
     expectHeld({"sdf_morph", "sdf_morph/self-shadow",
                 [](Shot& s, bool on) {
-                    s.object().set(sdfTable().shadowMethod, on ? SdfShadow::improved : SdfShadow::none);
+                    s.values().set(sdfTable().shadowMethod, on ? SdfShadow::improved : SdfShadow::none);
                     s.see({0.45, 1.1, 0.8}, {0, 0, 0});
                 },
                 false, mugInTheSun, 2e-4},
                6);
     expectHeld({"sdf_morph", "sdf_morph/bounces",
-                [](Shot& s, bool on) { s.object().set(sdfTable().bounces, on ? 3 : 0); }, false, plain, 2e-3},
+                [](Shot& s, bool on) { s.values().set(sdfTable().bounces, on ? 3 : 0); }, false, plain, 2e-3},
                6);
 }
 
@@ -197,9 +197,9 @@ TEST_F(BoundsOfEffects, OcclusionOfGlassIsCulledAndWouldHaveChangedNothing)
 {
     for (int seed = 1; seed <= 3; ++seed) {
         Shot shot = shotOf({"sdf_morph", "", {}, false}, static_cast<std::uint64_t>(seed));
-        shot.object().set(sdfTable().material, SdfMaterial::glass);
-        shot.object().set(sdfTable().heatMap, SdfHeatMap::none);
-        shot.object().set(sdfTable().ambientOcclusion, true);
+        shot.values().set(sdfTable().material, SdfMaterial::glass);
+        shot.values().set(sdfTable().heatMap, SdfHeatMap::none);
+        shot.values().set(sdfTable().ambientOcclusion, true);
         const Picture culled = shot.take();
         shot.request.frame.runEverything = true;
         EXPECT_EQ(largestDifference(culled.image, shot.take().image), 0) << seed;

@@ -146,7 +146,7 @@ TEST_F(Ledger, SwitchedOffWhileItRunsAnEffectGivesItsTextureBack)
     Shot shot = shotOf(gallery().museum.find("sdf_morph").value(), true);
     render::gl::Renderer renderer;
     const auto images = [&](bool prepass) {
-        shot.object().set(sdfTable().conePrepass, prepass);
+        shot.values().set(sdfTable().conePrepass, prepass);
         std::int64_t held = 0;
         // Cached data are drawn in the first frame only. The second one has what is needed to show a picture again.
         for (int frame = 0; frame < 2; ++frame)

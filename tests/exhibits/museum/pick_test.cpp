@@ -65,7 +65,7 @@ TEST_F(PickTest, AnExhibitCutOutOfTheHallIsTheExhibitInTheHallsLight)
     air.setRow(*air.table().find("airDensity"), 0.0);
     shot.request.frame.transparent = false;
     const Picture whole = shot.take();
-    shot.request.frame.cutOut = shot.sdf;
+    shot.request.frame.cutOut = shot.exhibit;
     const Picture cut = shot.take();
     const auto prepared = gallery().museum.prepare(shot.sceneState, shot.request.frame);
     int inside = 0, outside = 0;
@@ -75,7 +75,7 @@ TEST_F(PickTest, AnExhibitCutOutOfTheHallIsTheExhibitInTheHallsLight)
         EXPECT_EQ(cut.alpha(x, y), cut.hit(x, y) ? 1 : 0);
         EXPECT_EQ(whole.alpha(x, y), 1);
         const auto found = gallery().museum.pick(prepared, shot.request.frame, ndc);
-        const bool pointed = found && found->exhibit == shot.sdf && !found->button;
+        const bool pointed = found && found->exhibit == shot.exhibit && !found->button;
         inside += pointed && cut.hit(x, y);
         outside += !pointed && !cut.hit(x, y);
         if (pointed && cut.hit(x, y)) worst = std::max(worst, glm::length(cut.color(x, y) - whole.color(x, y)));

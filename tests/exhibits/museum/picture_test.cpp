@@ -34,12 +34,12 @@ TEST_F(PictureTest, IsTheSameWhateverWasDrawnBefore)
         shot.hall().set(hallTable().sunElevation, 0.21);
         const Picture before = shot.take();
         Shot other;
-        other.size(33, 21).object().set(sdfTable().morph, 0.0);
+        other.size(33, 21).values().set(sdfTable().morph, 0.0);
         other.hall().set(hallTable().sunElevation, 0.8);
         other.request.samples = 2;
         (void)other.take();
         Shot moved = shot;  // Same light, another object while the probe is captured again ...
-        moved.object().set(sdfTable().morph, 0.0);
+        moved.values().set(sdfTable().morph, 0.0);
         (void)moved.take();
         EXPECT_EQ(test::largestDifference(shot.take().image, before.image), 0) << (inHall ? "in the hall" : "alone");
     }
@@ -120,7 +120,7 @@ TEST_F(PictureTest, InTheHallIsTheSameByTilesToOneLevel)
     shot.request.frame.averageIn = AverageIn::display;
     const Picture whole = shot.take();
     Shot alone = shot;
-    alone.request.frame.alone = shot.sdf;
+    alone.request.frame.alone = shot.exhibit;
     alone.request.frame.subject.reset();
     const Picture object = alone.transform(shot.worldFromExhibit()).take();
     shot.request.largestTile = 37;

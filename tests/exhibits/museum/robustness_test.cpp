@@ -25,9 +25,9 @@ TEST_F(Robustness, IsErrorFreeAtEverySizeWithEverySwitch)
             shot.size(size.x, size.y);
             shot.request.frame.channels.evaluations = true;
             for (const bool glass : {false, true}) {
-                shot.object().set(sdfTable().material, glass ? SdfMaterial::glass : SdfMaterial::opaque);
-                shot.object().set(sdfTable().shownAs, glass ? SdfShown::mesh : SdfShown::field);
-                shot.object().set(sdfTable().showBox, glass);
+                shot.values().set(sdfTable().material, glass ? SdfMaterial::glass : SdfMaterial::opaque);
+                shot.values().set(sdfTable().shownAs, glass ? SdfShown::mesh : SdfShown::field);
+                shot.values().set(sdfTable().showBox, glass);
                 const Picture p = shot.take();
                 EXPECT_EQ(test::notFinite(p.image, 4), "") << size.x << 'x' << size.y;
                 EXPECT_EQ(p.width(), size.x);
@@ -106,18 +106,18 @@ TEST_F(Robustness, LegalValuesNeverMakeWhatIsNotANumber)
         SCOPED_TRACE("set " + std::to_string(i));
         test::Random random(static_cast<std::uint64_t>(100 + i));
         Shot shot;
-        shuffle(shot.object(), random);
+        shuffle(shot.values(), random);
         shuffle(shot.hall(), random);
         // Higher values take a minute and test nothing more.
-        shot.object().set(sdfTable().tessellation, std::min(shot.object()[sdfTable().tessellation], 40));
-        shot.object().set(sdfTable().shadowRays, std::min(shot.object()[sdfTable().shadowRays], 24));
+        shot.values().set(sdfTable().tessellation, std::min(shot.object()[sdfTable().tessellation], 40));
+        shot.values().set(sdfTable().shadowRays, std::min(shot.object()[sdfTable().shadowRays], 24));
         shot.hall().set(hallTable().shadowMapSize, 256);
         shot.hall().set(hallTable().probeSize, i % 3 == 0 ? 16 : 32);
         shot.hall().set(hallTable().probeSamples, 4);
         if (i % 4 == 3)
             shot.inHall();
         else
-            shot.request.frame.camera = gallery().museum.subject(shot.sdf).bestView(shot.object());
+            shot.request.frame.camera = gallery().museum.subject(shot.exhibit).bestView(shot.values());
         shot.size(32, 18);
         shot.request.frame.time = hostile[i % 6];
         shot.request.frame.channels.evaluations = true;
@@ -192,7 +192,7 @@ TEST_F(Robustness, APanoramaWithTexelsThatAreNoNumbersLeavesThePictureFinite)
     shot.hall().set(hallTable().environment, (folder / "hostile.exr").string());
     shot.request.frame.transparent = false;
     for (const double roughness : {0.0, 1.0}) {
-        shot.object().set(sdfTable().roughness, roughness);
+        shot.values().set(sdfTable().roughness, roughness);
         const Picture p = shot.take();
         EXPECT_EQ(test::notFinite(p.image, 4), "");
         p.each([&](int x, int y) { EXPECT_GE(p.luminance(x, y), -1e-4) << x << ',' << y; });
@@ -223,8 +223,8 @@ TEST_F(Robustness, WhereNothingIsThereIsNeitherDepthNorNormal)
 TEST_F(Robustness, ATimeFarOffShowsWhatItsPhaseShows)
 {
     Shot shot;
-    shot.object().set(sdfTable().animate, true);
-    shot.object().set(sdfTable().speed, 0.125);
+    shot.values().set(sdfTable().animate, true);
+    shot.values().set(sdfTable().speed, 0.125);
     shot.request.frame.time = 2.5;
     const Picture now = shot.take();
     for (const double later : {8e5, 8e8}) {
@@ -239,12 +239,7 @@ TEST_F(Robustness, TheRendererKeepsNothingOfASizeThatIsGone)
 {
     Shot shot;
     const Picture before = shot.take();
-    const auto images = [&] {
-        PictureMaker maker(gallery().museum, gallery().renderer, shot.sceneState, shot.request);
-        while (maker.step()) {
-        }
-        return maker.report().counters.at("images");
-    };
+    const auto images = [&] { return shot.take().report.counters.at("images"); };
     const std::int64_t count = images();
     for (int i = 1; i < 20; ++i) {
         shot.size(i, 2 * i);

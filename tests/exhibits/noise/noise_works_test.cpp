@@ -12,27 +12,19 @@ namespace {
 using namespace test;
 using glm::dvec3;
 
+/// Small picture of one work, alone.
+struct WorkShot : ExhibitShot<NoiseTable> {
+    explicit WorkShot(NoiseWork work, NoiseLook look = NoiseLook::physical) : ExhibitShot("noise")
+    {
+        size(96, 60);
+        set(table().work, work).set(table().look, look);
+    }
+};
+
 const NoiseTable& table()
 {
-    static const NoiseTable t;
-    return t;
+    return WorkShot::table();
 }
-
-/// Small picture of one work, alone.
-struct WorkShot : Shot {
-    std::size_t noise = *gallery().museum.find("noise");
-
-    explicit WorkShot(NoiseWork work, NoiseLook look = NoiseLook::physical)
-    {
-        request.frame.alone = noise;
-        request.frame.subject = std::nullopt;
-        request.frame.raster.size = {96, 60};
-        request.frame.camera = gallery().museum.subject(noise).bestView(values());
-        values().set(table().work, work);
-        values().set(table().look, look);
-    }
-    [[nodiscard]] ParameterValues& values() { return sceneState.values[noise]; }
-};
 
 class NoiseWorks : public GlTest {};
 

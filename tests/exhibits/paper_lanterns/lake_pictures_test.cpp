@@ -298,7 +298,7 @@ TEST_F(LakePictures, CostNothingInTheHallWhereTheyAreNotSeen)
 {
     LakeShot shot;
     shot.request.frame.alone = std::nullopt;
-    shot.request.frame.camera = gallery().museum.bestView(shot.lake, shot.values());
+    shot.request.frame.camera = gallery().museum.bestView(shot.exhibit, shot.values());
     EXPECT_TRUE(runs(planned(gallery().museum, shot.sceneState, shot.request.frame), "paper_lanterns/"));
     shot.request.frame.camera.target = 2.0 * shot.request.frame.camera.eye - shot.request.frame.camera.target;
     EXPECT_FALSE(runs(planned(gallery().museum, shot.sceneState, shot.request.frame), "paper_lanterns/"));

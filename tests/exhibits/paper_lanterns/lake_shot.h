@@ -6,28 +6,15 @@
 namespace vitrine::test {
 
 /// Small picture of the lake, alone.
-struct LakeShot : Shot {
-    std::size_t lake = *gallery().museum.find("paper_lanterns");
-
-    LakeShot()
-    {
-        request.frame.alone = lake;
-        request.frame.subject = std::nullopt;
-        request.frame.raster.size = {96, 60};
-        request.frame.camera = gallery().museum.subject(lake).bestView(values());
-    }
-    [[nodiscard]] ParameterValues& values() { return sceneState.values[lake]; }
-    template <typename Row, typename Value> LakeShot& set(Row row, const Value& value)
-    {
-        values().set(row, value);
-        return *this;
-    }
+struct LakeShot : ExhibitShot<PaperLanternsTable> {
+    LakeShot() : ExhibitShot("paper_lanterns") { size(96, 60); }
     /// Shows only lanterns and calm water under a black sky.
     LakeShot& inTheDark()
     {
         const PaperLanternsTable& t = lanternsTable();
         set(t.moon, 0.0).set(t.stars, 0.0).set(t.dusk, 0.0).set(t.fog, 0.0);
-        return set(t.ripples, 0.0).set(t.waveHeight, 0.0).set(t.colors, 0.0);
+        set(t.ripples, 0.0).set(t.waveHeight, 0.0).set(t.colors, 0.0);
+        return *this;
     }
     /// Shows one lantern that is not rotated; returns it.
     glsl::Lake::Lantern withOneLantern()

@@ -276,7 +276,7 @@ LakeShot frameInTheHall(double glow)
         ParameterValues& values = shot.sceneState.values[gallery().museum.find(exhibit).value()];
         values.setRow(values.table().find("lamp").value(), 0.0);
     }
-    const glm::dmat4 world = gallery().museum.worldFromExhibit(shot.lake);
+    const glm::dmat4 world = gallery().museum.worldFromExhibit(shot.exhibit);
     shot.request.frame.camera = {dvec3(world * glm::dvec4(0.5, 0, 4, 1)), dvec3(world * glm::dvec4(0.5, -0.4, 0, 1)),
                                  1.1};
     return shot;
@@ -287,7 +287,7 @@ TEST_F(LakeViews, GlowFallsOnWallAndFloorBesideTheFrameInTheHall)
     LakeShot parts = frameInTheHall(3);
     parts.set(row().show, LakeShow::parts);
     const Picture with = frameInTheHall(3).take(), without = frameInTheHall(0).take(), unlit = parts.take();
-    const glm::dmat4 world = gallery().museum.worldFromExhibit(parts.lake);
+    const glm::dmat4 world = gallery().museum.worldFromExhibit(parts.exhibit);
     const auto at = [&](const Picture& p, dvec3 place, bool onFloor) {
         place = dvec3(world * glm::dvec4(place, 1));
         if (onFloor) place.y = 0;

@@ -24,7 +24,7 @@ struct Film {
 
     Film()
     {
-        shot.object().set(test::sdfTable().animate, true);
+        shot.values().set(test::sdfTable().animate, true);
         shot.size(40, 24);
         request.picture = shot.request;
         request.picture.frame.channels = {};
@@ -95,7 +95,7 @@ TEST_F(RecorderTest, FramesThatAreThereAreKeptWhenTheyAreTheSame)
     const test::TemporaryFolder folder;
     const auto pattern = folder / "frames/%04d.png";
     const auto keptOf = [&](double until) {
-        Recording recording(gallery().museum, gallery().renderer, film.shot.sceneState, film.shot.sdf, film.request,
+        Recording recording(gallery().museum, gallery().renderer, film.shot.sceneState, film.shot.exhibit, film.request,
                             pattern);
         while (recording.progress() < until && recording.step()) {
         }
@@ -113,7 +113,7 @@ TEST_F(RecorderTest, FramesThatAreThereAreKeptWhenTheyAreTheSame)
     EXPECT_EQ(read.width, 40);
     EXPECT_NE(render::embeddedPreset(folder / "frames/0003.png")->find("\"camera\""), std::string::npos);
     // Any change of the picture draws all frames again.
-    film.shot.object().set(test::sdfTable().animate, false);
+    film.shot.values().set(test::sdfTable().animate, false);
     EXPECT_EQ(keptOf(2), 0);
     film.request.picture.samples = 2;
     EXPECT_EQ(keptOf(2), 0);
@@ -129,7 +129,7 @@ TEST_F(RecorderTest, AStoppedVideoLeavesNothing)
     const Film film;
     const test::TemporaryFolder folder;
     {
-        Recording recording(gallery().museum, gallery().renderer, film.shot.sceneState, film.shot.sdf, film.request,
+        Recording recording(gallery().museum, gallery().renderer, film.shot.sceneState, film.shot.exhibit, film.request,
                             folder / "a.apng");
         while (recording.progress() < 0.6) recording.step();
     }

@@ -28,7 +28,7 @@ Shot glassInHall(double index, const dvec3& color = dvec3(1))
     shot.size(160, 90);
     shot.hall().set(hallTable().sunAzimuth, 0.0);
     shot.hall().set(hallTable().sunElevation, 0.21);
-    ParameterValues& o = shot.object();
+    ParameterValues& o = shot.values();
     o.set(sdfTable().material, SdfMaterial::glass);
     o.set(sdfTable().refractiveIndex, index);
     o.set(sdfTable().baseColor, ColorValue{color});
@@ -53,7 +53,7 @@ TEST_F(GlassInTheHall, ClearGlassOfIndex1ThrowsNoShadowAndShowsWhatIsBehindIt)
     Shot shot = glassInHall(1.0);
     shot.request.frame.averageIn = AverageIn::display;
     const Picture clear = shot.take();
-    shot.object().set(sdfTable().boxSize, hidden);
+    shot.values().set(sdfTable().boxSize, hidden);
     const Picture none = shot.take();
     EXPECT_LE(levels(clear, none), 1.0);
     // Controls: with index 1.5 it is visible, and its color falls on the plinth.
@@ -133,7 +133,7 @@ std::vector<double> errorsOnThePlinth(double drawnIndex, double tracedIndex)
     const dvec3 center(shot.worldFromExhibit()[3]);
     shot.see(center + dvec3(0.25, 1.1, 1.5), center + dvec3(0, -0.2, 0));
     shot.request.frame.camera.fovY = 0.6;
-    ParameterValues& o = shot.object();
+    ParameterValues& o = shot.values();
     o.set(sdfTable().roughness, 0.0);
     o.set(sdfTable().specular, 0.0);
     o.set(sdfTable().hitTolerance, 0.05);
@@ -143,7 +143,7 @@ std::vector<double> errorsOnThePlinth(double drawnIndex, double tracedIndex)
     o.set(sdfTable().boxSize, hidden);
     const Picture behind = shot.take();
     o.set(sdfTable().boxSize, 1.0);
-    const test::Solid solid(shot.object(), shot.worldFromExhibit());
+    const test::Solid solid(shot.values(), shot.worldFromExhibit());
     std::vector<double> errors;
     seen.each([&](int x, int y) {
         const LeavingRay ray = through(solid, test::pixelRay(seen.view, x, y), tracedIndex);
@@ -184,9 +184,9 @@ TEST_F(GlassInTheHall, ColoredGlassThrowsAColoredShadow)
         return shot.take();
     };
     Shot opaque = glassInHall(1.0);
-    opaque.object().set(sdfTable().material, SdfMaterial::opaque);
+    opaque.values().set(sdfTable().material, SdfMaterial::opaque);
     Shot none = glassInHall(1.0);
-    none.object().set(sdfTable().boxSize, hidden);
+    none.values().set(sdfTable().boxSize, hidden);
     const Picture dark = lit(opaque), red = lit(glassInHall(1.0, {1, 0.05, 0.05})), bright = lit(none);
     int shadow = 0, tinted = 0;
     bright.each([&](int x, int y) {
@@ -208,16 +208,16 @@ TEST_F(GlassInTheHall, OnlyGlassCopiesThePictureAndOnlyRoughGlassBlursIt)
         return test::planned(gallery().museum, shot.sceneState, shot.request.frame, {});
     };
     Shot shot = glassInHall(1.5);
-    shot.object().set(sdfTable().roughness, 0.0);
+    shot.values().set(sdfTable().roughness, 0.0);
     render::FramePlan plan = planOf(shot);
     EXPECT_TRUE(plan.find("kit/backdrop"));
     EXPECT_FALSE(plan.find("kit/backdrop/blurred"));
     EXPECT_TRUE(plan.find("exhibits/shadow/glass"));
     EXPECT_EQ(plan.find("sdf_morph/march")->phase, render::PassPhase::transparent);
-    shot.object().set(sdfTable().roughness, 0.3);
+    shot.values().set(sdfTable().roughness, 0.3);
     plan = planOf(shot);
     EXPECT_TRUE(plan.find("kit/backdrop/blurred"));
-    shot.object().set(sdfTable().material, SdfMaterial::opaque);
+    shot.values().set(sdfTable().material, SdfMaterial::opaque);
     plan = planOf(shot);
     for (const char* pass : {"kit/backdrop", "kit/backdrop/blurred", "exhibits/shadow/glass"})
         EXPECT_FALSE(plan.find(pass)) << pass;

@@ -30,7 +30,7 @@ dvec3 meanOfObject(const Picture& p)
 TEST_F(Light, TheHighlightMovesWithTheSun)
 {
     Shot shot;
-    shot.object().set(sdfTable().roughness, 0.35);
+    shot.values().set(sdfTable().roughness, 0.35);
     shot.hall().set(hallTable().sunElevation, 0.5);
     const auto highlight = [&](double azimuth) {
         shot.hall().set(hallTable().sunAzimuth, azimuth);
@@ -61,7 +61,7 @@ TEST_F(Light, TheEnvironmentsColorAppearsOnTheObject)
     test::TemporaryFolder folder;
     Shot shot;
     shot.hall().set(hallTable().sunStrength, 0.0);
-    shot.object().set(sdfTable().baseColor, ColorValue{dvec3(1)});
+    shot.values().set(sdfTable().baseColor, ColorValue{dvec3(1)});
     for (int channel = 0; channel < 3; ++channel) {
         const std::filesystem::path file = folder / ("only" + std::to_string(channel) + ".hdr");
         dvec3 color(0.05);
@@ -87,7 +87,7 @@ TEST_F(Light, AMirrorShowsTheEnvironmentWhereTheReflectedRayGoes)
     shot.hall().set(hallTable().sunStrength, 0.0);
     shot.hall().set(hallTable().environment, (folder / "room.hdr").string());
     shot.hall().set(hallTable().probeSize, 256);
-    ParameterValues& o = shot.object();
+    ParameterValues& o = shot.values();
     o.set(sdfTable().morph, 0.0);
     o.set(sdfTable().baseColor, ColorValue{dvec3(1)});
     o.set(sdfTable().metalness, 1.0);
@@ -120,7 +120,7 @@ TEST_F(Light, InAWhiteRoomNothingIsBrighterThanTheRoom)
     shot.size(64, 36);
     shot.hall().set(hallTable().sunStrength, 0.0);
     shot.hall().set(hallTable().environment, (folder / "white.hdr").string());
-    ParameterValues& o = shot.object();
+    ParameterValues& o = shot.values();
     o.set(sdfTable().morph, 1.0);
     o.set(sdfTable().baseColor, ColorValue{dvec3(1)});
     for (const double metalness : {0.0, 1.0})
@@ -150,7 +150,7 @@ TEST_F(Light, AConstantRoomIsMirroredWithoutAcne)
     Shot shot;
     shot.hall().set(hallTable().sunStrength, 0.0);
     shot.hall().set(hallTable().environment, (folder / "white.hdr").string());
-    ParameterValues& o = shot.object();
+    ParameterValues& o = shot.values();
     o.set(sdfTable().morph, 0.0);
     o.set(sdfTable().baseColor, ColorValue{dvec3(1)});
     o.set(sdfTable().metalness, 1.0);
@@ -186,7 +186,7 @@ TEST_F(Light, EachBounceTakesLessThanTheOneBefore)
     Shot shot;
     shot.hall().set(hallTable().sunStrength, 0.0);
     shot.hall().set(hallTable().environment, (folder / "white.hdr").string());
-    ParameterValues& o = shot.object();
+    ParameterValues& o = shot.values();
     o.set(sdfTable().morph, 1.0);
     o.set(sdfTable().roughness, 0.0);
     o.set(sdfTable().metalness, 1.0);
@@ -210,7 +210,7 @@ TEST_F(Light, EachBounceTakesLessThanTheOneBefore)
 TEST_F(Light, EachBounceChangesFewerPixels)
 {
     Shot shot;
-    ParameterValues& o = shot.object();
+    ParameterValues& o = shot.values();
     o.set(sdfTable().morph, 1.0);
     o.set(sdfTable().roughness, 0.0);
     shot.see({0.5, 0.9, 1.3}, {-0.1, 0, 0});
@@ -233,7 +233,7 @@ TEST_F(Light, ShadowMethodsAgreeWhereTheSunIsASharpPoint)
 {
     // With a sun of width 0, all methods test only whether the ray is free.
     Shot shot;
-    ParameterValues& o = shot.object();
+    ParameterValues& o = shot.values();
     o.set(sdfTable().morph, 1.0);
     o.set(sdfTable().metalness, 0.0);
     o.set(sdfTable().roughness, 1.0);
@@ -273,8 +273,8 @@ TEST_F(Light, WhatStandsBetweenTheSunAndTheMarchedObjectDarkensIt)
     shot.see(dvec3(place * glm::dvec4(eye, 1)), dvec3(place[3]));
     shot.hall().set(hallTable().shadowMapSize, 2048);
     shot.hall().set(hallTable().reflectionProbe, false);
-    shot.object().set(sdfTable().metalness, 0.0);
-    shot.object().set(sdfTable().roughness, 1.0);
+    shot.values().set(sdfTable().metalness, 0.0);
+    shot.values().set(sdfTable().roughness, 1.0);
     const auto meanInside = [&](const Picture& p) {
         double sum = 0;
         outline.each([&](int x, int y) { sum += outline.hit(x, y) ? p.luminance(x, y) : 0; });
@@ -305,7 +305,7 @@ TEST_F(Light, TowardsASunBehindTheSurfaceNoRayIsSent)
 {
     Shot shot;
     shot.request.frame.channels.evaluations = true;
-    ParameterValues& o = shot.object();
+    ParameterValues& o = shot.values();
     o.set(sdfTable().morph, 0.0);
     o.set(sdfTable().bounces, 0);
     const auto evaluations = [&](SdfShadow method) {

@@ -23,7 +23,7 @@ Shot glass(double index)
     Shot shot;
     shot.hall().set(hallTable().sunStrength, 0.0);
     shot.hall().set(hallTable().probeSize, 256);
-    ParameterValues& o = shot.object();
+    ParameterValues& o = shot.values();
     o.set(sdfTable().material, SdfMaterial::glass);
     o.set(sdfTable().refractiveIndex, index);
     o.set(sdfTable().baseColor, ColorValue{dvec3(1)});
@@ -36,10 +36,10 @@ TEST_F(Material, GlassIsFiniteAndRefracts)
 {
     for (const double morph : {0.0, 0.5, 1.0}) {
         Shot shot = glass(1.5);
-        shot.object().set(sdfTable().morph, morph);
+        shot.values().set(sdfTable().morph, morph);
         const Picture refracted = shot.take();
         EXPECT_EQ(test::notFinite(refracted.image, 4), "");
-        shot.object().set(sdfTable().material, SdfMaterial::opaque);
+        shot.values().set(sdfTable().material, SdfMaterial::opaque);
         EXPECT_GT(test::colorDifference(refracted, shot.take()), 0.02) << morph;
     }
 }
@@ -57,9 +57,9 @@ TEST_F(Material, ClearGlassOfIndex1IsNotThere)
     test::writePanorama(folder / "room.hdr", room);
     Shot shot = glass(1.0);
     shot.hall().set(hallTable().environment, (folder / "room.hdr").string());
-    shot.object().set(sdfTable().morph, 0.0);
+    shot.values().set(sdfTable().morph, 0.0);
     const Picture through = shot.take();
-    const test::Solid solid(shot.object(), glm::dmat4(1));
+    const test::Solid solid(shot.values(), glm::dmat4(1));
     std::vector<double> errors;
     through.each([&](int x, int y) {
         // At the very edge, a ray that ends half a pixel early gets a normal that faces away from it.
@@ -75,7 +75,7 @@ TEST_F(Material, ClearGlassOfIndex1IsNotThere)
     EXPECT_LT(errors.back(), 0.06);
     // Control: glass of another index is visible.
     Shot other = glass(1.5);
-    other.object().set(sdfTable().morph, 0.0);
+    other.values().set(sdfTable().morph, 0.0);
     other.hall().set(hallTable().environment, (folder / "room.hdr").string());
     EXPECT_GT(test::colorDifference(other.take(), through), 0.05);
 }
@@ -89,14 +89,14 @@ struct GlassErrors {
 GlassErrors glassErrors(const dvec3& scale)
 {
     Shot shot = glass(1.0);
-    shot.object().set(sdfTable().morph, 0.0);
-    shot.object().set(sdfTable().hitTolerance, 0.05);  // The path inside starts two tolerances below the surface.
+    shot.values().set(sdfTable().morph, 0.0);
+    shot.values().set(sdfTable().hitTolerance, 0.05);  // The path inside starts two tolerances below the surface.
     shot.transform(glm::scale(glm::dmat4(1), scale));
     const Picture clear = shot.take();
     const double left = 0.3;  // Transmittance of 10 cm.
-    shot.object().set(sdfTable().baseColor, ColorValue{dvec3(left)});
+    shot.values().set(sdfTable().baseColor, ColorValue{dvec3(left)});
     const Picture tinted = shot.take();
-    const test::Solid solid(shot.object(), shot.worldFromExhibit());
+    const test::Solid solid(shot.values(), shot.worldFromExhibit());
     GlassErrors result;
     std::vector<double> errors;
     clear.each([&](int x, int y) {
@@ -132,13 +132,13 @@ TEST_F(Material, SeenAlongItsFlatSideSquashedGlassIsAsThinAsItIs)
 {
     // A torus with a tube of 0.24 m, scaled to a tenth: 24 mm transmit 0.3^0.24 = 0.749 if 100 mm transmit 0.3.
     Shot shot = glass(1.0);
-    shot.object().set(sdfTable().morph, 0.0);
-    shot.object().set(sdfTable().hitTolerance, 0.05);
+    shot.values().set(sdfTable().morph, 0.0);
+    shot.values().set(sdfTable().hitTolerance, 0.05);
     shot.transform(glm::scale(glm::dmat4(1), dvec3(1, 1, 0.1)));
     shot.see({0, 0, 6}, {0, 0, 0});
     shot.request.frame.camera.fovY = 0.2;
     const Picture clear = shot.take();
-    shot.object().set(sdfTable().baseColor, ColorValue{dvec3(0.3)});
+    shot.values().set(sdfTable().baseColor, ColorValue{dvec3(0.3)});
     const Picture tinted = shot.take();
     double darkest = 1;
     int through = 0;
@@ -155,15 +155,15 @@ TEST_F(Material, SeenAlongItsFlatSideSquashedGlassIsAsThinAsItIs)
 Picture twin(int cells)
 {
     Shot shot;
-    shot.object().set(sdfTable().shownAs, SdfShown::mesh);
-    shot.object().set(sdfTable().tessellation, cells);
+    shot.values().set(sdfTable().shownAs, SdfShown::mesh);
+    shot.values().set(sdfTable().tessellation, cells);
     return shot.take();
 }
 
 TEST_F(Material, TheMeshComesNearerToTheMarchedObjectTheFinerItIs)
 {
     Shot shot;
-    shot.object().set(sdfTable().hitTolerance, 0.05);
+    shot.values().set(sdfTable().hitTolerance, 0.05);
     const Picture marched = shot.take();
     double last = 1e9;
     for (const int cells : {6, 16, 48, 128}) {
@@ -192,7 +192,7 @@ TEST_F(Material, IsOfferedBesideItsMeshWithEachAsItIsAlone)
 {
     const Subject& subject = gallery().museum.subject(*gallery().museum.find("sdf_morph"));
     Shot shot;
-    shot.object().set(sdfTable().tessellation, 24);
+    shot.values().set(sdfTable().tessellation, 24);
     const Picture marched = shot.take();
     const Picture mesh = twin(24);
     Shot other = shot;
@@ -225,7 +225,7 @@ TEST_F(Material, HeatMapsShowFromBlackToWhiteWhatEachPixelCosts)
     std::vector<Picture> maps;
     for (const SdfHeatMap map :
          {SdfHeatMap::steps, SdfHeatMap::evaluations, SdfHeatMap::normals, SdfHeatMap::distance}) {
-        shot.object().set(sdfTable().heatMap, map);
+        shot.values().set(sdfTable().heatMap, map);
         maps.push_back(shot.take());
         EXPECT_GT(test::colorDifference(maps.back(), plain), 0.02) << static_cast<int>(map);
         EXPECT_EQ(maps.back().hits(), plain.hits());
@@ -233,10 +233,10 @@ TEST_F(Material, HeatMapsShowFromBlackToWhiteWhatEachPixelCosts)
     for (std::size_t i = 0; i < maps.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) EXPECT_GT(test::colorDifference(maps[i], maps[j]), 0.02);
 
-    shot.object().set(sdfTable().heatMap, SdfHeatMap::evaluations);
-    shot.object().set(sdfTable().heatScale, 1.0);
+    shot.values().set(sdfTable().heatMap, SdfHeatMap::evaluations);
+    shot.values().set(sdfTable().heatScale, 1.0);
     const Picture white = shot.take();
-    shot.object().set(sdfTable().heatScale, 4096.0);
+    shot.values().set(sdfTable().heatScale, 4096.0);
     const Picture black = shot.take();
     white.each([&](int x, int y) {
         if (!white.hit(x, y)) return;
@@ -249,7 +249,7 @@ TEST_F(Material, TheNormalsMapShowsTheNormals)
 {
     Shot shot;
     shot.request.frame.averageIn = AverageIn::display;
-    shot.object().set(sdfTable().heatMap, SdfHeatMap::normals);
+    shot.values().set(sdfTable().heatMap, SdfHeatMap::normals);
     const Picture p = shot.take();
     double worst = 0;
     p.each([&](int x, int y) {

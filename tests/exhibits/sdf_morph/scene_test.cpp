@@ -37,7 +37,7 @@ void shineOnTheExhibit(Shot& shot)
 Picture withoutHall(const Shot& inHall)
 {
     Shot shot = inHall;
-    shot.request.frame.alone = shot.sdf;
+    shot.request.frame.alone = shot.exhibit;
     shot.request.frame.subject.reset();
     shot.request.frame.transparent = true;
     shot.request.frame.exhibitTransform = inHall.worldFromExhibit();
@@ -89,9 +89,9 @@ TEST_F(Scene, SunkIntoThePlinthTheTwoIntersect)
 TEST_F(Scene, TheBoxOverlayIntersectsTheObject)
 {
     Shot shot;
-    shot.object().set(sdfTable().boxSize, 0.7);
+    shot.values().set(sdfTable().boxSize, 0.7);
     const Picture object = shot.take();
-    shot.object().set(sdfTable().showBox, true);
+    shot.values().set(sdfTable().showBox, true);
     const Picture both = shot.take();
     int hidden = 0, inFront = 0;
     both.each([&](int x, int y) {
@@ -132,9 +132,9 @@ render::FramePlan withTheObjectOf(const render::FramePlan& plan, const render::F
 TEST_F(Scene, TwoIntersectingFieldsGiveTheirUnion)
 {
     Shot first;
-    first.object().set(sdfTable().morph, 0.0);
+    first.values().set(sdfTable().morph, 0.0);
     Shot second;
-    second.object().set(sdfTable().morph, 1.0);
+    second.values().set(sdfTable().morph, 1.0);
     second.transform(glm::translate(glm::rotate(dmat4(1), 0.5, dvec3(0, 1, 0)), dvec3(0.15, 0.05, 0.1)));
     const auto draw = [](const render::FramePlan& plan) {
         (void)gallery().renderer.draw(plan);
@@ -163,7 +163,7 @@ TEST_F(Scene, TheShadowMapHoldsWhereTheSunsRaysHit)
         Shot shot;
         shot.inHall();
         shineOnTheExhibit(shot);
-        shot.object().set(sdfTable().morph, morph);
+        shot.values().set(sdfTable().morph, morph);
         shot.hall().set(hallTable().shadowMapSize, 512);
         const render::FramePlan plan =
             test::planned(gallery().museum, shot.sceneState, shot.request.frame, gallery().renderer.persistentState());
@@ -174,7 +174,7 @@ TEST_F(Scene, TheShadowMapHoldsWhereTheSunsRaysHit)
         const render::Image map = gallery().renderer.read(exhibitShadowImage);
         ASSERT_EQ(map.width, light.raster.size.x);
 
-        const Solid solid(shot.object(), shot.worldFromExhibit());
+        const Solid solid(shot.values(), shot.worldFromExhibit());
         const dmat4 worldFromView = glm::inverse(light.viewFromWorld);
         // The exhibit's own: an eighth of a texel.
         const double halfTexel = 0.25 / (light.clipFromView[0][0] * map.width);
@@ -209,7 +209,7 @@ TEST_F(Scene, TheFloorIsDarkExactlyWhereTheObjectHidesTheSun)
     shot.inHall();
     shineOnTheExhibit(shot);
     shot.hall().set(hallTable().shadowMapSize, 2048);
-    shot.object().set(sdfTable().morph, 0.0);
+    shot.values().set(sdfTable().morph, 0.0);
     shot.see({0.01, 6, 6.9}, {0, 0, 6.8});
     shot.request.frame.camera.fovY = 0.7;
     const Picture with = shot.take();
@@ -219,7 +219,7 @@ TEST_F(Scene, TheFloorIsDarkExactlyWhereTheObjectHidesTheSun)
     unshadowed.hall().set(hallTable().sunShadows, false);
     const Picture lit = unshadowed.transform(away).take();
 
-    const Solid solid(shot.object(), shot.worldFromExhibit());
+    const Solid solid(shot.values(), shot.worldFromExhibit());
     const dvec3 towardsSun(0, std::sin(0.21), -std::cos(0.21));
     int shaded = 0, wrong = 0, open = 0;
     with.each([&](int x, int y) {
@@ -249,8 +249,8 @@ TEST_F(Scene, TheObjectLiesInTheShadowOfTheWalls)
     Shot shot;
     shot.inHall();
     hideTheSun(shot);
-    shot.object().set(sdfTable().metalness, 0.0);
-    shot.object().set(sdfTable().roughness, 0.8);
+    shot.values().set(sdfTable().metalness, 0.0);
+    shot.values().set(sdfTable().roughness, 0.8);
     const Picture shaded = shot.take();
     shot.hall().set(hallTable().sunShadows, false);
     const Picture lit = shot.take();

@@ -23,7 +23,7 @@ class Shape : public test::GlTest {};
 void expectOutlineOfTheField(Shot& shot, const char* what)
 {
     const Picture picture = shot.take();
-    const Solid solid(shot.object(), shot.worldFromExhibit());
+    const Solid solid(shot.values(), shot.worldFromExhibit());
     int missing = 0, extra = 0, hits = 0;
     picture.each([&](int x, int y) {
         const Found truth = solid.trace(picture.view, x, y);
@@ -40,9 +40,9 @@ TEST_F(Shape, NothingIsDrawnOutsideTheBoundingMesh)
 {
     for (const double size : {1.0, 0.5, 3.0}) {
         Shot shot;
-        shot.object().set(sdfTable().boxSize, size);
+        shot.values().set(sdfTable().boxSize, size);
         const Picture picture = shot.take();
-        const Solid solid(shot.object(), dmat4(1));
+        const Solid solid(shot.values(), dmat4(1));
         int outside = 0, insideBox = 0;
         picture.each([&](int x, int y) {
             const test::Ray ray = test::pixelRay(picture.view, x, y);
@@ -59,19 +59,17 @@ TEST_F(Shape, OutOfViewNotOnePixelIsMarched)
 {
     Shot shot;
     shot.see({0, 0, 2}, {0, 0, 9});
-    PictureMaker maker(gallery().museum, gallery().renderer, shot.sceneState, shot.request);
-    while (maker.step()) {
-    }
-    for (const render::StepReport& step : maker.report().ran)
+    const Picture picture = shot.take();
+    for (const render::StepReport& step : picture.report.ran)
         EXPECT_EQ(step.name.rfind("sdf_morph/", 0), std::string::npos) << step.name;
-    for (const float alpha : maker.picture().pixels) EXPECT_TRUE(alpha == 0 || !std::isfinite(alpha));
+    for (const float alpha : picture.image.pixels) EXPECT_TRUE(alpha == 0 || !std::isfinite(alpha));
 }
 
 TEST_F(Shape, TorusAndMugAndAllBetweenHaveTheOutlineOfTheField)
 {
     for (const double morph : {0.0, 0.25, 0.5, 0.62, 0.85, 1.0}) {
         Shot shot;
-        shot.object().set(sdfTable().morph, morph);
+        shot.values().set(sdfTable().morph, morph);
         expectOutlineOfTheField(shot, ("morph " + std::to_string(morph)).c_str());
     }
 }
@@ -80,10 +78,10 @@ TEST_F(Shape, TheOutlineOfTheTorusIsNotThatOfTheMug)
 {
     // Control: the test above distinguishes the two shapes.
     Shot shot;
-    shot.object().set(sdfTable().morph, 0.0);
+    shot.values().set(sdfTable().morph, 0.0);
     const Picture torus = shot.take();
-    shot.object().set(sdfTable().morph, 1.0);
-    const Solid mug(shot.object(), dmat4(1));
+    shot.values().set(sdfTable().morph, 1.0);
+    const Solid mug(shot.values(), dmat4(1));
     int wrong = 0;
     torus.each([&](int x, int y) { wrong += mug.trace(torus.view, x, y).hit != torus.hit(x, y); });
     EXPECT_GT(wrong, 100);
@@ -93,11 +91,11 @@ TEST_F(Shape, DepthIsThatOfTheExactShapes)
 {
     for (const double morph : {0.0, 1.0}) {
         Shot shot;
-        shot.object().set(sdfTable().morph, morph);
-        shot.object().set(sdfTable().hitTolerance, 0.02);
-        shot.object().set(sdfTable().stepLimit, 1024);
+        shot.values().set(sdfTable().morph, morph);
+        shot.values().set(sdfTable().hitTolerance, 0.02);
+        shot.values().set(sdfTable().stepLimit, 1024);
         const Picture picture = shot.take();
-        const Solid solid(shot.object(), dmat4(1));
+        const Solid solid(shot.values(), dmat4(1));
         int compared = 0;
         picture.each([&](int x, int y) {
             const Found truth = solid.trace(picture.view, x, y);
@@ -114,7 +112,7 @@ TEST_F(Shape, NoHolesWhileItMelts)
     // A hole is a pixel without a hit whose eight neighbors all have one, and whose ray hits the field.
     for (int i = 0; i <= 8; ++i) {
         Shot shot;
-        shot.object().set(sdfTable().morph, i / 8.0);
+        shot.values().set(sdfTable().morph, i / 8.0);
         const Picture p = shot.take();
         p.each([&](int x, int y) {
             if (x == 0 || y == 0 || x == p.width() - 1 || y == p.height() - 1 || p.hit(x, y)) return;
@@ -129,13 +127,13 @@ TEST_F(Shape, NoHolesWhileItMelts)
 TEST_F(Shape, FromInsideTheBoundingMeshTheObjectIsStillSeen)
 {
     Shot torus;
-    torus.object().set(sdfTable().morph, 0.0);
+    torus.values().set(sdfTable().morph, 0.0);
     torus.see({0, 0, 0}, {1, 0, 0});  // Camera in the hole.
     torus.request.frame.camera.fovY = 1.6;
     expectOutlineOfTheField(torus, "in the torus's hole");
 
     Shot mug;
-    mug.object().set(sdfTable().morph, 1.0);
+    mug.values().set(sdfTable().morph, 1.0);
     mug.see({-0.05, 0.1, 0}, {-0.3, -0.2, 0.1});  // Camera in the cup.
     mug.request.frame.camera.fovY = 1.2;
     expectOutlineOfTheField(mug, "in the cup");
@@ -146,10 +144,10 @@ TEST_F(Shape, FromInsideTheBoundingMeshTheObjectIsStillSeen)
 TEST_F(Shape, TheOutlineStaysWholeWhileTheCameraEntersTheBoundingMesh)
 {
     Shot shot;
-    shot.object().set(sdfTable().morph, 0.62);
+    shot.values().set(sdfTable().morph, 0.62);
     shot.request.frame.camera.fovY = 1.4;
     shot.size(64, 36);
-    const double front = Solid(shot.object(), dmat4(1)).box().high.z;
+    const double front = Solid(shot.values(), dmat4(1)).box().high.z;
     int last = -1;
     for (int i = -6; i <= 6; ++i) {
         const double z = front - 0.004 * i;
@@ -168,8 +166,8 @@ TEST_F(Shape, TheNearPlaneCutsNoHoleIntoTheBoundingMesh)
 {
     // The front of the mesh is between eye and near plane; the object behind it is not.
     Shot shot;
-    shot.object().set(sdfTable().boxSize, 1.3);
-    const double front = Solid(shot.object(), dmat4(1)).box().high.z;
+    shot.values().set(sdfTable().boxSize, 1.3);
+    const double front = Solid(shot.values(), dmat4(1)).box().high.z;
     for (const double ahead : {0.001, 0.01, 0.019, 0.021}) {
         shot.see({0.2, 0.1, front + ahead}, {0, 0, -1});
         shot.request.frame.camera.fovY = 1.5;
@@ -182,7 +180,7 @@ TEST_F(Shape, InTheSolidOrOnItsSurfaceThePictureIsFinite)
     for (const dvec3 eye :
          {dvec3(0.35, 0, 0), dvec3(0.47, 0, 0), dvec3(0.4701, 0, 0), dvec3(0.23, 0, 0), dvec3(0, 0.35, 0.12)}) {
         Shot shot;
-        shot.object().set(sdfTable().morph, 0.0);
+        shot.values().set(sdfTable().morph, 0.0);
         shot.request.frame.channels.evaluations = true;
         for (const dvec3 target : {dvec3(5, 0.1, 0), dvec3(-5, 0, 0.2), dvec3(0.1, 5, 0.1)}) {
             shot.see(eye, target);
@@ -212,7 +210,7 @@ TEST_F(Shape, FollowsItsTransform)
 {
     for (const auto& [name, transform] : transforms()) {
         Shot shot;
-        shot.object().set(sdfTable().morph, 0.85);
+        shot.values().set(sdfTable().morph, 0.85);
         shot.transform(transform).see({0.9, 0.6, 2.6}, {0, 0, 0});
         expectOutlineOfTheField(shot, name);
     }
@@ -237,8 +235,8 @@ int differenceOffTheEdge(const Picture& a, const Picture& b)
 
 Picture meshTwin(Shot shot, int cells)
 {
-    shot.object().set(sdfTable().shownAs, SdfShown::mesh);
-    shot.object().set(sdfTable().tessellation, cells);
+    shot.values().set(sdfTable().shownAs, SdfShown::mesh);
+    shot.values().set(sdfTable().tessellation, cells);
     return shot.take();
 }
 
@@ -246,8 +244,8 @@ TEST_F(Shape, OutlineAndDepthAreThoseOfTheRasterizedTwin)
 {
     for (const auto& [name, transform] : transforms()) {
         Shot shot;
-        shot.object().set(sdfTable().morph, 0.85);
-        shot.object().set(sdfTable().hitTolerance, 0.005);
+        shot.values().set(sdfTable().morph, 0.85);
+        shot.values().set(sdfTable().hitTolerance, 0.005);
         shot.transform(transform).see({0.9, 0.6, 2.6}, {0, 0, 0});
         const Picture marched = shot.take();
         const Picture mesh = meshTwin(shot, 128);
@@ -266,7 +264,7 @@ TEST_F(Shape, OutlineAndDepthAreThoseOfTheRasterizedTwin)
     }
     // Control: a mesh of other values is detected.
     Shot shot;
-    shot.object().set(sdfTable().morph, 0.85);
+    shot.values().set(sdfTable().morph, 0.85);
     const Picture still = shot.take();
     shot.transform(glm::scale(dmat4(1), dvec3(-1, 1, 1)));
     EXPECT_GT(differenceOffTheEdge(still, meshTwin(shot, 48)), 20);
@@ -276,11 +274,11 @@ TEST_F(Shape, NormalsGoByTheInverseTranspose)
 {
     for (const auto& [name, transform] : transforms()) {
         Shot shot;
-        shot.object().set(sdfTable().morph, 0.0);  // Smooth everywhere: differences cannot cross a crease.
-        shot.object().set(sdfTable().hitTolerance, 0.02);
+        shot.values().set(sdfTable().morph, 0.0);  // Smooth everywhere: differences cannot cross a crease.
+        shot.values().set(sdfTable().hitTolerance, 0.02);
         shot.transform(transform).see({0.9, 0.6, 2.6}, {0, 0, 0}).size(192, 108);
         const Picture picture = shot.take();
-        const Solid solid(shot.object(), transform);
+        const Solid solid(shot.values(), transform);
         std::vector<double> angles;
         double naive = 0;
         picture.each([&](int x, int y) {
@@ -308,11 +306,11 @@ TEST_F(Shape, NormalsStayQuietFarAway)
 {
     for (const double far : {3.0, 12.0, 40.0}) {
         Shot shot;
-        shot.object().set(sdfTable().morph, 0.0);
+        shot.values().set(sdfTable().morph, 0.0);
         shot.see(glm::normalize(dvec3(0.3, 0.25, 1)) * far, {0, 0, 0});
         shot.request.frame.camera.fovY = std::max(1.3 / far, 0.0175);
         const Picture picture = shot.take();
-        const Solid solid(shot.object(), dmat4(1));
+        const Solid solid(shot.values(), dmat4(1));
         std::vector<double> angles;
         picture.each([&](int x, int y) {
             if (!picture.hit(x, y)) return;
@@ -330,8 +328,8 @@ TEST_F(Shape, NormalsStayQuietFarAway)
 TEST_F(Shape, AThinRingFarAwayIsNotLost)
 {
     Shot shot;
-    shot.object().set(sdfTable().morph, 0.0);
-    shot.object().set(sdfTable().minorRadius, 0.01);
+    shot.values().set(sdfTable().morph, 0.0);
+    shot.values().set(sdfTable().minorRadius, 0.01);
     shot.see({0, 0, 30}, {0, 0, 0});
     shot.request.frame.camera.fovY = 0.0288;
     expectOutlineOfTheField(shot, "wire of 1 cm at 30 m");
@@ -341,12 +339,12 @@ TEST_F(Shape, GrazingRaysLeaveNoHolesWithFewSteps)
 {
     // A ray without remaining steps ends at its best candidate: everything solid is drawn all the same.
     Shot shot;
-    shot.object().set(sdfTable().morph, 1.0);
-    shot.object().set(sdfTable().stepLimit, 9);
-    shot.object().set(sdfTable().relaxation, SdfRelaxation::none);
-    shot.object().set(sdfTable().conePrepass, false);
+    shot.values().set(sdfTable().morph, 1.0);
+    shot.values().set(sdfTable().stepLimit, 9);
+    shot.values().set(sdfTable().relaxation, SdfRelaxation::none);
+    shot.values().set(sdfTable().conePrepass, false);
     const Picture picture = shot.take();
-    const Solid solid(shot.object(), dmat4(1));
+    const Solid solid(shot.values(), dmat4(1));
     int missing = 0;
     picture.each([&](int x, int y) {
         const Found truth = solid.trace(picture.view, x, y);
@@ -354,7 +352,7 @@ TEST_F(Shape, GrazingRaysLeaveNoHolesWithFewSteps)
     });
     EXPECT_EQ(missing, 0);
     // Control: the limit does end rays.
-    shot.object().set(sdfTable().stepLimit, 1024);
+    shot.values().set(sdfTable().stepLimit, 1024);
     EXPECT_GT(test::largestDifference(shot.take().image, picture.image), 0);
 }
 
@@ -362,9 +360,9 @@ TEST_F(Shape, ABoxTooSmallClipsVisibly)
 {
     Shot shot;
     const Picture whole = shot.take();
-    shot.object().set(sdfTable().boxSize, 0.6);
+    shot.values().set(sdfTable().boxSize, 0.6);
     const Picture clipped = shot.take();
-    const Solid solid(shot.object(), dmat4(1));
+    const Solid solid(shot.values(), dmat4(1));
     EXPECT_LT(clipped.hits(), 0.8 * whole.hits());
     EXPECT_GT(clipped.hits(), 30);
     clipped.each([&](int x, int y) {
@@ -380,14 +378,14 @@ TEST_F(Shape, TheOverlayShowsTheBoxAndTurnsRedWhenItClips)
 {
     Shot shot;
     const int plain = shot.take().hits();
-    shot.object().set(sdfTable().showBox, true);
+    shot.values().set(sdfTable().showBox, true);
     const Picture good = shot.take();
     EXPECT_GT(good.hits(), plain + 50);
-    shot.object().set(sdfTable().boxSize, 0.6);
+    shot.values().set(sdfTable().boxSize, 0.6);
     const Picture clips = shot.take();
     // Amber is one third green; the red of clipping has almost none.
     const auto greenShare = [&](const Picture& p) {
-        const Solid solid(shot.object(), dmat4(1));
+        const Solid solid(shot.values(), dmat4(1));
         double share = 0;
         int n = 0;
         p.each([&](int x, int y) {

@@ -107,8 +107,9 @@ TEST_F(SceneHalves, AreEachTheWholePictureWithItsSettings)
 
 TEST_F(SceneHalves, MeetWhereTheDividerStandsFromAnywhereInTheHall)
 {
-    SceneShot shot = SceneShot(shippedScene("primitives")).inHall();
-    const glm::dmat4 world = test::gallery().museum.worldFromExhibit(shot.subject);
+    SceneShot shot(shippedScene("primitives"));
+    shot.inHall();
+    const glm::dmat4 world = test::gallery().museum.worldFromExhibit(shot.exhibit);
     const auto at = [&](const glm::dvec3& p) { return glm::dvec3(world * glm::dvec4(p, 1)); };
     shot.request.frame.camera.eye = at({0.9, 0.5, 1.6});
     shot.request.frame.camera.target = at({0.1, -0.1, -0.5});

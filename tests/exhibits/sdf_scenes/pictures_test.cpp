@@ -48,10 +48,10 @@ TEST_F(ScenePicture, ShowsSurfacesWhereTheEvaluatorFindsThem)
         int solid = 0, wrong = 0, turned = 0;
         for (int y = 1; y < p.height(); y += 3)
             for (int x = 1; x < p.width(); x += 3) {
-                const dvec3 ray(scene * glm::dvec4(test::rayOf(p.view, x, y), 0));
+                const dvec3 ray(scene * glm::dvec4(p.ray(x, y), 0));
                 const double perDepth = glm::length(ray);
                 const double truth = firstHit(field, origin, ray / perDepth, 0, 40);
-                const dvec3 aside(scene * glm::dvec4(test::rayOf(p.view, x + 1, y + 1), 0));
+                const dvec3 aside(scene * glm::dvec4(p.ray(x + 1, y + 1), 0));
                 const double beside = firstHit(field, origin, glm::normalize(aside), 0, 40);
                 // For objects as small as a pixel, the pixel's width decides.
                 if (!std::isfinite(truth) || std::abs(beside / truth - 1) > 0.05) continue;
@@ -115,7 +115,7 @@ TEST_F(ScenePicture, AsInTheReferenceIsPhongWithAMirrorShownAsNumbers)
     int compared = 0;
     double worst = 0;
     p.each([&](int x, int y) {
-        const dvec3 d = glm::normalize(dvec3(scene * glm::dvec4(test::rayOf(p.view, x, y), 0)));
+        const dvec3 d = glm::normalize(dvec3(scene * glm::dvec4(p.ray(x, y), 0)));
         const double middle = -glm::dot(eye, d);
         const double inside = 1 - glm::dot(eye, eye) + middle * middle;
         if (inside < 0.15) return;
@@ -210,7 +210,7 @@ TEST_F(ScenePicture, OcclusionOfAWallIsAHalfAtItsFoot)
     // The floor's point in row 17 is nearer to the wall than to the taps above that height.
     const test::Picture p = shot.take();
     const glm::dmat4 scene = shot.sceneFromWorld();
-    const dvec3 eye(scene * glm::dvec4(p.view.eye, 1)), ray(scene * glm::dvec4(test::rayOf(p.view, 16, 17), 0));
+    const dvec3 eye(scene * glm::dvec4(p.view.eye, 1)), ray(scene * glm::dvec4(p.ray(16, 17), 0));
     const double before = eye.z - ray.z * eye.y / ray.y;
     double blocked = 0, weights = 0;
     for (int k = 1; k <= 5; ++k) {
@@ -405,7 +405,7 @@ TEST_F(ScenePicture, IsSeenThroughItsFrameOnly)
     SceneShot shot(shippedScene("torus"));
     shot.inHall();
     shot.request.frame.raster.size = {160, 100};
-    const glm::dmat4 world = test::gallery().museum.worldFromExhibit(shot.subject);
+    const glm::dmat4 world = test::gallery().museum.worldFromExhibit(shot.exhibit);
     const dvec3 eye(0.9, 0.1, 1.6);
     shot.request.frame.camera = {dvec3(world * glm::dvec4(eye, 1)), dvec3(world * glm::dvec4(0, 0, 0, 1)), 1.1};
     const test::Picture one = shot.take();
@@ -414,7 +414,7 @@ TEST_F(ScenePicture, IsSeenThroughItsFrameOnly)
     const test::Picture other = shot.take();
     int through = 0, leaked = 0;
     one.each([&](int x, int y) {
-        const dvec3 d(glm::inverse(world) * glm::dvec4(test::rayOf(one.view, x, y), 0));
+        const dvec3 d(glm::inverse(world) * glm::dvec4(one.ray(x, y), 0));
         const dvec3 at = eye + d * ((-0.495 - eye.z) / d.z);
         const bool beside = d.z >= 0 || std::abs(at.x) > 1.22 || std::abs(at.y) > 0.82;
         const bool changed = glm::distance(one.color(x, y), other.color(x, y)) > 1e-3;

@@ -11,33 +11,22 @@
 
 namespace vitrine::test {
 
-inline const SdfScenesTable& scenesTable()
-{
-    static const SdfScenesTable table;
-    return table;
-}
-
 /// Shot of a scene alone, from its own camera: linear, with depth and normals.
-struct SceneShot {
-    SceneState sceneState = gallery().museum.initialSceneState();
-    PictureRequest request;
-    std::size_t subject = *gallery().museum.find("sdf_scenes");
-
-    explicit SceneShot(const std::filesystem::path& file = {})
+struct SceneShot : ExhibitShot<SdfScenesTable> {
+    explicit SceneShot(const std::filesystem::path& file = {}) : ExhibitShot("sdf_scenes")
     {
-        useSmallMaps(sceneState.hall(), 256);
-        seeAlone(request, subject);
-        request.frame.raster.size = {96, 64};
-        if (!file.empty()) values().set(scenesTable().scene, file.string());
+        sceneState = museum.get().initialSceneState();  // With the hall's haze.
+        useSmallMaps(hall(), 256);
+        size(96, 64);
+        if (!file.empty()) values().set(table().scene, file.string());
         read();
     }
-    [[nodiscard]] ParameterValues& values() { return sceneState.values[subject]; }
     /// Reads the named file. Returns the sentences on unreadable files.
     std::vector<Message> read()
     {
-        TabledSceneState tabled = gallery().museum.readTables(sceneState);
+        TabledSceneState tabled = museum.get().readTables(sceneState);
         sceneState = std::move(tabled.sceneState);
-        request.frame.camera = gallery().museum.exhibit(subject).bestView(values());
+        request.frame.camera = museum.get().exhibit(exhibit).bestView(values());
         return tabled.unreadable;
     }
     /// Sets a parameter of the scene.
@@ -50,28 +39,13 @@ struct SceneShot {
     {
         return *static_cast<const SdfScenesTable&>(values().table()).shown;
     }
-    SceneShot& inHall()
-    {
-        request.frame.alone.reset();
-        request.frame.subject = subject;
-        request.frame.transparent = false;
-        request.frame.camera = gallery().museum.bestView(subject, values());
-        return *this;
-    }
-    [[nodiscard]] Picture take() const
-    {
-        PictureMaker maker(gallery().museum, gallery().renderer, sceneState, request);
-        while (maker.step()) {
-        }
-        return {maker.picture(), render::makeView(request.frame.camera, request.frame.raster)};
-    }
     /// Returns the evaluator of the shown scene.
     [[nodiscard]] scenes::SceneField field()
     {
         std::vector<double> own;
         for (const Real& row : static_cast<const SdfScenesTable&>(values().table()).ofScene)
             own.push_back(values()[row]);
-        return scenes::SceneField(shown().scene, values()[scenesTable().moment], own);
+        return scenes::SceneField(shown().scene, values()[table().moment], own);
     }
     /// Returns the transform to the scene's own space from the exhibit's, which is the world's if it is alone.
     [[nodiscard]] glm::dmat4 sceneFromWorld()
@@ -82,11 +56,9 @@ struct SceneShot {
     }
 };
 
-/// Returns the ray through the center of a pixel (from the top left), with length 1 along the view axis.
-inline glm::dvec3 rayOf(const render::View& view, int x, int y)
+inline const SdfScenesTable& scenesTable()
 {
-    const glm::dvec2 size(view.raster.size);
-    return view.direction(glm::dvec2(x + 0.5, size.y - y - 0.5) / size * 2.0 - 1.0);
+    return SceneShot::table();
 }
 
 inline std::filesystem::path shippedScene(const std::string& name)

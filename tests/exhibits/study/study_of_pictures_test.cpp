@@ -27,7 +27,7 @@ StudyRequest requestFor(std::size_t exhibit, std::string_view row, std::vector<d
     const Shot shot;
     const Museum& museum = gallery().museum;
     StudyRequest request;
-    request.subject = shot.sdf;
+    request.subject = shot.exhibit;
     request.sceneState = shot.sceneState;
     request.axes = {{exhibit, *museum.subject(exhibit).parameters().find(row), std::move(values)}};
     request.size = {64, 36};

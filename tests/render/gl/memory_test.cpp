@@ -109,9 +109,10 @@ TEST_F(Memory, OfAStudyThatIsFinishedIsItsColors)
 {
     const Shot shot;
     StudyRequest request;
-    request.subject = shot.sdf;
+    request.subject = shot.exhibit;
     request.sceneState = shot.sceneState;
-    request.axes = {{shot.sdf, *gallery().museum.subject(shot.sdf).parameters().find("hitTolerance"), {1e-3, 1e-2}}};
+    request.axes = {
+        {shot.exhibit, *gallery().museum.subject(shot.exhibit).parameters().find("hitTolerance"), {1e-3, 1e-2}}};
     request.size = {32, 18};
     request.runs = 1;
     request.views = 1;
