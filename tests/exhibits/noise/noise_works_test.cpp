@@ -21,7 +21,7 @@ struct WorkShot : ExhibitShot<NoiseTable> {
     }
 };
 
-const NoiseTable& table()
+const NoiseTable& noiseTable()
 {
     return WorkShot::table();
 }
@@ -38,7 +38,7 @@ TEST_F(NoiseWorks, AreFourThatDifferAndMove)
             WorkShot shot(work, look);
             pictures.push_back(shot.take());
             EXPECT_GT(pictures.back().mean(), 0.01);
-            shot.values().set(table().moment, 3.0);
+            shot.values().set(noiseTable().moment, 3.0);
             EXPECT_GT(colorDifference(pictures.back(), shot.take()), 1e-4) << static_cast<int>(work);
         }
         for (std::size_t i = 0; i < pictures.size(); ++i)
@@ -52,9 +52,9 @@ TEST_F(NoiseWorks, StayFiniteAtAnyTimeAndPlace)
         for (const NoiseWork work : allWorks)
             for (const double moment : {0.0, 1e6, -1e6}) {
                 WorkShot shot(work, look);
-                shot.values().set(table().moment, moment);
-                shot.values().set(table().distance, 1e7);
-                shot.values().set(table().sunElevation, moment > 0 ? -0.08 : 1.5);
+                shot.values().set(noiseTable().moment, moment);
+                shot.values().set(noiseTable().distance, 1e7);
+                shot.values().set(noiseTable().sunElevation, moment > 0 ? -0.08 : 1.5);
                 EXPECT_EQ(notFinite(shot.take().image, 4), "") << static_cast<int>(work) << ' ' << moment;
             }
 }
@@ -63,10 +63,10 @@ TEST_F(NoiseWorks, StayFiniteAtAnyTimeAndPlace)
 /// `block` gives the offset of the octaves.
 double outsideAt(const ParameterValues& values, const NoiseBlock& block, const dvec3& p, double clear)
 {
-    const auto kind = static_cast<int>(values[table().kind]);
-    const auto seed = static_cast<glm::uint>(values[table().seed]);
-    const glm::dmat3 turn = glsl::noiseRotation(values[table().octaveRotation]) * values[table().lacunarity];
-    glm::dmat3 domain(values[table().frequency]);
+    const auto kind = static_cast<int>(values[noiseTable().kind]);
+    const auto seed = static_cast<glm::uint>(values[noiseTable().seed]);
+    const glm::dmat3 turn = glsl::noiseRotation(values[noiseTable().octaveRotation]) * values[noiseTable().lacunarity];
+    glm::dmat3 domain(values[noiseTable().frequency]);
     double amplitude = 1.0 / static_cast<double>(block.amplitudes), sum = 0;
     for (int i = 0; i < block.octaves; ++i) {
         const auto octave = static_cast<std::size_t>(i);
@@ -74,9 +74,9 @@ double outsideAt(const ParameterValues& values, const NoiseBlock& block, const d
                                            dvec3(block.places[octave]), glm::ivec3(FIELD_REPEAT), seed)
                                .value;
         domain = turn * domain;
-        amplitude *= values[table().gain];
+        amplitude *= values[noiseTable().gain];
     }
-    return values[table().threshold] - sum + clear;
+    return values[noiseTable().threshold] - sum + clear;
 }
 
 /// Comparison of a picture of the field's distances with small uniform steps and bisection at float64, which need no
@@ -87,7 +87,7 @@ struct FieldCheck {
 
 FieldCheck checkField(WorkShot& shot)
 {
-    const NoiseBlock block = noiseBlock(table(), shot.values(), 0, {0, 1, 0}, 0);
+    const NoiseBlock block = noiseBlock(noiseTable(), shot.values(), 0, {0, 1, 0}, 0);
     const Picture p = shot.take();
     FieldCheck check;
     for (int y = 2; y < p.height(); y += 5)
@@ -112,11 +112,11 @@ FieldCheck checkField(WorkShot& shot)
 WorkShot exactShot(NoiseWork work)
 {
     WorkShot shot(work);
-    shot.values().set(table().boundShare, 1.0);
-    shot.values().set(table().stepLimit, 1024);
-    shot.values().set(table().hitTolerance, 0.05);
+    shot.values().set(noiseTable().boundShare, 1.0);
+    shot.values().set(noiseTable().stepLimit, 1024);
+    shot.values().set(noiseTable().hitTolerance, 0.05);
     // All octaves are resolved: fading with the distance would change the sum.
-    shot.values().set(table().octaves, 3);
+    shot.values().set(noiseTable().octaves, 3);
     return shot;
 }
 
@@ -125,8 +125,8 @@ TEST_F(NoiseWorks, TheFieldIsWhereTheNoiseAtFloat64CrossesItsThreshold)
     for (const NoiseLookup lookup : {NoiseLookup::evaluated, NoiseLookup::baked})
         for (const NoiseKind kind : {NoiseKind::value, NoiseKind::gradient, NoiseKind::simplex}) {
             WorkShot shot = exactShot(NoiseWork::field);
-            shot.values().set(table().kind, kind);
-            shot.values().set(table().fieldNoise, lookup);
+            shot.values().set(noiseTable().kind, kind);
+            shot.values().set(noiseTable().fieldNoise, lookup);
             const FieldCheck check = checkField(shot);
             EXPECT_GT(check.checked, 100);
             EXPECT_EQ(check.missed, 0) << static_cast<int>(kind);
@@ -139,16 +139,16 @@ TEST_F(NoiseWorks, NoRayPassesThroughTheSumOfOctavesByTheWholeBounds)
 {
     for (const NoiseSumKind sum : {NoiseSumKind::fbm, NoiseSumKind::ridged}) {
         WorkShot shot = exactShot(NoiseWork::fractal);
-        shot.values().set(table().sum, sum);
+        shot.values().set(noiseTable().sum, sum);
         if (sum == NoiseSumKind::fbm) {
             const FieldCheck check = checkField(shot);
             EXPECT_GT(check.checked, 100);
             EXPECT_EQ(check.missed, 0);
             EXPECT_LE(check.early, 0.05 * check.checked);
         }
-        shot.values().set(table().fieldNoise, NoiseLookup::evaluated);
+        shot.values().set(noiseTable().fieldNoise, NoiseLookup::evaluated);
         const Picture evaluated = shot.take();
-        shot.values().set(table().fieldNoise, NoiseLookup::baked);
+        shot.values().set(noiseTable().fieldNoise, NoiseLookup::baked);
         const Picture baked = shot.take();
         int off = 0;
         baked.each([&](int x, int y) { off += std::abs(baked.depth(x, y) / evaluated.depth(x, y) - 1) > 0.01; });
@@ -156,7 +156,7 @@ TEST_F(NoiseWorks, NoRayPassesThroughTheSumOfOctavesByTheWholeBounds)
     }
     // Control: a tenth of the bound misses surfaces.
     WorkShot shot = exactShot(NoiseWork::fractal);
-    shot.values().set(table().boundShare, 0.1);
+    shot.values().set(noiseTable().boundShare, 0.1);
     EXPECT_GT(checkField(shot).missed, 0);
 }
 
@@ -164,10 +164,10 @@ TEST_F(NoiseWorks, OfTheDerivativeHasTheNormalsOfDifferences)
 {
     for (const NoiseWork work : {NoiseWork::field, NoiseWork::fractal}) {
         WorkShot shot(work);
-        shot.values().set(table().haze, 0.0);
-        if (work == NoiseWork::fractal) shot.values().set(table().warp, 0.5);
+        shot.values().set(noiseTable().haze, 0.0);
+        if (work == NoiseWork::fractal) shot.values().set(noiseTable().warp, 0.5);
         const Picture derivative = shot.take();
-        shot.values().set(table().normals, NoiseNormal::differences);
+        shot.values().set(noiseTable().normals, NoiseNormal::differences);
         const Picture differences = shot.take();
         int compared = 0;
         double sum = 0;
@@ -185,11 +185,11 @@ TEST_F(NoiseWorks, OfTheDerivativeHasTheNormalsOfDifferences)
 double shareOff(double distance)
 {
     WorkShot shot(NoiseWork::field);
-    const double frequency = shot.values()[table().frequency];
-    shot.values().set(table().distance, distance);
-    shot.values().set(table().boundShare, 1.0);
-    shot.values().set(table().stepLimit, 1024);
-    shot.values().set(table().hitTolerance, 0.05);
+    const double frequency = shot.values()[noiseTable().frequency];
+    shot.values().set(noiseTable().distance, distance);
+    shot.values().set(noiseTable().boundShare, 1.0);
+    shot.values().set(noiseTable().stepLimit, 1024);
+    shot.values().set(noiseTable().hitTolerance, 0.05);
     const Picture p = shot.take();
     int surface = 0, off = 0;
     p.each([&](int x, int y) {
@@ -201,7 +201,7 @@ double shareOff(double distance)
         const dvec3 at = frequency * (p.view.eye + ray * p.depth(x, y) + dvec3(distance, 0, 0));
         const dvec3 base = glm::floor(at);
         const double n = glsl::gradientNoise(glm::ivec3(base), at - base, glm::ivec3(FIELD_REPEAT), 1).value;
-        off += std::abs(n - shot.values()[table().threshold]) > 0.02;
+        off += std::abs(n - shot.values()[noiseTable().threshold]) > 0.02;
     });
     EXPECT_GT(surface, 300);
     return static_cast<double>(off) / surface;
@@ -238,12 +238,12 @@ TEST_F(NoiseWorks, TheSeaIsWhereItsWavesAtFloat64Are)
     for (const double wind : {7.5, 18.0})
         for (const double share : {0.45, 1.0}) {
             WorkShot shot(NoiseWork::sea);
-            shot.values().set(table().windSpeed, wind);
-            shot.values().set(table().eyeHeight, wind);
-            shot.values().set(table().boundShare, share);
-            shot.values().set(table().seaSteps, 256);
-            shot.values().set(table().hitTolerance, 0.05);
-            const NoiseBlock block = noiseBlock(table(), shot.values(), 0, {0, 1, 0}, 0);
+            shot.values().set(noiseTable().windSpeed, wind);
+            shot.values().set(noiseTable().eyeHeight, wind);
+            shot.values().set(noiseTable().boundShare, share);
+            shot.values().set(noiseTable().seaSteps, 256);
+            shot.values().set(noiseTable().hitTolerance, 0.05);
+            const NoiseBlock block = noiseBlock(noiseTable(), shot.values(), 0, {0, 1, 0}, 0);
             const Picture p = shot.take();
             int checked = 0, missed = 0, early = 0;
             for (int y = p.height() / 2 + 3; y < p.height(); y += 2)
@@ -257,7 +257,7 @@ TEST_F(NoiseWorks, TheSeaIsWhereItsWavesAtFloat64Are)
                     for (double t = wind; t < 8 * wind; t += 0.0015 * wind) {
                         const dvec3 at = eye + d * t;
                         if (at.y > block.seaTop) continue;
-                        if (at.y > tallHeight(block, shot.values()[table().chop], {at.x, at.z})) continue;
+                        if (at.y > tallHeight(block, shot.values()[noiseTable().chop], {at.x, at.z})) continue;
                         ++checked;
                         missed += seen > 1.004 * t + 0.02;
                         early += seen < 0.996 * t - 0.03;
@@ -274,7 +274,7 @@ TEST_F(NoiseWorks, TheSeaIsWhereItsWavesAtFloat64Are)
 TEST_F(NoiseWorks, OfTheSeaMeetTheHorizonWhereItIs)
 {
     WorkShot shot(NoiseWork::sea);
-    shot.values().set(table().windSpeed, 2.0);
+    shot.values().set(noiseTable().windSpeed, 2.0);
     const Picture p = shot.take();
     int wrong = 0;
     p.each([&](int x, int y) {
@@ -312,9 +312,9 @@ TEST_F(NoiseWorks, OfTheCloudsAreAsBrightWithAnyNumberOfSteps)
 {
     const auto meanWith = [](int steps, NoiseMarch march) {
         WorkShot shot(NoiseWork::clouds);
-        shot.values().set(table().cloudSteps, steps);
-        shot.values().set(table().bakeSize, 64);
-        shot.values().set(table().march, march);
+        shot.values().set(noiseTable().cloudSteps, steps);
+        shot.values().set(noiseTable().bakeSize, 64);
+        shot.values().set(noiseTable().march, march);
         shot.request.samples = 8;
         return shot.take().mean();
     };
@@ -328,7 +328,7 @@ TEST_F(NoiseWorks, OfTheCloudsAreAsBrightWithAnyNumberOfSteps)
 TEST_F(NoiseWorks, OfCloudsAtRestConvergeAndOweNothingToWhatWasDrawnBefore)
 {
     WorkShot shot(NoiseWork::clouds);
-    shot.values().set(table().bakeSize, 64);
+    shot.values().set(noiseTable().bakeSize, 64);
     const auto with = [&](int samples) {
         shot.request.samples = samples;
         return shot.take();
@@ -346,13 +346,13 @@ TEST_F(NoiseWorks, OfBakedCloudsComeNearerToTheEvaluatedOnesTheFinerTheVolumeIs)
 {
     WorkShot shot(NoiseWork::clouds);
     shot.request.frame.raster.size = {48, 30};
-    shot.values().set(table().cloudSteps, 32);
-    shot.values().set(table().cloudNoise, NoiseLookup::evaluated);
+    shot.values().set(noiseTable().cloudSteps, 32);
+    shot.values().set(noiseTable().cloudNoise, NoiseLookup::evaluated);
     const Picture evaluated = shot.take();
-    shot.values().set(table().cloudNoise, NoiseLookup::baked);
+    shot.values().set(noiseTable().cloudNoise, NoiseLookup::baked);
     double last = 1;
     for (const int size : {16, 48, 160}) {
-        shot.values().set(table().bakeSize, size);
+        shot.values().set(noiseTable().bakeSize, size);
         const double error = colorDifference(evaluated, shot.take());
         EXPECT_LT(error, last) << size;
         last = error;
