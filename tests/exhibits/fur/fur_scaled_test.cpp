@@ -104,7 +104,7 @@ TEST_F(FurScaled, AnUnevenlyScaledCoatIsTheScaledCoatOnEverySide)
     shot.values().set(furTable().strandRoundness, 0.999);
     shot.values().set(furTable().gravity, 0.0);
     const FurState ball = restStates(bounceSettings(furTable(), shot.values(), nullptr, 0))[furBall];
-    const double reach = ballRadius * ball.skinScale + shot.object()[furTable().coats[furBall].length];
+    const double reach = ballRadius * ball.skinScale + shot.values()[furTable().coats[furBall].length];
     for (const glm::dvec3 factors : {glm::dvec3(1), glm::dvec3(1, 1.6, 1), glm::dvec3(1.6, 1, 0.5)}) {
         const glm::dmat4 scale = glm::scale(glm::dmat4(1), factors);
         shot.transform(scale);
@@ -124,7 +124,7 @@ TEST_F(FurScaled, AnUnevenlyScaledCoatIsTheScaledCoatOnEverySide)
         EXPECT_NEAR((p.height() / 2.0 - highest) * pixel, reach * factors.y, 0.04 * reach * factors.y) << factors.y;
         EXPECT_NEAR((p.width() / 2.0 - leftmost) * pixel, reach * factors.x, 0.04 * reach * factors.x) << factors.x;
         // Control: the naive method moves the skin along its transformed normal by the unscaled length.
-        const double naive = ballRadius * ball.skinScale * factors.y + shot.object()[furTable().coats[furBall].length];
+        const double naive = ballRadius * ball.skinScale * factors.y + shot.values()[furTable().coats[furBall].length];
         EXPECT_TRUE(factors.y == 1 || std::abs(naive - reach * factors.y) > 0.1 * reach);
     }
 }

@@ -109,8 +109,8 @@ TEST_F(Robustness, LegalValuesNeverMakeWhatIsNotANumber)
         shuffle(shot.values(), random);
         shuffle(shot.hall(), random);
         // Higher values take a minute and test nothing more.
-        shot.values().set(sdfTable().tessellation, std::min(shot.object()[sdfTable().tessellation], 40));
-        shot.values().set(sdfTable().shadowRays, std::min(shot.object()[sdfTable().shadowRays], 24));
+        shot.values().set(sdfTable().tessellation, std::min(shot.values()[sdfTable().tessellation], 40));
+        shot.values().set(sdfTable().shadowRays, std::min(shot.values()[sdfTable().shadowRays], 24));
         shot.hall().set(hallTable().shadowMapSize, 256);
         shot.hall().set(hallTable().probeSize, i % 3 == 0 ? 16 : 32);
         shot.hall().set(hallTable().probeSamples, 4);
