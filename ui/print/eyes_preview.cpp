@@ -15,7 +15,8 @@ namespace vitrine::ui {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double eyesApart = 65;  // Millimeters between the eyes, the usual mean.
+constexpr double eyesApart = 65;   // Millimeters between the eyes, the usual mean.
+constexpr double armLength = 400;  // Millimeters; from where a print is looked at that is made for no distance.
 constexpr double steepest = 70 * degree;
 constexpr double perPixel = 0.15 * degree;  // Rotation per pixel of a drag: 200 pixels are about a viewing zone.
 constexpr int caption = 24;
@@ -44,7 +45,8 @@ EyesPreview::EyesPreview(QWidget* parent) : QWidget(parent), job_(this)
 void EyesPreview::setPreview(std::shared_ptr<const printing::PrintPreview> preview, double distance)
 {
     preview_ = std::move(preview);
-    distance_ = distance;
+    // At infinity both eyes would look through every lens at the same angle, and see the same view.
+    distance_ = std::isfinite(distance) ? distance : armLength;
     job_.forget();
     if (!preview_) images_ = {};
     fetch(true);
@@ -98,8 +100,7 @@ QString EyesPreview::standpoint() const
         const QString size = numberLocale().toString(std::abs(angle / degree), 'f', 1) + QChar(0xb0);
         return std::abs(angle) < 0.05 * degree ? size : size + QLatin1Char(' ') + (angle > 0 ? positive : negative);
     };
-    const QString from =
-        std::isinf(distance_) ? tr("far away") : tr("%1 cm").arg(numberLocale().toString(distance_ / 10, 'g', 4));
+    const QString from = tr("%1 cm").arg(numberLocale().toString(distance_ / 10, 'g', 4));
     return tr("%1, %2, from %3")
         .arg(side(angle_, tr("right"), tr("left")), side(angleAlong_, tr("above"), tr("below")), from);
 }

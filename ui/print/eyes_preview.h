@@ -20,7 +20,7 @@ class EyesPreview final : public QWidget, public Spoken {
 public:
     explicit EyesPreview(QWidget* parent = nullptr);
 
-    /// Sets the print to show; null: none. `distance` in millimeters; infinity: both eyes see the same.
+    /// Sets the print to show; null: none. `distance` in millimeters; infinity: the eyes stand at 40 cm.
     void setPreview(std::shared_ptr<const printing::PrintPreview>, double distance);
     /// Sets the direction of view from between the eyes, in radians: to the right, and from above.
     void look(double angle, double angleAlong);

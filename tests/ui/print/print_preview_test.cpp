@@ -27,8 +27,7 @@ private slots:
         dialog_->open(solidViews(count));
         settle();
         ParameterValues values = dialog_->values();
-        values.setRow(*values.table().find("distance"),
-                      std::numeric_limits<double>::infinity());  // One direction for the whole card.
+        values.setRow(*values.table().find("distance"), 1000.0);  // One direction for the whole card and both eyes.
         values.setRow(*values.table().find("width"), 0.03);
         values.setRow(*values.table().find("height"), 0.02);
         values.setRow(*values.table().find("dotsPerInch"), 1440.0);
@@ -65,11 +64,20 @@ private slots:
         }
     }
 
-    void theTwoEyesSeeNeighboringViewsAtAFiniteDistance()
+    /// At the given distance, or at 40 cm where the print is made for none.
+    void theTwoEyesSeeNeighboringViews_data()
     {
+        QTest::addColumn<double>("distance");
+        QTest::newRow("40 cm") << 0.4;
+        QTest::newRow("none") << std::numeric_limits<double>::infinity();
+    }
+
+    void theTwoEyesSeeNeighboringViews()
+    {
+        QFETCH(const double, distance);
         const int count = 12;
         dialog_->open(solidViews(count));
-        set("distance", 0.4);
+        set("distance", distance);
         auto* eyes = dialog_->findChild<EyesPreview*>();
         QTRY_VERIFY(!eyes->seen(1).isNull());
         const auto hue = [&](std::size_t eye) {
