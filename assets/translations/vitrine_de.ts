@@ -7235,7 +7235,6 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Faktor der festen Relaxation: 1 ist keine, höhere Werte machen längere Schritte und müssen mehr davon zurücknehmen.</translation>
     </message>
     <message>
-        <location filename="ui/print/eyes_preview.cpp"/>
         <location filename="exhibits/lenticular/lenticular.cpp"/>
         <source>far away</source>
         <translation>weit weg</translation>
@@ -15118,21 +15117,22 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>%1 Dateien gespeichert, die erste als %2, und daneben ihre Einstellungen.</translation>
     </message>
     <message>
-        <location filename="ui/jobs/job_dialog.cpp"/>
-        <source>Saved %1, and %2 files beside it.</source>
-        <translation>%1 gespeichert, und daneben %2 Dateien.</translation>
-    </message>
-    <message>
         <location filename="ui/print/print_dialog.cpp"/>
         <source>Saved %1, and its settings beside it.</source>
         <translation>%1 gespeichert, und daneben die Einstellungen.</translation>
     </message>
     <message>
         <location filename="ui/export/screenshot_dialog.cpp"/>
+        <location filename="ui/jobs/job_dialog.cpp"/>
         <location filename="ui/presets/preset_shelf.cpp"/>
         <location filename="ui/record/bookmarks.cpp"/>
         <source>Saved %1.</source>
         <translation>%1 gespeichert.</translation>
+    </message>
+    <message>
+        <location filename="ui/jobs/job_dialog.cpp"/>
+        <source>Saved %1. Files beside it: %2.</source>
+        <translation>%1 gespeichert. Dateien daneben: %2.</translation>
     </message>
     <message>
         <location filename="ui/tree/tree_file.cpp"/>

@@ -119,29 +119,30 @@ void JobDialog::build()
     preview_ = makePreview(job_.name(), this);
     buildBar();
 
-    growWidth(*panel_, jobPanelWidth);
+    if (preview_)
+        growWidth(*panel_, jobPanelWidth);
+    else
+        growMinimumWidth(*panel_, jobPanelWidth);
     auto* content = new QWidget;
     auto* right = new QVBoxLayout(content);
     right->setContentsMargins(8, 8, 16, 16);
     right->setSpacing(8);
-    if (preview_)
-        right->addWidget(preview_, 1);
-    else
-        right->addStretch(1);
+    if (preview_) right->addWidget(preview_, 1);
     right->addWidget(facts_);
     right->addWidget(export_);
-    auto* sides = new QHBoxLayout;
+    // Without a preview, the settings take its room.
+    auto* sides = new QBoxLayout(preview_ ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
     sides->setSpacing(8);
-    sides->addWidget(panel_);
+    sides->addWidget(panel_, preview_ ? 0 : 1);
     auto* room = new ScrollRoom(content, this);
-    sides->addWidget(room, 1);
+    sides->addWidget(room, preview_ ? 1 : 0);
     messages_ = new MessageStrip(this);
     messages_->lieOver(room);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addLayout(sides, 1);
-    resize(1000, 680);  // With a title bar it fits 1280 x 720.
+    resize(preview_ ? 1000 : 600, 680);  // With a title bar it fits 1280 x 720.
 }
 
 void JobDialog::buildBar()
@@ -190,8 +191,9 @@ void JobDialog::connectParts()
     connect(&full_, &JobRunner::finished, this, [this](const JobRunner::Run& run) {
         const auto& files = run->report().files;
         const QString name = QString::fromStdString(files.front().string());
-        messages_->say(MessageStrip::Mood::notice,
-                       tr("Saved %1, and %2 files beside it.").arg(name).arg(files.size() - 1), {}, {}, name);
+        const QString saved = files.size() > 1 ? tr("Saved %1. Files beside it: %2.").arg(name).arg(files.size() - 1)
+                                               : tr("Saved %1.").arg(name);
+        messages_->say(MessageStrip::Mood::notice, saved, {}, {}, name);
         export_->setPath(nextFreePath(path()));
         endExport(QString());
     });
@@ -212,7 +214,10 @@ void JobDialog::recall()
     QString folder = places.value(QStringLiteral("folder")).toString();
     if (folder.isEmpty() || !QDir(folder).exists())
         folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
-    const QString path = QDir(folder).filePath(text(job_.name()) + QLatin1Char('.') + extensionOf(job_));
+    // A recording is named after what it shows, a sprite sheet or mesh after the job.
+    const jobs::JobScene scene = scene_();
+    const std::string_view name = job_.needs().anyScene ? scene.museum->subject(scene.subject).name() : job_.name();
+    const QString path = QDir(folder).filePath(text(name) + QLatin1Char('.') + extensionOf(job_));
     export_->setPath(QFileInfo::exists(path) ? nextFreePath(path) : path);
     setup_.recall();
 }

@@ -38,11 +38,12 @@ class JobDialogTest : public QObject {
     std::unique_ptr<QTemporaryDir> home_;
     QPointer<JobDialog> dialog_;
 
-    void openDialog()
+    /// `subject`: what a job shows that can show any.
+    void openDialog(std::string_view name = "sprite", std::string_view subject = {})
     {
-        const jobs::Job& job = *jobs::findJob("sprite");
-        const jobs::JobScene scene{
-            museum_.get(), museum_->initialSceneState(), museum_->find(job.needs().subject).value(), {}};
+        const jobs::Job& job = *jobs::findJob(name);
+        const std::string_view shown = job.needs().anyScene ? subject : job.needs().subject;
+        const jobs::JobScene scene{museum_.get(), museum_->initialSceneState(), museum_->find(shown).value(), {}};
         dialog_ = new JobDialog(
             job, [scene] { return scene; }, *renderers_, *thread_, nullptr);
         dialog_->show();
@@ -333,6 +334,23 @@ private slots:
         QVERIFY(QDir(home_->path()).entryList({"many*"}, QDir::Files).isEmpty());
         QVERIFY(dialog_->isVisible());
         QVERIFY(button("Export")->isEnabled());
+    }
+
+    void aRecordingIsNamedAfterWhatItShowsAndASheetAfterItsJob()
+    {
+        QCOMPARE(QFileInfo(dialog_->path()).fileName(), QStringLiteral("sprite.png"));
+        closeDialog();
+        openDialog("record", "fur");
+        QCOMPARE(QFileInfo(dialog_->path()).fileName(), QStringLiteral("fur.mp4"));
+    }
+
+    /// A dialog without a preview gives the room to the settings.
+    void noPartOfTheDialogIsEmpty()
+    {
+        closeDialog();
+        openDialog("record", "fur");
+        QVERIFY(dialog_->findChild<ParameterPanel*>()->width() > dialog_->width() * 9 / 10);
+        QVERIFY(dialog_->findChild<ParameterPanel*>()->height() > dialog_->height() / 2);
     }
 
     void whatNoSheetCanHoldIsRefusedWithItsReason()
