@@ -6,7 +6,7 @@ if(VITRINE_PICTURES_URL)
     # A picture of assets/pictures, what it shows, the same in German; the first is the default.
     set(kind " type=\"default\"")
     foreach(shown IN ITEMS
-            "window.png|The window: hall, exhibits, presets, parameters and the ledger of the frame|Das Fenster: Halle, Exponate, Presets, Parameter und was das Bild kostete"
+            "window.png|The window: hall, exhibits, presets, parameters and the frame report|Das Fenster: Halle, Exponate, Presets, Parameter und was das Bild kostete"
             "golden-hour.png|The hall towards evening|Die Halle gegen Abend"
             "fur.png|Fur with physics|Fell mit Physik"
             "print_dialog.png|A lenticular print and what each eye sees of it|Ein Linsendruck und was jedes Auge davon sieht")

@@ -1,6 +1,6 @@
 #include "app/kit/report.h"
 
-#include "app/kit/ledger_json.h"
+#include "app/kit/passes_json.h"
 #include "render/files/strict_json.h"
 #include "render/measure/memory.h"
 #include "render/plan/step_costs.h"

@@ -3,7 +3,7 @@
 #include "app/jobs/job_arguments.h"
 #include "app/jobs/run_job.h"
 #include "app/kit/apply_preset.h"
-#include "app/kit/ledger_json.h"
+#include "app/kit/passes_json.h"
 #include "app/kit/picture_options.h"
 #include "app/kit/report.h"
 #include "app/kit/table_json.h"
@@ -255,7 +255,7 @@ Json notesJson(const std::vector<std::string>& notes, const std::vector<render::
     return json;
 }
 
-Json ledgerJson(const render::FrameReport& frame)
+Json frameReportJson(const render::FrameReport& frame)
 {
     Json counters = Json::object();
     for (const auto& [name, count] : frame.counters) counters[name] = count;
@@ -295,12 +295,12 @@ Json Service::planPicture(const Json& params, const Watch&)
 Json Service::renderPicture(const Json& params, const Watch& watch)
 {
     PictureOptions picture;
-    bool sixteenBit = false, ledger = false;
+    bool sixteenBit = false, withReport = false;
     CLI::App options;
     options.add_option("exhibit", picture.subject)->required();
     options.add_option("--out", picture.out);
     options.add_flag("--sixteen-bit", sixteenBit);
-    options.add_flag("--ledger", ledger);
+    options.add_flag("--frame-report", withReport);
     addPictureOptions(options, picture);
     readParams(options, "render", params);
     const bool inAnswer = picture.out.empty();
@@ -319,7 +319,7 @@ Json Service::renderPicture(const Json& params, const Watch& watch)
         render::writePicture(picture.out, maker.picture(), format, metadata);
         answer["out"] = std::filesystem::absolute(picture.out).string();
     }
-    if (ledger) answer["ledger"] = ledgerJson(maker.report());
+    if (withReport) answer["frame_report"] = frameReportJson(maker.report());
     answer["notes"] = notesJson(job.notes, maker.report().skipped);
     return answer;
 }

@@ -22,7 +22,7 @@ NO_TEXT = re.compile(r'[;{}]\s*\n|\bvec[234]\b|\bfloat \w|^\s*#|</?\w+>|\bvoid \
 # Files of which nothing is shown to people in the window or as an error, or only in English by purpose.
 NOT_SHOWN = re.compile(r'/stability/|stability_|doctor_command|html_text|_page\.cpp|serve/(?!listener)|report|embed|'
                        r'image/oiio/(?!guarded|read|row|write)|shell_word|chart_font|_glsl\.cpp|'
-                       r'install|framework/table/derive|museum/render_command|coat_mesh|card_mesh|png_chunks|table_json|ledger_json|text/message\.h')
+                       r'install|framework/table/derive|museum/render_command|coat_mesh|card_mesh|png_chunks|table_json|passes_json|text/message\.h')
 # Rooms in which every text for people is made by message(): no sentence is looked for there, and none may be left.
 CONVERTED = ('render/files/', 'render/gl/', 'render/scene/')
 # What looks like a sentence in them and is shown to nobody: keys, names, messages of asserts.

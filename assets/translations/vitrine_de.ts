@@ -426,7 +426,7 @@ Zeiten kommen, wenn es alle sind.</translation>
         <translation>%1 Schritte</translation>
     </message>
     <message>
-        <location filename="ui/report/ledger_dock.cpp"/>
+        <location filename="ui/report/frame_report_dock.cpp"/>
         <source>%1 steps, %2 ms</source>
         <translation>%1 Schritte, %2 ms</translation>
     </message>
@@ -551,7 +551,7 @@ Zeiten kommen, wenn es alle sind.</translation>
         <translation>%1, Regler</translation>
     </message>
     <message>
-        <location filename="ui/report/ledger_dock.cpp"/>
+        <location filename="ui/report/frame_report_dock.cpp"/>
         <source>%1.
 Times by: %2.</source>
         <translation>%1.
@@ -1600,7 +1600,7 @@ Zeiten nach: %2.</translation>
         <translation>; meinten Sie {=1}?</translation>
     </message>
     <message>
-        <location filename="ui/report/ledger_dock.cpp"/>
+        <location filename="ui/report/frame_report_dock.cpp"/>
         <source>; skipping saves %1 ms</source>
         <translation>; Auslassen spart %1 ms</translation>
     </message>
@@ -1620,7 +1620,7 @@ Zeiten nach: %2.</translation>
         <translation>; die Folie kann nicht sein: {1}</translation>
     </message>
     <message>
-        <location filename="ui/report/ledger_view.cpp"/>
+        <location filename="ui/report/frame_report_view.cpp"/>
         <source>; when it was last drawn</source>
         <translation>; als er zuletzt gezeichnet wurde</translation>
     </message>
@@ -2319,7 +2319,7 @@ Zeiten nach: %2.</translation>
         <translation>eine ganze Zahl.</translation>
     </message>
     <message>
-        <location filename="ui/report/ledger_view.cpp"/>
+        <location filename="ui/report/frame_report_view.cpp"/>
         <source>A, ms</source>
         <translation>A, ms</translation>
     </message>
@@ -2329,7 +2329,7 @@ Zeiten nach: %2.</translation>
         <translation>A, und B steht bereit: Halten Sie im Bild die Taste B, um es zu sehen.</translation>
     </message>
     <message>
-        <location filename="ui/report/ledger_dock.cpp"/>
+        <location filename="ui/report/frame_report_dock.cpp"/>
         <source>A: %1 · %2</source>
         <translation>A: %1 · %2</translation>
     </message>
@@ -3174,7 +3174,7 @@ Zeiten nach: %2.</translation>
         <translation>B, gehalten</translation>
     </message>
     <message>
-        <location filename="ui/report/ledger_view.cpp"/>
+        <location filename="ui/report/frame_report_view.cpp"/>
         <source>B, ms</source>
         <translation>B, ms</translation>
     </message>
@@ -3186,7 +3186,7 @@ Zeiten nach: %2.</translation>
         <translation>B: %1</translation>
     </message>
     <message>
-        <location filename="ui/report/ledger_dock.cpp"/>
+        <location filename="ui/report/frame_report_dock.cpp"/>
         <source>B: %1 steps, %2 ms</source>
         <translation>B: %1 Schritte, %2 ms</translation>
     </message>
@@ -5704,7 +5704,7 @@ Zeiten nach: %2.</translation>
         <translation>Anzahl</translation>
     </message>
     <message>
-        <location filename="ui/report/ledger_view.cpp"/>
+        <location filename="ui/report/frame_report_view.cpp"/>
         <source>count</source>
         <translation>Anzahl</translation>
     </message>
@@ -7716,6 +7716,12 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Bildrate</translation>
     </message>
     <message>
+        <location filename="ui/report/frame_report_view.cpp"/>
+        <location filename="ui/window/window_docks.cpp"/>
+        <source>Frame report</source>
+        <translation>Frame-Protokoll</translation>
+    </message>
+    <message>
         <location filename="exhibits/jobs/record/record_job.cpp"/>
         <location filename="exhibits/jobs/sprite/sprite_job.cpp"/>
         <source>Frame size</source>
@@ -8759,7 +8765,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>In der Referenz steht {1} auf {2}.</translation>
     </message>
     <message>
-        <location filename="ui/report/ledger_view.cpp"/>
+        <location filename="ui/report/frame_report_view.cpp"/>
         <source>in the step above</source>
         <translation>im Schritt darüber</translation>
     </message>
@@ -9799,12 +9805,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Verlässt die Lektion und stellt Ihre Einstellungen wieder her.</translation>
     </message>
     <message>
-        <location filename="ui/report/ledger_view.cpp"/>
-        <location filename="ui/window/window_docks.cpp"/>
-        <source>Ledger</source>
-        <translation>Frame-Protokoll</translation>
-    </message>
-    <message>
         <location filename="ui/print/eyes_preview.cpp"/>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
         <source>left</source>
@@ -10516,7 +10516,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Matrixmischung</translation>
     </message>
     <message>
-        <location filename="ui/report/ledger_view.cpp"/>
+        <location filename="ui/report/frame_report_view.cpp"/>
         <location filename="render/plan/contribution_bound.cpp"/>
         <source>may change any pixel</source>
         <translation>kann jedes Pixel ändern</translation>
@@ -10717,12 +10717,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Millisekunden eines Bildes, nach einer Uhr, der nicht zu trauen ist</translation>
     </message>
     <message>
-        <location filename="ui/report/ledger_view.cpp"/>
+        <location filename="ui/report/frame_report_view.cpp"/>
         <source>Milliseconds of the same pass with settings B, in a complete frame that reuses nothing from the previous one.</source>
         <translation>Millisekunden desselben Passes mit den Einstellungen B, in einem vollständigen Frame, der nichts vom vorigen übernimmt.</translation>
     </message>
     <message>
-        <location filename="ui/report/ledger_view.cpp"/>
+        <location filename="ui/report/frame_report_view.cpp"/>
         <source>Milliseconds that a skipped pass took when it last ran. “Run everything” measures all of them.</source>
         <translation>Millisekunden, die ein ausgelassener Pass brauchte, als er zuletzt lief. „Alles ausführen“ misst sie alle.</translation>
     </message>
@@ -10996,7 +10996,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Setzt den Fokus in den vorigen Teil des Fensters.</translation>
     </message>
     <message>
-        <location filename="ui/report/ledger_view.cpp"/>
+        <location filename="ui/report/frame_report_view.cpp"/>
         <location filename="ui/study/study_dock.cpp"/>
         <source>ms</source>
         <translation>ms</translation>
@@ -12244,7 +12244,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Nur eine Operation mit einem Kind lässt sich darum herum wegnehmen.</translation>
     </message>
     <message>
-        <location filename="ui/report/ledger_view.cpp"/>
+        <location filename="ui/report/frame_report_view.cpp"/>
         <source>only B: %1</source>
         <translation>nur B: %1</translation>
     </message>
@@ -14929,7 +14929,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Zeilen: %1</translation>
     </message>
     <message>
-        <location filename="ui/report/ledger_dock.cpp"/>
+        <location filename="ui/report/frame_report_dock.cpp"/>
         <source>Run everything</source>
         <translation>Alles ausführen</translation>
     </message>
@@ -14939,7 +14939,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Durchlauf {1} von {2}</translation>
     </message>
     <message>
-        <location filename="ui/report/ledger_dock.cpp"/>
+        <location filename="ui/report/frame_report_dock.cpp"/>
         <source>Runs every pass, including those that the picture does not need. The picture stays identical; only the cost changes.</source>
         <translation>Führt jeden Pass aus, auch die, die das Bild nicht braucht. Das Bild bleibt auf das Bit gleich; nur die Kosten ändern sich.</translation>
     </message>
@@ -15107,7 +15107,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Die angehakten speichern…</translation>
     </message>
     <message>
-        <location filename="ui/report/ledger_view.cpp"/>
+        <location filename="ui/report/frame_report_view.cpp"/>
         <source>Saved</source>
         <translation>Gespart</translation>
     </message>
@@ -16197,7 +16197,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Skins werden nicht unterstützt; Netze behalten ihre Ruhepose.</translation>
     </message>
     <message>
-        <location filename="ui/report/ledger_view.cpp"/>
+        <location filename="ui/report/frame_report_view.cpp"/>
         <source>skipped</source>
         <translation>ausgelassen</translation>
     </message>
@@ -16663,7 +16663,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Offen lassen</translation>
     </message>
     <message>
-        <location filename="ui/report/ledger_view.cpp"/>
+        <location filename="ui/report/frame_report_view.cpp"/>
         <source>Step</source>
         <translation>Schritt</translation>
     </message>
@@ -18258,7 +18258,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Die Reihen enden, bevor Laternen so schmal aussehen.</translation>
     </message>
     <message>
-        <location filename="ui/report/ledger_view.cpp"/>
+        <location filename="ui/report/frame_report_view.cpp"/>
         <source>the same in both</source>
         <translation>in beiden gleich</translation>
     </message>
@@ -20915,7 +20915,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>Was von anderswo kommt, hat keine eigene Art; ändern Sie es dort, wo es geschrieben steht.</translation>
     </message>
     <message>
-        <location filename="ui/report/ledger_dock.cpp"/>
+        <location filename="ui/report/frame_report_dock.cpp"/>
         <location filename="ui/window/status_line.cpp"/>
         <source>What is drawn and why</source>
         <translation>Was gezeichnet wird, und warum</translation>
@@ -20953,7 +20953,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>Was die Szene umgibt, ist schwarz, bis es gelesen werden kann.</translation>
     </message>
     <message>
-        <location filename="ui/report/ledger_dock.cpp"/>
+        <location filename="ui/report/frame_report_dock.cpp"/>
         <source>What the frame cost</source>
         <translation>Was der Frame gekostet hat</translation>
     </message>
@@ -21295,7 +21295,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>Wessen Parameter</translation>
     </message>
     <message>
-        <location filename="ui/report/ledger_view.cpp"/>
+        <location filename="ui/report/frame_report_view.cpp"/>
         <source>Why</source>
         <translation>Warum</translation>
     </message>
@@ -21493,7 +21493,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>vom Knopf geweckt vor {1}</translation>
     </message>
     <message>
-        <location filename="ui/report/ledger_view.cpp"/>
+        <location filename="ui/report/frame_report_view.cpp"/>
         <location filename="exhibits/noise/noise_table.h"/>
         <source>Work</source>
         <extracomment>tables</extracomment>

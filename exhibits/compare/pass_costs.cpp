@@ -12,15 +12,15 @@ namespace {
 
 /// Name of a step, and its index among those of that name.
 using StepKey = std::pair<std::string, int>;
-struct LedgerLine {
+struct PassLine {
     StepKey key;
     render::Work work;
     PassSide side;
 };
 
-std::vector<LedgerLine> linesOf(const render::FrameReport& report)
+std::vector<PassLine> linesOf(const render::FrameReport& report)
 {
-    std::vector<LedgerLine> lines;
+    std::vector<PassLine> lines;
     std::map<std::string, int> seen;
     for (const render::StepReport& step : report.ran) {
         const std::string why = step.variant.empty() ? step.reason : step.reason + "; " + step.variant;
@@ -41,10 +41,10 @@ bool hasRun(const PassCost& cost)
 std::vector<PassCost> passCosts(const render::FrameReport& a, const render::FrameReport& b)
 {
     std::vector<std::pair<StepKey, PassCost>> merged;
-    for (LedgerLine& line : linesOf(a))
+    for (PassLine& line : linesOf(a))
         merged.emplace_back(line.key, PassCost{line.key.first, line.work, std::move(line.side), {}});
     std::size_t after = 0;  // Position for passes of B alone.
-    for (LedgerLine& line : linesOf(b)) {
+    for (PassLine& line : linesOf(b)) {
         const auto found =
             std::find_if(merged.begin(), merged.end(), [&](const auto& known) { return known.first == line.key; });
         if (found != merged.end()) {

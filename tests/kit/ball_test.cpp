@@ -1,5 +1,5 @@
 // An exhibit of three small files (ball/ball.h, ball/ball.glsl, a line in a list) has what every exhibit has: a slider,
-// a body that is marched, a shadow, presets, studies, and its lines in the ledger.
+// a body that is marched, a shadow, presets, studies, and its lines in the frame report.
 
 #include "exhibits/framework/files/preset.h"
 #include "exhibits/framework/table/random_values.h"
@@ -158,7 +158,7 @@ TEST(BallOnPaper, ComesBackFromAPreset)
     EXPECT_TRUE(read.notes.empty());
 }
 
-TEST(BallOnPaper, OutOfViewTheLedgerSaysWhyInOneLine)
+TEST(BallOnPaper, OutOfViewTheFrameReportSaysWhyInOneLine)
 {
     BallShot shot;
     shot.inHall();

@@ -42,9 +42,9 @@ CompareDesk::CompareDesk(Workbench& workbench, PresetShelf& shelf, QWidget* pare
     connect(&workbench.history(), &History::changesSettled, bar_, &CompareBar::refresh);
     connect(picture_, &OtherPicture::drawn, this, [this] {
         workbench_.setProblems(drawingOfB(), {});
-        tellLedger();
+        tellReport();
     });
-    connect(picture_, &OtherPicture::gone, this, &CompareDesk::tellLedger);
+    connect(picture_, &OtherPicture::gone, this, &CompareDesk::tellReport);
     connect(picture_, &OtherPicture::failed, this,
             [this](const QString& why) { workbench_.setProblems(drawingOfB(), {tr("B: %1").arg(why)}); });
     fileWatch_.setInterval(lookAtFilesEvery);
@@ -69,21 +69,21 @@ void CompareDesk::refresh()
     picture_->setWanted(other_->held() && (overlay_->mode() != CompareMode::off || overlay_->otherAlone()));
     actions_->refresh();
     bar_->refresh();
-    tellLedger();
+    tellReport();
 }
 
-void CompareDesk::tellLedger()
+void CompareDesk::tellReport()
 {
     if (!other_->held())
-        emit ledgerChanged(nullptr, {});
+        emit reportChanged(nullptr, {});
     else if (!picture_->wanted())
-        emit ledgerChanged(nullptr, tr("B: not drawn, because no view shows it"));
+        emit reportChanged(nullptr, tr("B: not drawn, because no view shows it"));
     else if (!picture_->failure().isEmpty())
-        emit ledgerChanged(nullptr, tr("B: cannot be drawn"));
+        emit reportChanged(nullptr, tr("B: cannot be drawn"));
     else if (picture_->image().isNull())
-        emit ledgerChanged(nullptr, tr("B: being drawn"));
+        emit reportChanged(nullptr, tr("B: being drawn"));
     else
-        emit ledgerChanged(&picture_->report(), {});
+        emit reportChanged(&picture_->report(), {});
 }
 
 void CompareDesk::setMode(CompareMode mode)

@@ -71,7 +71,7 @@ public:
 signals:
     /// Emitted with the frame report of B. `report` is null while B is not drawn, and `why` gives the reason; an empty
     /// `why` means that there is no B.
-    void ledgerChanged(const vitrine::render::FrameReport* report, const QString& why);
+    void reportChanged(const vitrine::render::FrameReport* report, const QString& why);
 
 private:
     /// Sets B once its files are read. Without a name, B is the same with files read again.
@@ -79,7 +79,7 @@ private:
     /// Reads B's files again if they have changed.
     void lookAtFiles();
     void refresh();
-    void tellLedger();
+    void tellReport();
 
     Workbench& workbench_;
     PresetShelf& shelf_;

@@ -5,7 +5,7 @@
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
 #include "ui/parameters/parameter_panel.h"
-#include "ui/report/ledger_dock.h"
+#include "ui/report/frame_report_dock.h"
 #include "ui/report/log_view.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/parameter_tabs.h"
@@ -27,7 +27,7 @@ void FrameReporter::note(const render::FrameReport& report, const QSize& pixels)
     const Viewport& viewport = workbench_.viewport();
     workbench_.setProblems(QStringLiteral("drawing"), {});
     status_.note(report, pixels, viewport.reason());
-    docks_.ledger().note(report);
+    docks_.frameReport().note(report);
     docks_.parameters().panel().showMoment(workbench_.museum().motionMoment(
         workbench_.history().sceneState(), workbench_.shown(), viewport.shownRequest()));
     showComplaints(report.skipped);

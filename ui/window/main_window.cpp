@@ -20,7 +20,7 @@
 #include "ui/presets/preset_list.h"
 #include "ui/presets/preset_shelf.h"
 #include "ui/record/bookmarks.h"
-#include "ui/report/ledger_dock.h"
+#include "ui/report/frame_report_dock.h"
 #include "ui/report/log_view.h"
 #include "ui/study/study_dock.h"
 #include "ui/tree/tree_file.h"
@@ -172,7 +172,7 @@ void MainWindow::connectParts()
             [this](const QString& why) { setProblems(QStringLiteral("study"), {why}); });
     connect(&docks_->study(), &StudyDock::finished, this, [this] { setProblems(QStringLiteral("study"), {}); });
     panel().setOther(&comparison_->other());
-    connect(comparison_, &CompareDesk::ledgerChanged, &docks_->ledger(), &LedgerDock::noteOther);
+    connect(comparison_, &CompareDesk::reportChanged, &docks_->frameReport(), &FrameReportDock::noteOther);
     connect(messages_, &MessageStrip::said, &docks_->log(), &LogView::add);
 }
 

@@ -10,8 +10,8 @@
 #include "ui/model/workbench.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/presets/preset_list.h"
-#include "ui/report/ledger_dock.h"
-#include "ui/report/ledger_view.h"
+#include "ui/report/frame_report_dock.h"
+#include "ui/report/frame_report_view.h"
 #include "ui/report/log_view.h"
 #include "ui/study/study_dock.h"
 #include "ui/tree/tree_dock.h"
@@ -48,7 +48,7 @@ WindowDocks::WindowDocks(QMainWindow& window, Workbench& workbench)
     parametersDock_ = add(tr("Parameters"), "parameters", parameters_, Qt::RightDockWidgetArea);
     addTree();
     addStudy();
-    addLedgerAndLog();
+    addFrameReportAndLog();
     window_.resizeDocks({docks_[0], docks_[1]}, {400, 300}, Qt::Vertical);
     // Wide enough for the longest label, up to 30 % of the window.
     const int labels = std::clamp(parameters_->widthForLabels(), 360, std::max(360, window_.width() * 3 / 10));
@@ -144,28 +144,28 @@ void WindowDocks::addStudy()
     panel.setGaugesShown(true);
 }
 
-void WindowDocks::addLedgerAndLog()
+void WindowDocks::addFrameReportAndLog()
 {
     Viewport& viewport = workbench_.viewport();
-    ledger_ = new LedgerDock([&viewport] { return viewport.reason(); });
+    frameReport_ = new FrameReportDock([&viewport] { return viewport.reason(); });
     QHash<QString, QString> titles;
     for (const auto& exhibit : workbench_.museum().subjects())
         titles.insert(text(exhibit->name()), said(exhibit->title()));
-    ledger_->view().setTitles(titles);
-    connect(ledger_, &LedgerDock::runEverythingAsked, &viewport, &Viewport::setRunEverything);
+    frameReport_->view().setTitles(titles);
+    connect(frameReport_, &FrameReportDock::runEverythingAsked, &viewport, &Viewport::setRunEverything);
     log_ = new LogView;
     charts_ = new ChartsDock(workbench_.museum(), workbench_.history());
     QDockWidget* charts = add(tr("Charts"), "charts", charts_, Qt::BottomDockWidgetArea);
-    QDockWidget* ledger = add(tr("Ledger"), "ledger", ledger_, Qt::BottomDockWidgetArea);
+    QDockWidget* frameReport = add(tr("Frame report"), "frame-report", frameReport_, Qt::BottomDockWidgetArea);
     QDockWidget* log = add(tr("Log"), "log", log_, Qt::BottomDockWidgetArea);
     window_.tabifyDockWidget(studyDock_, charts);
-    window_.tabifyDockWidget(charts, ledger);
-    window_.tabifyDockWidget(ledger, log);
+    window_.tabifyDockWidget(charts, frameReport);
+    window_.tabifyDockWidget(frameReport, log);
     charts->hide();
-    ledger->hide();
+    frameReport->hide();
     log->hide();
     // Passes are timed only while the report is visible, because that is slower.
-    connect(ledger, &QDockWidget::visibilityChanged, &viewport, &Viewport::setStepsTimed);
+    connect(frameReport, &QDockWidget::visibilityChanged, &viewport, &Viewport::setStepsTimed);
 }
 
 void WindowDocks::addExplore(PresetShelf& shelf)

@@ -13,7 +13,7 @@ namespace vitrine::ui {
 class ChartsDock;
 class ExhibitList;
 class ExploreDock;
-class LedgerDock;
+class FrameReportDock;
 class LogView;
 class ParameterTabs;
 class PresetList;
@@ -42,7 +42,7 @@ public:
     [[nodiscard]] ChartsDock& charts() const { return *charts_; }
     [[nodiscard]] TreeDock& tree() const { return *tree_; }
     [[nodiscard]] TreeFile& treeFile() const { return *treeFile_; }
-    [[nodiscard]] LedgerDock& ledger() const { return *ledger_; }
+    [[nodiscard]] FrameReportDock& frameReport() const { return *frameReport_; }
     [[nodiscard]] LogView& log() const { return *log_; }
     [[nodiscard]] ExploreDock& explore() const { return *explore_; }
 
@@ -61,7 +61,7 @@ private:
     QDockWidget* add(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea);
     void addLists();
     void addStudy();
-    void addLedgerAndLog();
+    void addFrameReportAndLog();
     void addTree();
     void nameStacks();
     void followSmallerType();
@@ -81,7 +81,7 @@ private:
     TreeFile* treeFile_ = nullptr;
     bool treeWanted_ = true;  // The visitor has not closed the tree's dock.
     ChartsDock* charts_ = nullptr;
-    LedgerDock* ledger_ = nullptr;
+    FrameReportDock* frameReport_ = nullptr;
     LogView* log_ = nullptr;
     ExploreDock* explore_ = nullptr;
 };

@@ -227,15 +227,15 @@ TEST_F(Serve, PlansWhatThenRuns)
 {
     Json params{{"exhibit", "fur"}, {"alone", true}, {"size", "32x18"}, {"samples", 1}};
     const Json plan = client_.result("plan", params);
-    params["ledger"] = true;
-    const Json ledger = client_.result("render", params)["ledger"];
-    EXPECT_EQ(namesOf(plan["runs"]), namesOf(ledger["ran"]));
-    EXPECT_EQ(plan["skipped"], ledger["skipped"]);
+    params["frame_report"] = true;
+    const Json report = client_.result("render", params)["frame_report"];
+    EXPECT_EQ(namesOf(plan["runs"]), namesOf(report["ran"]));
+    EXPECT_EQ(plan["skipped"], report["skipped"]);
     EXPECT_GT(plan["runs"].size(), 0U);
     EXPECT_GT(plan["skipped"].size(), 0U);
     for (const Json& pass : plan["skipped"]) EXPECT_FALSE(pass["reason"].get<std::string>().empty()) << pass;
     // The run_everything switch of the frame report.
-    params.erase("ledger");
+    params.erase("frame_report");
     params["run_everything"] = true;
     EXPECT_GT(client_.result("plan", params)["runs"].size(), plan["runs"].size());
 }

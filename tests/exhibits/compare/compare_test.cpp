@@ -95,7 +95,7 @@ TEST(DifferingRows, AreShownWithTheirUnits)
     EXPECT_EQ(shown(table.file.row), "none");
 }
 
-render::FrameReport ledgerOf(std::vector<std::pair<std::string, double>> ran, std::vector<std::string> skipped)
+render::FrameReport frameReportOf(std::vector<std::pair<std::string, double>> ran, std::vector<std::string> skipped)
 {
     render::FrameReport report;
     for (auto& [name, ms] : ran) report.ran.push_back({name, "in view", render::Work::raster, ms});
@@ -105,8 +105,9 @@ render::FrameReport ledgerOf(std::vector<std::pair<std::string, double>> ran, st
 
 TEST(PassCosts, StandSideBySideInTheOrderInWhichTheyRan)
 {
-    const render::FrameReport a = ledgerOf({{"walls", 2}, {"march", 5}, {"tone", 1}}, {"fur", "rain"});
-    const render::FrameReport b = ledgerOf({{"walls", 3}, {"fur", 7}, {"glow", 4}, {"tone", 1}}, {"march", "rain"});
+    const render::FrameReport a = frameReportOf({{"walls", 2}, {"march", 5}, {"tone", 1}}, {"fur", "rain"});
+    const render::FrameReport b =
+        frameReportOf({{"walls", 3}, {"fur", 7}, {"glow", 4}, {"tone", 1}}, {"march", "rain"});
     const std::vector<PassCost> costs = passCosts(a, b);
     std::vector<std::string> names;
     for (const PassCost& cost : costs) names.push_back(cost.name);
@@ -125,8 +126,8 @@ TEST(PassCosts, StandSideBySideInTheOrderInWhichTheyRan)
 
 TEST(PassCosts, OfOneNameBelongTogetherOneByOne)
 {
-    const std::vector<PassCost> costs =
-        passCosts(ledgerOf({{"blur", 1}, {"blur", 2}}, {}), ledgerOf({{"blur", 3}, {"blur", 4}, {"blur", 5}}, {}));
+    const std::vector<PassCost> costs = passCosts(frameReportOf({{"blur", 1}, {"blur", 2}}, {}),
+                                                  frameReportOf({{"blur", 3}, {"blur", 4}, {"blur", 5}}, {}));
     ASSERT_EQ(costs.size(), 3U);
     EXPECT_EQ(costs[1].a.milliseconds, 2);
     EXPECT_EQ(costs[1].b.milliseconds, 4);

@@ -233,7 +233,7 @@ TEST(Planning, ManyThreadsPrepareAndPlanAtOnce)
     EXPECT_EQ(wrong, 0);
 }
 
-TEST(Planning, WhatWasNotPreparedForAViewIsLeftOutOfItAndTheLedgerSaysSo)
+TEST(Planning, WhatWasNotPreparedForAViewIsLeftOutOfItAndTheFrameReportSaysSo)
 {
     Scene scene;
     const std::size_t fur = *museum().find("fur");

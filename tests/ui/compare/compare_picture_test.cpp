@@ -6,8 +6,8 @@
 #include "render/failure.h"
 #include "render/image/image_io.h"
 #include "ui/compare/compare_bar.h"
-#include "ui/report/ledger_dock.h"
-#include "ui/report/ledger_view.h"
+#include "ui/report/frame_report_dock.h"
+#include "ui/report/frame_report_view.h"
 #include "ui/window/window_docks.h"
 
 #include <QDockWidget>
@@ -73,7 +73,7 @@ private slots:
     void aBThatCannotBeDrawnIsNotShownAsTheFormerOne()
     {
         for (QDockWidget* dock : window_->docks().all())
-            if (dock->objectName() == "ledger") dock->show();
+            if (dock->objectName() == "frame-report") dock->show();
         compare();
         QVERIFY2(isB(0.6), "a control: there is a former B");
         const QSignalSpy failed(&desk().picture(), &OtherPicture::failed);
@@ -85,7 +85,7 @@ private slots:
         QVERIFY(isA(0.6));
         QCOMPARE(failed.count(), 1);
         QVERIFY(window_->findChild<MessageStrip*>()->texts().join(' ').contains("out of paint"));
-        QTRY_VERIFY(window_->docks().ledger().sumsText().contains("B: cannot be drawn"));
+        QTRY_VERIFY(window_->docks().frameReport().sumsText().contains("B: cannot be drawn"));
         dragInPicture(0.2, 0.3);
         settle();
         QCOMPARE(failed.count(), 1);
@@ -130,10 +130,10 @@ private slots:
         QCOMPARE(desk().other().name(), QString("Snapshot of A"));
     }
 
-    void ofBNothingIsDrawnThatNothingShowsAndTheLedgerSaysSo()
+    void ofBNothingIsDrawnThatNothingShowsAndTheFrameReportSaysSo()
     {
         for (QDockWidget* dock : window_->docks().all())
-            if (dock->objectName() == "ledger") dock->show();
+            if (dock->objectName() == "frame-report") dock->show();
         compare();
         action("Wipe")->trigger();
         QTRY_COMPARE(gallery_->othersForgotten, 1);
@@ -141,29 +141,29 @@ private slots:
         setRoughness(0.6);
         rest();
         QCOMPARE(gallery_->otherRequests().size(), drawn);
-        LedgerDock& ledger = window_->docks().ledger();
-        QTRY_VERIFY2(ledger.sumsText().contains("B: not drawn"), qPrintable(ledger.sumsText()));
+        FrameReportDock& frameReport = window_->docks().frameReport();
+        QTRY_VERIFY2(frameReport.sumsText().contains("B: not drawn"), qPrintable(frameReport.sumsText()));
         action("Flicker")->trigger();
         rest();
         QVERIFY2(gallery_->otherRequests().size() > drawn, "a control: a mode that needs B draws it");
-        QTRY_VERIFY2(ledger.sumsText().contains("B: 2 steps, 17.80 ms"), qPrintable(ledger.sumsText()));
+        QTRY_VERIFY2(frameReport.sumsText().contains("B: 2 steps, 17.80 ms"), qPrintable(frameReport.sumsText()));
     }
 
-    void theLedgerShowsWhatBothCostAndWhatOnlyOneRuns()
+    void theFrameReportShowsWhatBothCostAndWhatOnlyOneRuns()
     {
         for (QDockWidget* dock : window_->docks().all())
-            if (dock->objectName() == "ledger") dock->show();
-        LedgerView& ledger = window_->docks().ledger().view();
+            if (dock->objectName() == "frame-report") dock->show();
+        FrameReportView& frameReport = window_->docks().frameReport().view();
         settle();
-        QVERIFY(ledger.isColumnHidden(5));
+        QVERIFY(frameReport.isColumnHidden(5));
         compare();
         const auto line = [&](const QString& step) {
-            for (int i = 0; i < ledger.topLevelItemCount(); ++i)
-                if (ledger.topLevelItem(i)->toolTip(0) == step) return ledger.topLevelItem(i);
+            for (int i = 0; i < frameReport.topLevelItemCount(); ++i)
+                if (frameReport.topLevelItem(i)->toolTip(0) == step) return frameReport.topLevelItem(i);
             return static_cast<QTreeWidgetItem*>(nullptr);
         };
         QTRY_VERIFY(line("fur/shells") && line("draws"));
-        QVERIFY(!ledger.isColumnHidden(5));
+        QVERIFY(!frameReport.isColumnHidden(5));
         QCOMPARE(line("hall/walls")->text(2), QString("12.25"));
         QCOMPARE(line("hall/walls")->text(5), QString("10.50"));
         QCOMPARE(line("sdf_morph/march")->text(5), QString("–"));
@@ -173,7 +173,7 @@ private slots:
         QCOMPARE(line("draws")->text(5), QString("2"));
         action("End the comparison")->trigger();
         QTRY_VERIFY(!line("fur/shells"));
-        QVERIFY(ledger.isColumnHidden(5));
+        QVERIFY(frameReport.isColumnHidden(5));
     }
 
     void differencesAreMultipliedByTheSlider()

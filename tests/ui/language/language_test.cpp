@@ -155,7 +155,7 @@ private slots:
         }
     }
 
-    void reasonsOfTheLedgerAreGerman()
+    void reasonsOfTheFrameReportAreGerman()
     {
         ui::speak(QStringLiteral("de"));
         const Museum museum{completeExhibits()};

@@ -146,7 +146,7 @@ private slots:
         QVERIFY(commands > 60);
         QVERIFY(list->topLevelItemCount() >= commands);
         for (QAction* each : window_->actions()) QVERIFY2(!each->objectName().isEmpty(), qPrintable(each->text()));
-        for (const char* id : {"open", "screenshot", "undo", "panel-ledger", "visit-sdf_morph", "set-bookmark-3",
+        for (const char* id : {"open", "screenshot", "undo", "panel-frame-report", "visit-sdf_morph", "set-bookmark-3",
                                "compare-wipe", "lesson-start"})
             QVERIFY2(ids.contains(id),
                      qPrintable(QString("%1 is not among %2").arg(id, QStringList(ids.values()).join(" "))));

@@ -5,7 +5,7 @@
 #include "ui/export/copies.h"
 #include "ui/kit/language.h"
 #include "ui/kit/message_strip.h"
-#include "ui/report/ledger_dock.h"
+#include "ui/report/frame_report_dock.h"
 #include "ui/window/recent_files.h"
 #include "ui/window/window_docks.h"
 
@@ -146,7 +146,7 @@ private slots:
         QVERIFY2(std::abs(zoomOf() - std::pow(usual, 3)) < 1e-9, qPrintable(QString::number(zoomOf())));
     }
 
-    void fewerSamplesAreDrawnAndStatusLedgerAndCommandLineSaySo()
+    void fewerSamplesAreDrawnAndStatusFrameReportAndCommandLineSaySo()
     {
         test::takeFewSamples(*window_, 8);
         settle();
@@ -163,10 +163,10 @@ private slots:
         QVERIFY2(reason.startsWith("Done (2 samples)") && reason.contains("the hall requests 8") &&
                      reason.contains("allow 2"),
                  qPrintable(reason));
-        action("Ledger")->trigger();
+        action("Frame report")->trigger();
         window_->viewport().sceneStateChanged();
         settle();
-        QTRY_COMPARE(window_->docks().ledger().reasonText(), reason);
+        QTRY_COMPARE(window_->docks().frameReport().reasonText(), reason);
         QVERIFY2(commandLineOf(*window_).contains("--samples 2 "), qPrintable(commandLineOf(*window_)));
         // The hall's parameter stays unchanged.
         QCOMPARE(pictureQuality(window_->history().sceneState().hall()).supersamples, 8);

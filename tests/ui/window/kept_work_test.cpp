@@ -187,7 +187,7 @@ private slots:
         openWindow();
         QVERIFY(window_->menuBar()->isVisible());
         for (const char* name : {"parameters", "exhibits", "presets"}) QVERIFY2(dock(name)->isVisible(), name);
-        QVERIFY(!dock("ledger")->isVisible());
+        QVERIFY(!dock("frame-report")->isVisible());
     }
 
     void withEveryPanelClosedTabStillTakesTheMenuAwayAndBringsItBack()

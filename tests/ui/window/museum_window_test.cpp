@@ -17,8 +17,8 @@
 #include "ui/presets/preset_list.h"
 #include "ui/presets/preset_shelf.h"
 #include "ui/print/print_dialog.h"
-#include "ui/report/ledger_dock.h"
-#include "ui/report/ledger_view.h"
+#include "ui/report/frame_report_dock.h"
+#include "ui/report/frame_report_view.h"
 #include "ui/study/study_dock.h"
 #include "ui/viewport/gl_probe.h"
 #include "ui/viewport/museum_renderers.h"
@@ -270,19 +270,19 @@ private slots:
         QVERIFY2(share < 0.005, qPrintable(QStringLiteral("%1 % of a processor").arg(100 * share)));
     }
 
-    void theLedgersSwitchRunsEverythingAndChangesNoPixel()
+    void theFrameReportsSwitchRunsEverythingAndChangesNoPixel()
     {
         window_->visit(exhibit_);
-        window_->findChild<QDockWidget*>("ledger")->show();
+        window_->findChild<QDockWidget*>("frame-report")->show();
         const QImage before = pictureAtRest();
-        auto* ledger = window_->findChild<LedgerDock*>();
-        ledger->runEverything().setChecked(true);
+        auto* frameReport = window_->findChild<FrameReportDock*>();
+        frameReport->runEverything().setChecked(true);
         settle();
         QCOMPARE(difference(before, picture()), 0.0);
-        QVERIFY(ledger->view().costs().of("sdf_morph/march") >= 0);
-        ledger->runEverything().setChecked(false);
+        QVERIFY(frameReport->view().costs().of("sdf_morph/march") >= 0);
+        frameReport->runEverything().setChecked(false);
         settle();
-        QTRY_VERIFY(ledger->reasonText().startsWith("Done ("));
+        QTRY_VERIFY(frameReport->reasonText().startsWith("Done ("));
     }
 
     void aStudyInTheWindowLeavesThePictureAloneUntilAPointIsClicked()

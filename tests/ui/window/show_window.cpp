@@ -78,7 +78,7 @@ void showComparison(ui::MainWindow& window, const QString& folder, const QString
     const auto row = window.history().sceneState().values[1].table().find("morph");
     window.history().set(1, *row, 0.1, ui::newGesture());
     for (auto* dock : window.findChildren<QDockWidget*>())
-        if (dock->objectName() == QLatin1String("ledger")) dock->show();
+        if (dock->objectName() == QLatin1String("frame-report")) dock->show();
     int number = 0;
     for (const ui::CompareMode mode : ui::compareModes) {
         window.comparison().setMode(mode);
@@ -149,7 +149,7 @@ void showForDocuments(ui::MainWindow& window, const QString& folder)
 {
     window.resize(1400, 860);
     window.visit(1);
-    window.findChild<QDockWidget*>(QStringLiteral("ledger"))->show();
+    window.findChild<QDockWidget*>(QStringLiteral("frame-report"))->show();
     waitUntilStill(window, 240000);
     window.grab().save(folder + QStringLiteral("/window.png"));
     showPrintDialog(window, folder + QStringLiteral("/print_dialog.png"));
@@ -216,7 +216,7 @@ int main(int argc, char** argv)
                        QStringLiteral("Screenshot saved to sdf_morph-2026-11-21-103512.png"));
         }
         for (auto* dock : window.findChildren<QDockWidget*>())
-            if (dock->objectName() == QLatin1String("ledger")) dock->show();
+            if (dock->objectName() == QLatin1String("frame-report")) dock->show();
         waitUntilStill(window, 60000);
         window.grab().save(folder + QStringLiteral("/visit") + ending);
         if (!real) {

@@ -112,7 +112,7 @@ private slots:
         setType(percent);
         fits(*window_, "window");
         look(*window_, "window");
-        for (const char* name : {"study", "charts", "ledger", "log"}) {
+        for (const char* name : {"study", "charts", "frame-report", "log"}) {
             auto* dock = window_->findChild<QDockWidget*>(name);
             dock->show();
             dock->raise();

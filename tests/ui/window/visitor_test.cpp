@@ -86,7 +86,7 @@ private slots:
 
     void theViewMenuListsEveryPanelAndFindOpensAClosedOne()
     {
-        for (const char* panel : {"Exhibits", "Presets", "Parameters", "Study", "Charts", "Ledger", "Log"})
+        for (const char* panel : {"Exhibits", "Presets", "Parameters", "Study", "Charts", "Frame report", "Log"})
             QVERIFY2(menu("View").contains(QLatin1String(panel)), panel);
         auto* parameters = window_->findChild<QDockWidget*>("parameters");
         action("Parameters")->trigger();

@@ -9,7 +9,7 @@
 #include "ui/parameters/color_picker.h"
 #include "ui/parameters/number_field.h"
 #include "ui/presets/preset_shelf.h"
-#include "ui/report/ledger_view.h"
+#include "ui/report/frame_report_view.h"
 #include "ui/window/file_opener.h"
 
 #include <QDir>
@@ -173,34 +173,34 @@ private slots:
         QVERIFY(morph() != before);
     }
 
-    void theLedgerNamesExhibitsByTheirTitles()
+    void theFrameReportNamesExhibitsByTheirTitles()
     {
-        LedgerView ledger;
-        ledger.setTitles({{"sdf_morph", "Torus to mug"}});
-        ledger.show();
+        FrameReportView frameReport;
+        frameReport.setTitles({{"sdf_morph", "Torus to mug"}});
+        frameReport.show();
         render::FrameReport report;
         report.ran = {{.name = "sdf_morph/cone", .reason = "it saves steps"}, {.name = "tonemap", .reason = "always"}};
-        ledger.note(report);
+        frameReport.note(report);
         report.skipped.push_back({.name = "sdf_morph", .reason = "out of view"});
-        ledger.note(report);
-        QTRY_COMPARE(ledger.topLevelItemCount(), 3);
-        QCOMPARE(ledger.topLevelItem(2)->text(0), QString("Torus to mug"));
-        QCOMPARE(ledger.topLevelItem(0)->text(0), QString("Torus to mug: cone"));
-        QCOMPARE(ledger.topLevelItem(0)->toolTip(0), QString("sdf_morph/cone"));
-        QCOMPARE(ledger.topLevelItem(1)->text(0), QString("tonemap"));
+        frameReport.note(report);
+        QTRY_COMPARE(frameReport.topLevelItemCount(), 3);
+        QCOMPARE(frameReport.topLevelItem(2)->text(0), QString("Torus to mug"));
+        QCOMPARE(frameReport.topLevelItem(0)->text(0), QString("Torus to mug: cone"));
+        QCOMPARE(frameReport.topLevelItem(0)->toolTip(0), QString("sdf_morph/cone"));
+        QCOMPARE(frameReport.topLevelItem(1)->text(0), QString("tonemap"));
     }
 
-    void theLedgerShowsTheWordsOfItsNarrowColumnsWhole()
+    void theFrameReportShowsTheWordsOfItsNarrowColumnsWhole()
     {
-        LedgerView ledger;
-        ledger.show();
+        FrameReportView frameReport;
+        frameReport.show();
         render::FrameReport report;
         report.ran = {{.name = "tonemap", .reason = "always", .effects = {{.name = "flare"}}}};
-        ledger.note(report);
-        QTRY_COMPARE(ledger.topLevelItemCount(), 2);
-        const QTreeWidgetItem* effect = ledger.topLevelItem(1);
+        frameReport.note(report);
+        QTRY_COMPARE(frameReport.topLevelItemCount(), 2);
+        const QTreeWidgetItem* effect = frameReport.topLevelItem(1);
         QCOMPARE(effect->text(2), QString("in the step above"));
-        QVERIFY(ledger.fontMetrics().horizontalAdvance(effect->text(2)) < ledger.columnWidth(2));
+        QVERIFY(frameReport.fontMetrics().horizontalAdvance(effect->text(2)) < frameReport.columnWidth(2));
     }
 
     void aDeletedPresetComesBackByUndo()
@@ -269,7 +269,8 @@ private slots:
         QTRY_VERIFY(!dock->isVisible());
         QTest::keyClick(&window_->viewport(), Qt::Key_F11, Qt::ShiftModifier);
         QTRY_VERIFY(dock->isVisible());
-        QVERIFY(!window_->findChild<QDockWidget*>("ledger")->isVisible());  // It was closed before and stays closed.
+        QVERIFY(
+            !window_->findChild<QDockWidget*>("frame-report")->isVisible());  // It was closed before and stays closed.
         window_->viewport().setFocus();
         QTest::keyClick(&window_->viewport(), Qt::Key_Tab);
         QTRY_VERIFY(!window_->viewport().hasFocus());

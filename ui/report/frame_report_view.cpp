@@ -1,4 +1,4 @@
-#include "ui/report/ledger_view.h"
+#include "ui/report/frame_report_view.h"
 
 #include "exhibits/compare/pass_costs.h"
 #include "ui/kit/language.h"
@@ -21,9 +21,9 @@ QString millisecondsText(double ms)
 
 }  // namespace
 
-LedgerView::LedgerView(QWidget* parent) : QTreeWidget(parent)
+FrameReportView::FrameReportView(QWidget* parent) : QTreeWidget(parent)
 {
-    setAccessibleName(tr("Ledger"));
+    setAccessibleName(tr("Frame report"));
     setHeaderLabels({tr("Step"), tr("Work"), tr("ms"), tr("Saved"), tr("Why"), tr("B, ms")});
     headerItem()->setToolTip(
         saved, tr("Milliseconds that a skipped pass took when it last ran. “Run everything” measures all of them."));
@@ -43,17 +43,17 @@ LedgerView::LedgerView(QWidget* parent) : QTreeWidget(parent)
     setColumnHidden(other, true);
     timer_.setSingleShot(true);
     timer_.setInterval(500);
-    connect(&timer_, &QTimer::timeout, this, &LedgerView::renew);
+    connect(&timer_, &QTimer::timeout, this, &FrameReportView::renew);
 }
 
-void LedgerView::note(const render::FrameReport& report)
+void FrameReportView::note(const render::FrameReport& report)
 {
     report_ = report;
     costs_.note(report);
     if (isVisible() && !timer_.isActive()) timer_.start();
 }
 
-void LedgerView::noteOther(std::optional<render::FrameReport> report)
+void FrameReportView::noteOther(std::optional<render::FrameReport> report)
 {
     if (!report && !other_) return;
     other_ = std::move(report);
@@ -62,12 +62,12 @@ void LedgerView::noteOther(std::optional<render::FrameReport> report)
     if (isVisible() && !timer_.isActive()) timer_.start();
 }
 
-void LedgerView::setTitles(const QHash<QString, QString>& titles)
+void FrameReportView::setTitles(const QHash<QString, QString>& titles)
 {
     titles_ = titles;
 }
 
-QString LedgerView::stepText(const QString& name) const
+QString FrameReportView::stepText(const QString& name) const
 {
     const qsizetype slash = name.indexOf(QLatin1Char('/'));
     const auto title = titles_.constFind(name.left(slash));
@@ -75,20 +75,20 @@ QString LedgerView::stepText(const QString& name) const
     return slash < 0 ? *title : *title + QStringLiteral(": ") + name.mid(slash + 1);
 }
 
-void LedgerView::showEvent(QShowEvent* event)
+void FrameReportView::showEvent(QShowEvent* event)
 {
     renew();
     QTreeWidget::showEvent(event);
 }
 
-std::vector<std::pair<std::string, double>> LedgerView::otherVariants(const render::StepReport& ran) const
+std::vector<std::pair<std::string, double>> FrameReportView::otherVariants(const render::StepReport& ran) const
 {
     auto others = costs_.variantsOf(ran.name);
     std::erase_if(others, [&](const auto& variant) { return variant.first == ran.variant; });
     return others;
 }
 
-std::vector<LedgerView::Line> LedgerView::lines() const
+std::vector<FrameReportView::Line> FrameReportView::lines() const
 {
     std::vector<Line> all;
     const auto add = [&](const std::string& name, render::Work kind, const QString& ms, const QString& notSpent,
@@ -113,7 +113,7 @@ std::vector<LedgerView::Line> LedgerView::lines() const
     return all;
 }
 
-void LedgerView::addOther(std::vector<Line>& all) const
+void FrameReportView::addOther(std::vector<Line>& all) const
 {
     const auto textOf = [](const PassSide& side) {
         if (side.state == PassSide::State::absent) return QStringLiteral("–");
@@ -147,7 +147,7 @@ void LedgerView::addOther(std::vector<Line>& all) const
                        cost.a != cost.b});
 }
 
-void LedgerView::renew()
+void FrameReportView::renew()
 {
     std::vector<Line> all = lines();
     if (other_) addOther(all);
@@ -178,4 +178,4 @@ void LedgerView::renew()
 
 }  // namespace vitrine::ui
 
-#include "moc_ledger_view.cpp"
+#include "moc_frame_report_view.cpp"

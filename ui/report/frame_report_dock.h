@@ -12,21 +12,21 @@ class QLabel;
 
 namespace vitrine::ui {
 
-class LedgerView;
+class FrameReportView;
 
 /// Dock with the frame report. Above the list are the reason of the last drawing, and the switch that runs every pass.
-class LedgerDock final : public QWidget {
+class FrameReportDock final : public QWidget {
     Q_OBJECT
 
 public:
     /// `reason` is called half a second after the last frame.
-    explicit LedgerDock(std::function<QString()> reason, QWidget* parent = nullptr);
+    explicit FrameReportDock(std::function<QString()> reason, QWidget* parent = nullptr);
 
     void note(const render::FrameReport&);
     /// Sets the frame report of the settings B. Null while B is not drawn: `why` then gives the reason, empty if there
     /// is no B.
     void noteOther(const render::FrameReport*, const QString& why);
-    [[nodiscard]] LedgerView& view() const { return *view_; }
+    [[nodiscard]] FrameReportView& view() const { return *view_; }
     [[nodiscard]] QString reasonText() const;
     /// Text with the number of passes and the milliseconds of the frame, and of B's.
     [[nodiscard]] QString sumsText() const { return sumsText_; }
@@ -44,7 +44,7 @@ private:
     QLabel* reason_;
     QLabel* sums_;
     QCheckBox* everything_;
-    LedgerView* view_;
+    FrameReportView* view_;
     QTimer timer_;
     double milliseconds_ = 0;
     std::size_t ran_ = 0;

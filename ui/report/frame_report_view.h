@@ -15,11 +15,11 @@ namespace vitrine::ui {
 
 /// Frame report of the last frame: passes that ran with their cost, and skipped ones with the reason and their last
 /// cost.
-class LedgerView final : public QTreeWidget {
+class FrameReportView final : public QTreeWidget {
     Q_OBJECT
 
 public:
-    explicit LedgerView(QWidget* parent = nullptr);
+    explicit FrameReportView(QWidget* parent = nullptr);
     [[nodiscard]] const render::StepCosts& costs() const { return costs_; }
     /// Sets the titles that replace the part of a pass's name before the slash: "Torus to Mug: cone" for
     /// "sdf_morph/cone".

@@ -1,4 +1,4 @@
-#include "app/kit/ledger_json.h"
+#include "app/kit/passes_json.h"
 
 #include <string>
 

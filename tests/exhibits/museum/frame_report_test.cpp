@@ -15,7 +15,7 @@ namespace {
 
 using namespace test;
 
-using Ledger = GlTest;
+using FrameReports = GlTest;
 
 /// Returns a small shot of the exhibit (or the hall, 0) from its best view, with small shadow map and probe.
 Shot shotOf(std::size_t exhibit, bool alone)
@@ -42,12 +42,12 @@ double changeByRunningEverything(Shot shot)
     return largestDifference(everything.image, needed.image);
 }
 
-TEST_F(Ledger, RunningEverythingChangesNoBitOfTheHall)
+TEST_F(FrameReports, RunningEverythingChangesNoBitOfTheHall)
 {
     EXPECT_EQ(changeByRunningEverything(shotOf(0, false)), 0);
 }
 
-TEST_F(Ledger, RunningEverythingChangesNoBitOfAnyExhibit)
+TEST_F(FrameReports, RunningEverythingChangesNoBitOfAnyExhibit)
 {
     const Museum& museum = gallery().museum;
     for (const auto& [i, exhibit] : museum.exhibits()) {
@@ -81,7 +81,7 @@ bool begins(std::string_view name, const std::string& start)
     return !start.empty() && name.substr(0, start.size()) == start;
 }
 
-TEST_F(Ledger, AnEffectThatIsOffHasNoPassNoProgramAndNoTexture)
+TEST_F(FrameReports, AnEffectThatIsOffHasNoPassNoProgramAndNoTexture)
 {
     constexpr double fins = static_cast<double>(FurSilhouette::fins), march = static_cast<double>(FurSilhouette::march);
     constexpr double field = static_cast<double>(SdfShown::field), mesh = static_cast<double>(SdfShown::mesh);
@@ -141,7 +141,7 @@ TEST_F(Ledger, AnEffectThatIsOffHasNoPassNoProgramAndNoTexture)
     }
 }
 
-TEST_F(Ledger, SwitchedOffWhileItRunsAnEffectGivesItsTextureBack)
+TEST_F(FrameReports, SwitchedOffWhileItRunsAnEffectGivesItsTextureBack)
 {
     Shot shot = shotOf(gallery().museum.find("sdf_morph").value(), true);
     render::gl::Renderer renderer;
@@ -186,7 +186,7 @@ double colorsDiffer(const Picture& a, const Picture& b)
     return largest;
 }
 
-TEST_F(Ledger, OcclusionOfABlackLightIsNotEvaluated)
+TEST_F(FrameReports, OcclusionOfABlackLightIsNotEvaluated)
 {
     const std::size_t exhibit = *gallery().museum.find("ice_cream");
     const IceCreamTable table;
@@ -207,7 +207,7 @@ TEST_F(Ledger, OcclusionOfABlackLightIsNotEvaluated)
     EXPECT_EQ(colorsDiffer(black.picture, everything.picture), 0);
 }
 
-TEST_F(Ledger, ShadowsOnWhatSendsNoLightOfTheLightsAreNotEvaluated)
+TEST_F(FrameReports, ShadowsOnWhatSendsNoLightOfTheLightsAreNotEvaluated)
 {
     const std::size_t exhibit = *gallery().museum.find("sdf_scenes");
     const SdfScenesTable table;
@@ -227,7 +227,7 @@ TEST_F(Ledger, ShadowsOnWhatSendsNoLightOfTheLightsAreNotEvaluated)
     EXPECT_EQ(colorsDiffer(any.picture, none.picture), 0);
 }
 
-TEST_F(Ledger, TheSmallWorldsSunAndNormalsAreDrawnOnlyForViewsThatShowThem)
+TEST_F(FrameReports, TheSmallWorldsSunAndNormalsAreDrawnOnlyForViewsThatShowThem)
 {
     const std::size_t exhibit = *gallery().museum.find("pixel_art");
     const PixelArtTable table;
@@ -262,7 +262,7 @@ TEST_F(Ledger, TheSmallWorldsSunAndNormalsAreDrawnOnlyForViewsThatShowThem)
     isLeftOut("pixel_art/sun");
 }
 
-TEST_F(Ledger, ASunOfNoStrengthCastsNoShadowPass)
+TEST_F(FrameReports, ASunOfNoStrengthCastsNoShadowPass)
 {
     Shot shot = shotOf(0, false);
     shot.hall().set(hallTable().sunStrength, 0.0);

@@ -1,8 +1,8 @@
-#include "ui/report/ledger_dock.h"
+#include "ui/report/frame_report_dock.h"
 
 #include "ui/kit/language.h"
 #include "ui/kit/numbers.h"
-#include "ui/report/ledger_view.h"
+#include "ui/report/frame_report_view.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>
@@ -11,9 +11,9 @@
 
 namespace vitrine::ui {
 
-LedgerDock::LedgerDock(std::function<QString()> reason, QWidget* parent)
+FrameReportDock::FrameReportDock(std::function<QString()> reason, QWidget* parent)
     : QWidget(parent), askReason_(std::move(reason)), reason_(new QLabel(this)), sums_(new QLabel(this)),
-      everything_(new QCheckBox(tr("Run everything"), this)), view_(new LedgerView(this))
+      everything_(new QCheckBox(tr("Run everything"), this)), view_(new FrameReportView(this))
 {
     everything_->setAccessibleName(tr("Run everything"));
     reason_->setAccessibleName(tr("What is drawn and why"));
@@ -37,13 +37,13 @@ LedgerDock::LedgerDock(std::function<QString()> reason, QWidget* parent)
     all->setSpacing(0);
     all->addLayout(top);
     all->addWidget(view_, 1);
-    connect(everything_, &QCheckBox::toggled, this, &LedgerDock::runEverythingAsked);
+    connect(everything_, &QCheckBox::toggled, this, &FrameReportDock::runEverythingAsked);
     timer_.setSingleShot(true);
     timer_.setInterval(500);
-    connect(&timer_, &QTimer::timeout, this, &LedgerDock::renew);
+    connect(&timer_, &QTimer::timeout, this, &FrameReportDock::renew);
 }
 
-void LedgerDock::note(const render::FrameReport& report)
+void FrameReportDock::note(const render::FrameReport& report)
 {
     view_->note(report);
     milliseconds_ = report.milliseconds;
@@ -54,7 +54,7 @@ void LedgerDock::note(const render::FrameReport& report)
     if (!timer_.isActive()) timer_.start();
 }
 
-void LedgerDock::noteOther(const render::FrameReport* report, const QString& why)
+void FrameReportDock::noteOther(const render::FrameReport* report, const QString& why)
 {
     view_->noteOther(report ? std::optional(*report) : std::nullopt);
     other_ = report ? tr("B: %1 steps, %2 ms")
@@ -64,12 +64,12 @@ void LedgerDock::noteOther(const render::FrameReport* report, const QString& why
     if (!timer_.isActive()) timer_.start();
 }
 
-QString LedgerDock::reasonText() const
+QString FrameReportDock::reasonText() const
 {
     return reasonText_;
 }
 
-void LedgerDock::renew()
+void FrameReportDock::renew()
 {
     reasonText_ = askReason_();
     reason_->setText(reason_->fontMetrics().elidedText(reasonText_, Qt::ElideRight, reason_->width()));
@@ -83,4 +83,4 @@ void LedgerDock::renew()
 
 }  // namespace vitrine::ui
 
-#include "moc_ledger_dock.cpp"
+#include "moc_frame_report_dock.cpp"
