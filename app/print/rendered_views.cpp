@@ -105,9 +105,8 @@ std::string depthText(double meters)
 void checkOptions(const ViewOptions& options)
 {
     if (options.every != 1 || options.pingPong)
-        throw Failure(
-            Blame::usage,
-            "--every and --ping-pong choose among pictures; the views of an exhibit are made as many as --count says.");
+        throw Failure(Blame::usage, "--every and --ping-pong apply to pictures; leave them out, and give the number of "
+                                    "an exhibit's views with --count.");
 }
 
 /// The options of the picture that all views vary, with the size of a view.

@@ -184,14 +184,14 @@
         <translation>„{=1}“ ist der Name eines Bildes und eines Puffers</translation>
     </message>
     <message>
+        <location filename="exhibits/printing/sheet_list.cpp"/>
+        <source>&quot;{1}&quot; must be a number; correct it there, or move the file away to begin a new list.</source>
+        <translation>„{=1}“ muss eine Zahl sein; korrigieren Sie es dort, oder verschieben Sie die Datei, um eine neue Liste zu beginnen.</translation>
+    </message>
+    <message>
         <location filename="render/scene/gltf_animation.cpp"/>
         <source>&quot;{1}&quot; must be an array; export the file again.</source>
         <translation>„{=1}“ muss ein Array sein; exportieren Sie die Datei neu.</translation>
-    </message>
-    <message>
-        <location filename="exhibits/printing/sheet_list.cpp"/>
-        <source>&quot;{1}&quot; must be there and be a number; correct it there, or move the file away, and a new list is begun.</source>
-        <translation>„{=1}“ muss da sein und eine Zahl sein; korrigieren Sie es dort, oder legen Sie die Datei beiseite, und eine neue Liste wird begonnen.</translation>
     </message>
     <message>
         <location filename="exhibits/framework/files/preset_tags.cpp"/>
@@ -366,16 +366,16 @@
     <message>
         <location filename="ui/study/study_chart.cpp"/>
         <source>%1 of %2 settings are drawn.
-Their work is compared when all of them are.</source>
+Their work is compared once all are drawn.</source>
         <translation>%1 von %2 Einstellungen sind gezeichnet.
-Ihre Arbeit wird verglichen, wenn es alle sind.</translation>
+Ihre Arbeit wird verglichen, sobald alle gezeichnet sind.</translation>
     </message>
     <message>
         <location filename="ui/study/study_chart.cpp"/>
         <source>%1 of %2 settings are drawn.
-Times come when all of them are.</source>
+Times are measured once all are drawn.</source>
         <translation>%1 von %2 Einstellungen sind gezeichnet.
-Zeiten kommen, wenn es alle sind.</translation>
+Zeiten werden gemessen, sobald alle gezeichnet sind.</translation>
     </message>
     <message numerus="yes">
         <location filename="ui/study/study_chart.cpp"/>
@@ -442,8 +442,8 @@ Zeiten kommen, wenn es alle sind.</translation>
     </message>
     <message>
         <location filename="ui/print/view_loader.cpp"/>
-        <source>%1 views of %2, small ones to look at</source>
-        <translation>%1 Ansichten von %2, kleine zum Anschauen</translation>
+        <source>%1 views of %2, as small previews</source>
+        <translation>%1 Ansichten von %2, als kleine Vorschau</translation>
     </message>
     <message>
         <location filename="ui/presets/preset_shelf.cpp"/>
@@ -587,11 +587,6 @@ Zeiten nach: %2.</translation>
         <translation>%1: alle Parameter</translation>
     </message>
     <message>
-        <location filename="ui/study/comparison_chart.cpp"/>
-        <source>%1: another metric, left out</source>
-        <translation>%1: anderes Maß, weggelassen</translation>
-    </message>
-    <message>
         <location filename="ui/study/study_view.cpp"/>
         <source>%1: error %2</source>
         <translation>%1: Fehler %2</translation>
@@ -600,6 +595,11 @@ Zeiten nach: %2.</translation>
         <location filename="ui/charts/charts_dock.cpp"/>
         <source>%1: from %2 at %3 to %4 at %5.</source>
         <translation>%1: von %2 bei %3 bis %4 bei %5.</translation>
+    </message>
+    <message>
+        <location filename="ui/study/comparison_chart.cpp"/>
+        <source>%1: left out, because its metric differs</source>
+        <translation>%1: weggelassen, weil das Maß ein anderes ist</translation>
     </message>
     <message>
         <location filename="ui/explore/explore_dock.cpp"/>
@@ -979,11 +979,6 @@ Zeiten nach: %2.</translation>
         <translation>, und {1} weitere</translation>
     </message>
     <message>
-        <location filename="exhibits/study/study_text.cpp"/>
-        <source>, as cheap as at present as far as can be told</source>
-        <translation>, so billig wie jetzt, soweit es sich sagen lässt</translation>
-    </message>
-    <message>
         <location filename="exhibits/study/study.cpp"/>
         <source>, from aside</source>
         <translation>, von der Seite</translation>
@@ -1037,6 +1032,11 @@ Zeiten nach: %2.</translation>
         <location filename="exhibits/study/study_text.cpp"/>
         <source>, the present setting</source>
         <translation>, die jetzige Einstellung</translation>
+    </message>
+    <message>
+        <location filename="exhibits/study/study_text.cpp"/>
+        <source>, with costs that cannot be distinguished from the present ones</source>
+        <translation>, mit Kosten, die sich von den jetzigen nicht unterscheiden lassen</translation>
     </message>
     <message>
         <location filename="exhibits/study/study_text.cpp"/>
@@ -1098,8 +1098,8 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="app/print/rendered_views.cpp"/>
-        <source>--every and --ping-pong choose among pictures; the views of an exhibit are made as many as --count says.</source>
-        <translation>--every und --ping-pong wählen unter Bildern aus; von einem Exponat entstehen so viele Ansichten, wie --count sagt.</translation>
+        <source>--every and --ping-pong apply to pictures; leave them out, and give the number of an exhibit's views with --count.</source>
+        <translation>--every und --ping-pong gelten für Bilder; lassen Sie sie weg, und geben Sie die Anzahl der Ansichten eines Exponats mit --count an.</translation>
     </message>
     <message>
         <location filename="exhibits/printing/view_files.cpp"/>
@@ -1193,8 +1193,8 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
-        <source>--set {1}: the scene has no such parameter and no other.</source>
-        <translation>--set {=1}: Die Szene hat keinen solchen Parameter und auch keinen anderen.</translation>
+        <source>--set {1}: the scene has no parameters.</source>
+        <translation>--set {=1}: Die Szene hat keine Parameter.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
@@ -1616,8 +1616,8 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="exhibits/lenticular/lenticular.cpp"/>
-        <source>; the sheet cannot be: {1}</source>
-        <translation>; die Folie kann nicht sein: {1}</translation>
+        <source>; the sheet is impossible: {1}</source>
+        <translation>; die Folie ist unmöglich: {1}</translation>
     </message>
     <message>
         <location filename="ui/report/frame_report_view.cpp"/>
@@ -2139,8 +2139,8 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="exhibits/study/study.cpp"/>
-        <source>A study goes by an error that falls to 0: study rmse, of which psnr is the decibels.</source>
-        <translation>Eine Studie richtet sich nach einem Fehler, der auf 0 fällt: Untersuchen Sie rmse, dessen Dezibel psnr ist.</translation>
+        <source>A study needs a measure that falls to 0, and psnr rises without end; give rmse, the same error not in decibels.</source>
+        <translation>Eine Studie braucht ein Maß, das auf 0 fällt, und psnr steigt ohne Ende; geben Sie rmse an, denselben Fehler nicht in Dezibel.</translation>
     </message>
     <message>
         <location filename="exhibits/study/study.cpp"/>
@@ -2749,6 +2749,11 @@ Zeiten nach: %2.</translation>
         <translation>Ein unendlicher Zylinder um die y-Achse.</translation>
     </message>
     <message>
+        <location filename="exhibits/sdf_scenes/scene_edit.cpp"/>
+        <source>An instance or an included node has no kind of its own; change it where it is defined.</source>
+        <translation>Eine Instanz oder ein eingebundener Knoten hat keine eigene Art; ändern Sie sie dort, wo der Knoten definiert ist.</translation>
+    </message>
+    <message>
         <location filename="ui/window/application.cpp"/>
         <source>An internal error was caught. The command was not executed; everything else continues.</source>
         <translation>Ein interner Fehler wurde abgefangen. Der Befehl wurde nicht ausgeführt; alles andere läuft weiter.</translation>
@@ -2835,11 +2840,6 @@ Zeiten nach: %2.</translation>
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
         <source>Angle from +y to each end of the arc.</source>
         <translation>Winkel von +y zu jedem Ende des Bogens.</translation>
-    </message>
-    <message>
-        <location filename="ui/print/print_numbers.cpp"/>
-        <source>Angle in which all views are seen once; beyond it they start again.</source>
-        <translation>Winkel, in dem alle Ansichten einmal zu sehen sind; darüber hinaus beginnen sie von vorn.</translation>
     </message>
     <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
@@ -3098,11 +3098,6 @@ Zeiten nach: %2.</translation>
         <location filename="ui/preferences/preferences_dialog.cpp"/>
         <source>As the system</source>
         <translation>Wie das System</translation>
-    </message>
-    <message>
-        <location filename="exhibits/sdf_scenes/asked_scene.cpp"/>
-        <source>asking every shape of so few is as fast</source>
-        <translation>jede Form zu fragen, ist bei so wenigen ebenso schnell</translation>
     </message>
     <message>
         <source>Asteroids</source>
@@ -3503,8 +3498,8 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="exhibits/printing/view_maker.cpp"/>
-        <source>Both ends of the sweep are the same: all views would be; give two different values.</source>
-        <translation>Beide Enden des Durchlaufs sind gleich: Alle Ansichten wären es; geben Sie zwei verschiedene Werte an.</translation>
+        <source>Both ends of the sweep are equal, so that all views would be the same; give two different values.</source>
+        <translation>Beide Enden des Durchlaufs sind gleich, sodass alle Ansichten gleich wären; geben Sie zwei verschiedene Werte an.</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/source_shapes.cpp"/>
@@ -3600,10 +3595,6 @@ Zeiten nach: %2.</translation>
         <source>Box size</source>
         <extracomment>tables</extracomment>
         <translation>Quadergröße</translation>
-    </message>
-    <message>
-        <source>Boxes</source>
-        <translation>Quader</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
@@ -4612,9 +4603,9 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
-        <source>Cells whose lanterns a step of a ray tests: its own, 2 x 2 or 3 x 3 cells, which cut off lanterns beyond, or cell by cell up to each wall, which is exact.</source>
+        <source>Cells whose lanterns a step of a ray tests: only its own, 2 x 2 or 3 x 3 cells (lanterns that reach farther are cut off), or one cell after the other along the ray, which is exact.</source>
         <extracomment>tables</extracomment>
-        <translation>Zellen, deren Laternen ein Schritt eines Strahls prüft: die eigene, 2 x 2 oder 3 x 3 Zellen, was Laternen dahinter abschneidet, oder Zelle für Zelle bis zur Wand, was exakt ist.</translation>
+        <translation>Zellen, deren Laternen ein Schritt eines Strahls prüft: nur die eigene, 2 x 2 oder 3 x 3 Zellen (weiter reichende Laternen werden abgeschnitten), oder eine Zelle nach der anderen entlang des Strahls, was exakt ist.</translation>
     </message>
     <message>
         <location filename="exhibits/noise/noise_table.h"/>
@@ -4660,6 +4651,11 @@ Zeiten nach: %2.</translation>
         <translation>Änderung im Quadrat über ihrem Mittel</translation>
     </message>
     <message>
+        <location filename="ui/print/print_dialog.cpp"/>
+        <source>Change the origin of the views</source>
+        <translation>Herkunft der Ansichten ändern</translation>
+    </message>
+    <message>
         <location filename="ui/tree/tree_dock.cpp"/>
         <source>Change the tree</source>
         <translation>Den Baum ändern</translation>
@@ -4673,11 +4669,6 @@ Zeiten nach: %2.</translation>
         <location filename="ui/window/command_palette.cpp"/>
         <source>Change the value; Shift ten times finer, Ctrl ten times coarser</source>
         <translation>Den Wert ändern; Umschalt zehnmal feiner, Strg zehnmal gröber</translation>
-    </message>
-    <message>
-        <location filename="ui/print/print_dialog.cpp"/>
-        <source>Change where the views come from</source>
-        <translation>Herkunft der Ansichten ändern</translation>
     </message>
     <message>
         <location filename="ui/parameters/parameter_panel.cpp"/>
@@ -5688,6 +5679,11 @@ Zeiten nach: %2.</translation>
         <translation>Kosten</translation>
     </message>
     <message>
+        <location filename="ui/study/comparison_dialog.cpp"/>
+        <source>Cost of the other study at this error</source>
+        <translation>Kosten der anderen Studie bei diesem Fehler</translation>
+    </message>
+    <message>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
         <source>Costs</source>
         <extracomment>tables</extracomment>
@@ -6084,6 +6080,11 @@ Zeiten nach: %2.</translation>
         <source>Depth order</source>
         <extracomment>tables</extracomment>
         <translation>Tiefenfolge</translation>
+    </message>
+    <message>
+        <location filename="ui/print/print_numbers.cpp"/>
+        <source>Depth that the print can show without doubled contours, before and behind it together.</source>
+        <translation>Tiefe, die der Druck ohne doppelte Konturen zeigen kann, vor und hinter ihm zusammen.</translation>
     </message>
     <message>
         <location filename="exhibits/noise/noise_table.h"/>
@@ -6861,14 +6862,6 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Umgebung</translation>
     </message>
     <message>
-        <source>Environment mapping 1</source>
-        <translation>Umgebungsspiegelung 1</translation>
-    </message>
-    <message>
-        <source>Environment mapping 2</source>
-        <translation>Umgebungsspiegelung 2</translation>
-    </message>
-    <message>
         <location filename="exhibits/hall/hall_table.h"/>
         <source>Environment rotation</source>
         <translation>Drehung der Umgebung</translation>
@@ -6896,6 +6889,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <location filename="exhibits/pixel_art/pixel_passes.cpp"/>
         <source>error diffusion is off</source>
         <translation>Fehlerdiffusion ist aus</translation>
+    </message>
+    <message>
+        <location filename="ui/study/comparison_dialog.cpp"/>
+        <source>Error of the other study at this cost</source>
+        <translation>Fehler der anderen Studie bei diesen Kosten</translation>
     </message>
     <message>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
@@ -7688,10 +7686,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Viertes Objekt</translation>
     </message>
     <message>
-        <source>Fractal noise</source>
-        <translation>Fraktales Rauschen</translation>
-    </message>
-    <message>
         <location filename="exhibits/noise/noise_table.h"/>
         <source>fractal sum</source>
         <extracomment>tables</extracomment>
@@ -7845,11 +7839,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="exhibits/printing/print_table.h"/>
         <source>from the zone</source>
         <translation>aus der Zone</translation>
-    </message>
-    <message>
-        <location filename="ui/print/print_numbers.cpp"/>
-        <source>From where to where it reaches, and in brackets what the print holds of it, from the camera.</source>
-        <translation>Von wo bis wo sie reicht, und in Klammern, was der Druck davon fasst, von der Kamera aus.</translation>
     </message>
     <message>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
@@ -8423,9 +8412,9 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
-        <source>Height of the upper edge of the paper.</source>
+        <source>Height of the upper edge of the paper above the middle of the base.</source>
         <extracomment>tables</extracomment>
-        <translation>Höhe des oberen Papierrands.</translation>
+        <translation>Höhe des oberen Papierrands über der Mitte des Sockels.</translation>
     </message>
     <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
@@ -8642,24 +8631,9 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Stunde eines Tages der Tagundnachtgleiche: Sonnenlicht fällt ab drei Uhr durch das Fenster, um sechs geht die Sonne unter.</translation>
     </message>
     <message>
-        <location filename="ui/print/print_numbers.cpp"/>
-        <source>How far the scene may reach before and behind the print, together, without doubled contours.</source>
-        <translation>Wie weit die Szene vor und hinter dem Druck zusammen reichen darf, ohne doppelte Konturen.</translation>
-    </message>
-    <message>
         <location filename="ui/lessons/page_dialog.cpp"/>
         <source>How it works</source>
         <translation>So funktioniert es</translation>
-    </message>
-    <message>
-        <location filename="ui/print/print_numbers.cpp"/>
-        <source>How many views can be told apart.</source>
-        <translation>Wie viele Ansichten sich unterscheiden lassen.</translation>
-    </message>
-    <message>
-        <location filename="ui/study/comparison_dialog.cpp"/>
-        <source>How the other studies stand to the first</source>
-        <translation>Wie die anderen Studien zur ersten stehen</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_sheet.cpp"/>
@@ -8889,10 +8863,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="exhibits/sdf_scenes/operation_kinds.cpp"/>
         <source>Intersection: everything that all children share.</source>
         <translation>Schnitt: alles, was allen Kindern gemeinsam ist.</translation>
-    </message>
-    <message>
-        <source>Intersections</source>
-        <translation>Schnittmengen</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_morph/sdf_morph.cpp"/>
@@ -9198,14 +9168,14 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>nötig sind {1} Bytes, und auf dem Datenträger sind {2} frei; geben Sie Platz frei, oder wählen Sie einen anderen Datenträger.</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_passes.cpp"/>
-        <source>it saves every ray the way to the object</source>
-        <translation>es spart jedem Strahl den Weg zum Objekt</translation>
-    </message>
-    <message>
         <location filename="render/image/picture_rows.cpp"/>
         <source>it says that it is to be shown turned or mirrored, so that its lenses lie elsewhere; use the file as it was written</source>
         <translation>sie sagt, dass sie gedreht oder gespiegelt zu zeigen ist, sodass ihre Linsen anderswo liegen; verwenden Sie die Datei, wie sie geschrieben wurde</translation>
+    </message>
+    <message>
+        <location filename="exhibits/kit/sdf_passes.cpp"/>
+        <source>it shortens the way of every ray to the object</source>
+        <translation>es verkürzt jedem Strahl den Weg zum Objekt</translation>
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream.cpp"/>
@@ -9359,13 +9329,8 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/asked_scene.cpp"/>
-        <source>its numbers have not rested for a while</source>
-        <translation>ihre Zahlen haben eine Weile nicht geruht</translation>
-    </message>
-    <message>
-        <location filename="exhibits/sdf_scenes/scene_edit.cpp"/>
-        <source>Its operation would be left without what it works on; delete or unwrap that one.</source>
-        <translation>Seine Operation bliebe ohne das, worauf sie wirkt; löschen Sie jene, oder packen Sie aus.</translation>
+        <source>its numbers changed a short time ago</source>
+        <translation>die Zahlen haben sich vor Kurzem geändert</translation>
     </message>
     <message>
         <location filename="exhibits/kit/sdf_exhibit.cpp"/>
@@ -9753,9 +9718,9 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <location filename="exhibits/noise/noise_table.h"/>
-        <source>Largest number of steps of a ray to find the field, or the sea as in the reference.</source>
+        <source>Largest number of steps of a ray that searches for the field, or for the sea if its march is that of the reference.</source>
         <extracomment>tables</extracomment>
-        <translation>Höchstzahl der Schritte eines Strahls, um das Feld oder das Meer wie in der Referenz zu finden.</translation>
+        <translation>Höchstzahl der Schritte eines Strahls, der das Feld sucht, oder das Meer, wenn er wie in der Referenz abgeschritten wird.</translation>
     </message>
     <message>
         <location filename="exhibits/kit/sdf_rows.h"/>
@@ -10156,8 +10121,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/hall/hall_tone_mapping.cpp"/>
-        <source>linear light is handed out as it is</source>
-        <translation>lineares Licht wird ausgegeben, wie es ist</translation>
+        <source>linear light is output unchanged</source>
+        <translation>lineares Licht wird unverändert ausgegeben</translation>
     </message>
     <message>
         <location filename="exhibits/hall/hall_tone_mapping.cpp"/>
@@ -10186,11 +10151,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Liste von Grundkörpern</translation>
     </message>
     <message>
-        <location filename="exhibits/sdf_scenes/asked_scene.cpp"/>
-        <source>lists have no numbers in their text</source>
-        <translation>Listen haben keine Zahlen in ihrem Text</translation>
-    </message>
-    <message>
         <location filename="ui/presets/preset_shelf.cpp"/>
         <source>Load %1</source>
         <translation>%1 laden</translation>
@@ -10213,6 +10173,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="render/scene/gltf_materials.cpp"/>
         <source>loading was canceled.</source>
         <translation>das Laden wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <location filename="ui/jobs/job_dialog.cpp"/>
+        <source>Loads all settings from a settings document, or from an exported file that has one beside it.</source>
+        <translation>Lädt alle Einstellungen aus einer Einstellungsdatei, oder aus einer exportierten Datei, neben der eine liegt.</translation>
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
@@ -10652,9 +10617,15 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
-        <source>Method of ambient occlusion: as the shading has it, none, 5 taps along the normal, rays over the hemisphere, or cones.</source>
+        <source>Method of ambient occlusion: the one that belongs to the look, none, 5 taps along the normal, rays over the hemisphere, or cones.</source>
         <extracomment>tables</extracomment>
-        <translation>Verfahren der Umgebungsverdeckung: je nach Beleuchtung, keines, 5 Samples entlang der Normalen, Strahlen über die Halbkugel oder Kegel.</translation>
+        <translation>Verfahren der Umgebungsverdeckung: das der Schattierung, keines, 5 Samples entlang der Normalen, Strahlen über die Halbkugel oder Kegel.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
+        <source>Method of the shadows between shapes: the one that belongs to the look, none, one ray (hard), three estimates of soft shadows from one ray, or many rays (area).</source>
+        <extracomment>tables</extracomment>
+        <translation>Verfahren der Schatten zwischen Formen: das der Schattierung, keines, ein Strahl (hart), drei Schätzungen weicher Schatten aus einem Strahl oder viele Strahlen (Fläche).</translation>
     </message>
     <message>
         <location filename="exhibits/fur/fur_table.h"/>
@@ -10678,12 +10649,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Method to average along a ray: sample by sample, three passes that build on each other's results, or a running sum on a polar grid.</source>
         <extracomment>tables</extracomment>
         <translation>Verfahren der Mittelung entlang eines Strahls: Sample für Sample, drei Passes, die auf den Ergebnissen der vorigen aufbauen, oder eine laufende Summe auf einem Polargitter.</translation>
-    </message>
-    <message>
-        <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
-        <source>Method with which shapes shade each other: as the shading has it, none, one ray (hard), three estimates of soft shadows from one ray, or many rays (area).</source>
-        <extracomment>tables</extracomment>
-        <translation>Verfahren, mit dem Formen einander beschatten: je nach Beleuchtung, keines, ein Strahl (hart), drei Schätzungen weicher Schatten aus einem Strahl oder viele Strahlen (Fläche).</translation>
     </message>
     <message>
         <location filename="exhibits/kit/sdf_rows.h"/>
@@ -11041,6 +11006,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>nächste</translation>
     </message>
     <message>
+        <location filename="ui/print/print_numbers.cpp"/>
+        <source>Nearest and farthest distance of the scene from the camera; in brackets, the range that the print can show.</source>
+        <translation>Kleinste und größte Entfernung der Szene von der Kamera; in Klammern der Bereich, den der Druck zeigen kann.</translation>
+    </message>
+    <message>
         <location filename="exhibits/pixel_art/palette.cpp"/>
         <source>nearest of the palette</source>
         <translation>nächste der Palette</translation>
@@ -11123,8 +11093,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/kit/sdf_passes.cpp"/>
-        <source>no bounce is asked for</source>
-        <translation>keine Spiegelung im Objekt ist verlangt</translation>
+        <source>no bounce is requested</source>
+        <translation>keine Spiegelung ist verlangt</translation>
     </message>
     <message>
         <location filename="exhibits/hall/hall_passes.cpp"/>
@@ -11820,6 +11790,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Zahl der Streuordnungen, die summiert werden: 1 lässt Wolken innen dunkel, jede weitere macht sie weißer.</translation>
     </message>
     <message>
+        <location filename="ui/print/print_numbers.cpp"/>
+        <source>Number of printed dots under one lens: no more views than this are distinguishable.</source>
+        <translation>Anzahl der Druckpunkte unter einer Linse: Mehr Ansichten sind nicht unterscheidbar.</translation>
+    </message>
+    <message>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
         <source>Number of rays over each light, for the area method: few are noisy, many cost more.</source>
         <extracomment>tables</extracomment>
@@ -11863,9 +11838,9 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
-        <source>Number of samples along a ray: few show bands. Each of the three passes takes the cube root of it, the polar grid has two cells per sample.</source>
+        <source>Number of samples along a ray: few show bands. With three passes, each takes the cube root of this number; the polar grid has two cells per sample.</source>
         <extracomment>tables</extracomment>
-        <translation>Zahl der Samples entlang eines Strahls: Wenige zeigen Streifen. Jeder der drei Passes nimmt die dritte Wurzel davon, das Polargitter hat zwei Zellen pro Sample.</translation>
+        <translation>Anzahl der Samples entlang eines Strahls: Wenige zeigen Streifen. Von drei Passes nimmt jeder die dritte Wurzel dieser Zahl; das Polargitter hat zwei Zellen pro Sample.</translation>
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
@@ -11935,9 +11910,9 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
-        <source>Number of the model's animation to play, in the order of its file; 0 is none. Beyond the last, the last is played.</source>
+        <source>Number of the model's animation to play, in the order of its file; 0 is none. Numbers above the last one play the last one.</source>
         <extracomment>tables</extracomment>
-        <translation>Nummer der Animation des Modells, die abgespielt wird, in der Reihenfolge seiner Datei; 0 ist keine. Über die letzte hinaus wird die letzte abgespielt.</translation>
+        <translation>Nummer der Animation des Modells, die abgespielt wird, in der Reihenfolge seiner Datei; 0 ist keine. Nummern über der letzten spielen die letzte ab.</translation>
     </message>
     <message>
         <location filename="exhibits/kit/sdf_rows.h"/>
@@ -11972,6 +11947,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <source>Number of view directions, evenly spaced around the object.</source>
         <translation>Anzahl der Blickrichtungen, gleichmäßig um das Objekt verteilt.</translation>
+    </message>
+    <message>
+        <location filename="ui/print/print_numbers.cpp"/>
+        <source>Number of views that are distinguishable.</source>
+        <translation>Anzahl der Ansichten, die unterscheidbar sind.</translation>
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
@@ -12093,26 +12073,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="ui/print/place_bar.cpp"/>
         <source>of %1</source>
         <translation>von %1</translation>
-    </message>
-    <message>
-        <location filename="render/image/oiio/read.cpp"/>
-        <source>Of its layers {1} is read; &quot;{2}&quot; and others are left out.</source>
-        <translation>Von seinen Ebenen wird {1} gelesen; „{2}“ und andere fallen weg.</translation>
-    </message>
-    <message>
-        <location filename="render/image/oiio/read.cpp"/>
-        <source>Of its layers {1} is read; &quot;{2}&quot; is left out.</source>
-        <translation>Von seinen Ebenen wird {1} gelesen; „{2}“ fällt weg.</translation>
-    </message>
-    <message>
-        <location filename="ui/print/print_numbers.cpp"/>
-        <source>Of the raster, bleed included.</source>
-        <translation>Des Rasters, mit Anschnitt.</translation>
-    </message>
-    <message>
-        <location filename="render/video/video_file.cpp"/>
-        <source>Of the videos only .webp and .apng can be transparent; choose one of them, or frames of PNG.</source>
-        <translation>Von den Videos können nur .webp und .apng transparent sein; wählen Sie eines davon, oder Frames als PNG.</translation>
     </message>
     <message>
         <location filename="ui/parameters/shown_text.cpp"/>
@@ -12299,6 +12259,21 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Nur die erste seiner {1} Seiten wird gelesen.</translation>
     </message>
     <message>
+        <location filename="render/video/video_file.cpp"/>
+        <source>Only the videos .webp and .apng can be transparent; choose one of them, or PNG frames.</source>
+        <translation>Nur die Videos .webp und .apng können transparent sein; wählen Sie eines davon, oder PNG-Frames.</translation>
+    </message>
+    <message>
+        <location filename="render/image/oiio/read.cpp"/>
+        <source>Only {1} is read; the layer &quot;{2}&quot; and others are ignored.</source>
+        <translation>Nur {1} wird gelesen; die Ebene „{2}“ und andere werden nicht beachtet.</translation>
+    </message>
+    <message>
+        <location filename="render/image/oiio/read.cpp"/>
+        <source>Only {1} is read; the layer &quot;{2}&quot; is ignored.</source>
+        <translation>Nur {1} wird gelesen; die Ebene „{2}“ wird nicht beachtet.</translation>
+    </message>
+    <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
         <location filename="exhibits/kit/sdf_rows.h"/>
         <source>opaque</source>
@@ -12469,15 +12444,20 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Ursprung</translation>
     </message>
     <message>
+        <location filename="ui/print/source_bar.cpp"/>
+        <source>Origin of the views</source>
+        <translation>Herkunft der Ansichten</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Origin of the views: rendered from the picture in the window, read from pictures, or cut from a grid of views.</source>
+        <translation>Herkunft der Ansichten: aus dem Bild des Fensters gerendert, aus Bildern gelesen, oder aus einem Raster von Ansichten geschnitten.</translation>
+    </message>
+    <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <source>orthographic</source>
         <extracomment>tables</extracomment>
         <translation>orthografisch</translation>
-    </message>
-    <message>
-        <location filename="exhibits/lenticular/lenticular.cpp"/>
-        <source>Our own is shown in its place until it can be read.</source>
-        <translation>Unser eigener wird an seiner Stelle gezeigt, bis er gelesen werden kann.</translation>
     </message>
     <message>
         <location filename="exhibits/fur/fur_passes.cpp"/>
@@ -13053,11 +13033,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Pixel</translation>
     </message>
     <message>
-        <location filename="exhibits/printing/print_table.h"/>
-        <source>Pixels across a rendered view; more than two for each lens are lost.</source>
-        <translation>Pixel quer über eine gerenderte Ansicht; mehr als zwei pro Linse gehen verloren.</translation>
-    </message>
-    <message>
         <location filename="render/image/image_limits.cpp"/>
         <source>pixels in a row</source>
         <translation>Pixel in einer Zeile</translation>
@@ -13381,10 +13356,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Vorschau eines Presets</translation>
     </message>
     <message>
-        <source>Primitives</source>
-        <translation>Grundformen</translation>
-    </message>
-    <message>
         <location filename="ui/print/print_dialog.cpp"/>
         <location filename="exhibits/printing/print_table.h"/>
         <source>Print</source>
@@ -13414,11 +13385,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/printing/print_table.h"/>
         <source>Printed dots per inch: the native resolution of the printer or a whole fraction of it.</source>
         <translation>Gedruckte Punkte pro Zoll: die native Auflösung des Druckers oder ein ganzer Bruchteil davon.</translation>
-    </message>
-    <message>
-        <location filename="ui/print/print_numbers.cpp"/>
-        <source>Printed dots that one lens covers: no more views than these can be told apart.</source>
-        <translation>Druckpunkte, die eine Linse überdeckt: mehr Ansichten lassen sich nicht unterscheiden.</translation>
     </message>
     <message>
         <location filename="ui/print/strip_preview.cpp"/>
@@ -13653,9 +13619,9 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
-        <source>Radius of the bowl at its rim, between those of its bottom and of its sphere.</source>
+        <source>Radius of the bowl at its rim; at least the radius of its bottom, and at most that of its sphere.</source>
         <extracomment>tables</extracomment>
-        <translation>Radius der Schale am Rand, zwischen dem unten und dem ihrer Kugel.</translation>
+        <translation>Radius der Schale am Rand; mindestens der Radius ihres Bodens und höchstens der ihrer Kugel.</translation>
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
@@ -15463,11 +15429,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Setzt B auf das in der Liste gewählte Preset.</translation>
     </message>
     <message>
-        <location filename="ui/jobs/job_dialog.cpp"/>
-        <source>Sets everything as in a settings document, or as beside a file that was exported.</source>
-        <translation>Stellt alles so ein wie in einer Einstellungsdatei oder wie neben einer ausgegebenen Datei.</translation>
-    </message>
-    <message>
         <location filename="ui/window/window_actions.cpp"/>
         <source>Sets this bookmark to the current view and replaces the old one.</source>
         <translation>Setzt dieses Lesezeichen auf die jetzige Ansicht und ersetzt die alte.</translation>
@@ -15542,10 +15503,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="render/gl/program_cache.cpp"/>
         <source>shaders/{1}, line {2}: {3}</source>
         <translation>shaders/{1}, Zeile {2}: {3}</translation>
-    </message>
-    <message>
-        <source>Shading</source>
-        <translation>Schattierung</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
@@ -15679,9 +15636,9 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
-        <source>Share of metal in all materials: 0 is edible, 1 is bare metal in their colors.</source>
+        <source>Share of metal in all materials: 0 is none, 1 is bare metal in their colors.</source>
         <extracomment>tables</extracomment>
-        <translation>Metallanteil aller Materialien: 0 ist essbar, 1 ist blankes Metall in ihren Farben.</translation>
+        <translation>Metallanteil aller Materialien: 0 ist keiner, 1 ist blankes Metall in ihren Farben.</translation>
     </message>
     <message>
         <location filename="exhibits/kit/sdf_rows.h"/>
@@ -15787,9 +15744,9 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <location filename="exhibits/noise/noise_table.h"/>
-        <source>Sharpness of the wave crests: 0 is a plain sum of sines, 1 is a sea, above 1 crests overturn.</source>
+        <source>Sharpness of the wave crests: 0 is a plain sum of sines, 1 looks like a natural sea, above 1 crests overturn.</source>
         <extracomment>tables</extracomment>
-        <translation>Schärfe der Wellenkämme: 0 ist eine einfache Summe von Sinuswellen, 1 ein Meer, über 1 überschlagen sich Kämme.</translation>
+        <translation>Schärfe der Wellenkämme: 0 ist eine einfache Summe von Sinuswellen, 1 sieht wie ein natürliches Meer aus, über 1 überschlagen sich Kämme.</translation>
     </message>
     <message>
         <location filename="exhibits/fur/fur_table.h"/>
@@ -16170,6 +16127,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Größe des Hüllnetzes, in dem Strahlen laufen, gegenüber dem kleinsten, das das Objekt umschließt: Unter 1 wird es beschnitten.</translation>
     </message>
     <message>
+        <location filename="ui/print/print_numbers.cpp"/>
+        <source>Size of the print's raster in pixels, bleed included.</source>
+        <translation>Größe des Druckrasters in Pixeln, mit Anschnitt.</translation>
+    </message>
+    <message>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
         <source>Size of the spot that a lens shows, relative to the model: 0 is one point of a strip, above 1 neighboring strips bleed in.</source>
         <extracomment>tables</extracomment>
@@ -16471,10 +16433,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Tempo des Mausrads</translation>
     </message>
     <message>
-        <source>Spheres, cylinders, capsules</source>
-        <translation>Kugeln, Zylinder, Kapseln</translation>
-    </message>
-    <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
         <source>Spin</source>
         <translation>Drehen</translation>
@@ -16581,9 +16539,9 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
-        <source>Stage of the build-up, after the slides of its author; each stage includes all before it.</source>
+        <source>Stage of the build-up, in the order of the reference's slides; each stage includes all before it.</source>
         <extracomment>tables</extracomment>
-        <translation>Stufe des Aufbaus, nach den Folien seines Autors; jede Stufe enthält alle davor.</translation>
+        <translation>Stufe des Aufbaus, in der Reihenfolge der Folien der Referenz; jede Stufe enthält alle davor.</translation>
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
@@ -17059,10 +17017,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>study {=1}: {=2} hat keinen solchen Parameter; geben Sie einen an von {=3}</translation>
     </message>
     <message>
-        <source>Subtractions</source>
-        <translation>Differenzen</translation>
-    </message>
-    <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
         <location filename="exhibits/noise/noise_table.h"/>
         <source>Sum</source>
@@ -17436,6 +17390,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>der Aufbau ist noch nicht so weit</translation>
     </message>
     <message>
+        <location filename="exhibits/lenticular/lenticular.cpp"/>
+        <source>The built-in print is shown until it can be read.</source>
+        <translation>Bis er gelesen werden kann, wird der mitgelieferte Druck gezeigt.</translation>
+    </message>
+    <message>
         <location filename="render/plan/history.cpp"/>
         <source>the camera jumped</source>
         <translation>die Kamera ist gesprungen</translation>
@@ -17497,8 +17456,8 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/scene_reader.cpp"/>
-        <source>the child is so wide that {1} copies would be asked at every point; make it smaller or its copies fewer or farther apart</source>
-        <translation>das Kind ist so breit, dass an jedem Punkt {1} Kopien gefragt würden; machen Sie es kleiner, oder seine Kopien weniger oder weiter auseinander</translation>
+        <source>the child is so wide that {1} copies would be evaluated at every point; make it smaller or its copies fewer or farther apart</source>
+        <translation>das Kind ist so breit, dass an jedem Punkt {1} Kopien ausgewertet würden; machen Sie es kleiner, oder seine Kopien weniger oder weiter auseinander</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/operation_kinds.cpp"/>
@@ -17570,6 +17529,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="exhibits/sdf_scenes/source_shapes.cpp"/>
         <source>the corners lie on one line, so it has no area; move one of them aside</source>
         <translation>die Ecken liegen auf einer Geraden, daher hat es keine Fläche; rücken Sie eine davon zur Seite</translation>
+    </message>
+    <message>
+        <location filename="exhibits/study/study_text.cpp"/>
+        <source>The cost of halving the error cannot be estimated from so few points, which vary so much; measure more values.</source>
+        <translation>Was es kostet, den Fehler zu halbieren, lässt sich aus so wenigen und so stark schwankenden Punkten nicht schätzen; messen Sie mehr Werte.</translation>
     </message>
     <message>
         <location filename="ui/window/command_palette.cpp"/>
@@ -17747,6 +17711,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Das frühere A</translation>
     </message>
     <message>
+        <location filename="render/plan/history.cpp"/>
+        <source>the frame does not continue the last one</source>
+        <translation>der Frame setzt den letzten nicht fort</translation>
+    </message>
+    <message>
         <location filename="exhibits/hall/own_objects.cpp"/>
         <source>the free plinth is empty</source>
         <translation>der freie Sockel ist leer</translation>
@@ -17919,6 +17888,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>die Beleuchtung der Referenz hat keine</translation>
     </message>
     <message>
+        <location filename="exhibits/sdf_scenes/asked_scene.cpp"/>
+        <source>the lists of near shapes are still being computed</source>
+        <translation>die Listen naher Formen werden noch berechnet</translation>
+    </message>
+    <message>
         <location filename="render/image/oiio/read.cpp"/>
         <source>the main layer</source>
         <translation>die Hauptebene</translation>
@@ -18023,14 +17997,14 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>die Objekte auf dem Boden haben sich geändert</translation>
     </message>
     <message>
-        <location filename="ui/study/comparison_dialog.cpp"/>
-        <source>The other's cost at this error</source>
-        <translation>Kosten der anderen bei diesem Fehler</translation>
+        <location filename="exhibits/sdf_scenes/scene_edit.cpp"/>
+        <source>The operation around it would have too few children; delete or unwrap the operation.</source>
+        <translation>Die Operation darum herum hätte zu wenige Kinder; löschen Sie sie, oder packen Sie sie aus.</translation>
     </message>
     <message>
         <location filename="ui/study/comparison_dialog.cpp"/>
-        <source>The other's error at this cost</source>
-        <translation>Fehler der anderen bei diesen Kosten</translation>
+        <source>The other studies compared with the first</source>
+        <translation>Die anderen Studien im Vergleich zur ersten</translation>
     </message>
     <message>
         <location filename="exhibits/kit/sdf_passes.cpp"/>
@@ -18086,11 +18060,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/hall/hall_antialiasing.cpp"/>
         <source>the picture moves</source>
         <translation>das Bild bewegt sich</translation>
-    </message>
-    <message>
-        <location filename="render/plan/history.cpp"/>
-        <source>the picture was cut</source>
-        <translation>das Bild wurde geschnitten</translation>
     </message>
     <message>
         <location filename="ui/viewport/viewport.cpp"/>
@@ -18249,8 +18218,8 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/scene_edit.cpp"/>
-        <source>The root cannot be deleted, a scene shows something; change its kind.</source>
-        <translation>Die Wurzel kann nicht gelöscht werden, eine Szene zeigt etwas; ändern Sie ihre Art.</translation>
+        <source>The root cannot be deleted, because every scene has one; change its kind instead.</source>
+        <translation>Die Wurzel kann nicht gelöscht werden, weil jede Szene eine hat; ändern Sie stattdessen ihre Art.</translation>
     </message>
     <message>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
@@ -18323,19 +18292,24 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>die gewählte Technik erzeugt sie nicht</translation>
     </message>
     <message>
+        <location filename="exhibits/sdf_scenes/asked_scene.cpp"/>
+        <source>the shader text of lists contains no numbers</source>
+        <translation>der Shadertext der Listen enthält keine Zahlen</translation>
+    </message>
+    <message>
         <location filename="exhibits/kit/sdf_passes.cpp"/>
         <source>the shadow method is none</source>
         <translation>das Schattenverfahren ist „keines“</translation>
     </message>
     <message>
         <location filename="exhibits/printing/sheet.cpp"/>
-        <source>The sheet &quot;{1}&quot; cannot be: {2}.</source>
-        <translation>Die Folie „{1}“ kann nicht sein: {2}.</translation>
+        <source>The sheet &quot;{1}&quot; is impossible: {2}.</source>
+        <translation>Die Folie „{1}“ ist unmöglich: {2}.</translation>
     </message>
     <message>
         <location filename="exhibits/printing/sheet.cpp"/>
-        <source>The sheet cannot be: {1}.</source>
-        <translation>Die Folie kann nicht sein: {1}.</translation>
+        <source>The sheet is impossible: {1}.</source>
+        <translation>Die Folie ist unmöglich: {1}.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_files.cpp"/>
@@ -18626,8 +18600,8 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <location filename="exhibits/museum/museum_plan.cpp"/>
-        <source>the window opens, and others come first</source>
-        <translation>das Fenster öffnet sich, und andere kommen zuerst</translation>
+        <source>the window is opening, and programs of nearer exhibits are built first</source>
+        <translation>das Fenster öffnet sich, und Programme näherer Exponate werden zuerst gebaut</translation>
     </message>
     <message>
         <location filename="render/image/oiio/rows.cpp"/>
@@ -18653,8 +18627,8 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/scene_mesh.cpp"/>
-        <source>the {1} in line {2} of {3} is stretched too much to have a bound within what is blended, rounded or displaced around it</source>
-        <translation>{=1} in Zeile {2} von {=3} ist zu stark gestreckt, um innerhalb dessen, was darum verschmolzen, gerundet oder verschoben ist, eine Schranke zu haben</translation>
+        <source>the {1} in line {2} of {3} is stretched too much: inside a blended, rounded or displaced node, no bound of its distance is known</source>
+        <translation>{=1} in Zeile {2} von {=3} ist zu stark gestreckt: In einem verschmolzenen, gerundeten oder verschobenen Knoten ist keine Schranke des Abstands bekannt</translation>
     </message>
     <message>
         <location filename="exhibits/printing/print_layout.cpp"/>
@@ -19266,11 +19240,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>das ist glTF {=1}, und gelesen wird Version 2; exportieren Sie es als glTF 2.0.</translation>
     </message>
     <message>
-        <location filename="exhibits/printing/sheet_list.cpp"/>
-        <source>this is no list of lens sheets of version 1; move it away, and a new one is begun.</source>
-        <translation>das ist keine Liste von Linsenfolien der Version 1; legen Sie sie beiseite, und eine neue wird begonnen.</translation>
-    </message>
-    <message>
         <location filename="exhibits/framework/files/preset.cpp"/>
         <source>this is no preset of Vitrine: it says neither format nor version.</source>
         <translation>das ist kein Preset von Vitrine: Es nennt weder Format noch Version.</translation>
@@ -19304,6 +19273,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/framework/files/lesson.cpp"/>
         <source>this is not a lesson; write &quot;vitrine-lesson&quot;.</source>
         <translation>das ist keine Lektion; schreiben Sie „vitrine-lesson“.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/sheet_list.cpp"/>
+        <source>this is not a list of lens sheets of version 1; move the file away to begin a new list.</source>
+        <translation>das ist keine Liste von Linsenfolien der Version 1; verschieben Sie die Datei, um eine neue Liste zu beginnen.</translation>
     </message>
     <message>
         <location filename="render/files/strict_json.cpp"/>
@@ -19429,8 +19403,8 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <location filename="exhibits/printing/sheet_list.cpp"/>
-        <source>this must be a sheet with a name; correct it there, or move the file away, and a new list is begun.</source>
-        <translation>hier muss eine Folie mit einem Namen stehen; korrigieren Sie es dort, oder legen Sie die Datei beiseite, und eine neue Liste wird begonnen.</translation>
+        <source>this must be a sheet with a name; correct it there, or move the file away to begin a new list.</source>
+        <translation>hier muss eine Folie mit einem Namen stehen; korrigieren Sie es dort, oder verschieben Sie die Datei, um eine neue Liste zu beginnen.</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/field_reader.cpp"/>
@@ -19960,10 +19934,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Radius oben</translation>
     </message>
     <message>
-        <source>Tori</source>
-        <translation>Tori</translation>
-    </message>
-    <message>
         <location filename="exhibits/sdf_morph/sdf_morph.h"/>
         <source>Torus to Mug</source>
         <translation>Vom Torus zur Tasse</translation>
@@ -20260,9 +20230,9 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <location filename="exhibits/fur/fur_table.h"/>
-        <source>Unevenness of the draft: 0 leans on the fur steadily and moves nothing, 1 blows in gusts.</source>
+        <source>Unevenness of the draft: 0 is a steady draft that only bends the fur, 1 blows in gusts.</source>
         <extracomment>tables</extracomment>
-        <translation>Ungleichmäßigkeit des Luftzugs: 0 drückt stetig auf das Fell und bewegt nichts, 1 weht in Böen.</translation>
+        <translation>Ungleichmäßigkeit des Luftzugs: 0 ist ein stetiger Luftzug, der das Fell nur beugt, 1 weht in Böen.</translation>
     </message>
     <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
@@ -20288,8 +20258,9 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Vereinigung: alles, was in einem der Kinder liegt.</translation>
     </message>
     <message>
-        <source>Unions</source>
-        <translation>Vereinigungen</translation>
+        <location filename="ui/study/comparison_dialog.cpp"/>
+        <source>Unit of the costs</source>
+        <translation>Einheit der Kosten</translation>
     </message>
     <message>
         <location filename="exhibits/framework/table/preset_values.cpp"/>
@@ -20578,10 +20549,15 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Blickwinkel, über den alle Ansichten einmal zu sehen sind: etwa 30° für Tiefe, 50° für Wechselbilder.</translation>
     </message>
     <message>
+        <location filename="ui/print/print_numbers.cpp"/>
+        <source>Viewing angle over which all views are seen once; beyond it, they repeat.</source>
+        <translation>Blickwinkel, über den alle Ansichten einmal zu sehen sind; darüber hinaus wiederholen sie sich.</translation>
+    </message>
+    <message>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
-        <source>Viewing distance for which the pitch of the strips is made: at it, the whole card shows one view. Large values make it parallel.</source>
+        <source>Viewing distance for which the pitch of the strips is made: from this distance, the whole card shows one view. For large values, strips have the pitch of the lenses.</source>
         <extracomment>tables</extracomment>
-        <translation>Betrachtungsabstand, für den der Abstand der Streifen gemacht ist: Dort zeigt die ganze Karte eine Ansicht. Große Werte sind parallel.</translation>
+        <translation>Betrachtungsabstand, für den der Abstand der Streifen gemacht ist: Aus diesem Abstand zeigt die ganze Karte eine Ansicht. Bei großen Werten haben die Streifen den Abstand der Linsen.</translation>
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
@@ -20879,11 +20855,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>Was ein Server dort hinterließ, lässt sich nicht entfernen ({1}); wählen Sie einen anderen Pfad.</translation>
     </message>
     <message>
-        <location filename="ui/study/comparison_dialog.cpp"/>
-        <source>What costs are counted in</source>
-        <translation>Worin Kosten gezählt werden</translation>
-    </message>
-    <message>
         <location filename="exhibits/study/study_judge.cpp"/>
         <source>What counts as exact is not checked: {1}</source>
         <translation>Was als exakt gilt, ist nicht geprüft: {1}</translation>
@@ -20900,19 +20871,9 @@ steht in assets/SOURCES.md.</translation>
         <translation>Was jeder Strahl kostet</translation>
     </message>
     <message>
-        <location filename="exhibits/study/study_text.cpp"/>
-        <source>What halving the error costs cannot be told from so few points that vary so much: measure more values.</source>
-        <translation>Was es kostet, den Fehler zu halbieren, lässt sich aus so wenigen Punkten, die so stark schwanken, nicht sagen: Messen Sie mehr Werte.</translation>
-    </message>
-    <message>
         <location filename="exhibits/hall/hall_passes.cpp"/>
         <source>what hangs here has turned</source>
         <translation>was hier hängt, hat sich gedreht</translation>
-    </message>
-    <message>
-        <location filename="exhibits/sdf_scenes/scene_edit.cpp"/>
-        <source>What is brought from elsewhere has no kind of its own; change it where it is written.</source>
-        <translation>Was von anderswo kommt, hat keine eigene Art; ändern Sie es dort, wo es geschrieben steht.</translation>
     </message>
     <message>
         <location filename="ui/report/frame_report_dock.cpp"/>
@@ -20925,11 +20886,6 @@ steht in assets/SOURCES.md.</translation>
         <source>what is near</source>
         <extracomment>tables</extracomment>
         <translation>was nah ist</translation>
-    </message>
-    <message>
-        <location filename="exhibits/sdf_scenes/asked_scene.cpp"/>
-        <source>what is near is still being found</source>
-        <translation>was nah ist, wird noch gesucht</translation>
     </message>
     <message>
         <location filename="ui/print/source_bar.cpp"/>
@@ -20997,16 +20953,6 @@ steht in assets/SOURCES.md.</translation>
         <location filename="ui/compare/compare_actions.cpp"/>
         <source>Where B comes from</source>
         <translation>Woher B kommt</translation>
-    </message>
-    <message>
-        <location filename="ui/print/source_bar.cpp"/>
-        <source>Where the views come from</source>
-        <translation>Woher die Ansichten kommen</translation>
-    </message>
-    <message>
-        <location filename="exhibits/printing/print_table.h"/>
-        <source>Where the views come from: rendered from the picture in the window, read from pictures, or cut from a grid of views.</source>
-        <translation>Woher die Ansichten kommen: aus dem Bild des Fensters gerendert, aus Bildern gelesen, oder aus einem Raster von Ansichten geschnitten.</translation>
     </message>
     <message>
         <location filename="app/serve/listener.cpp"/>
@@ -21098,6 +21044,12 @@ steht in assets/SOURCES.md.</translation>
         <translation>Ob die Karte von einem Druck zum anderen und zurück rollt, wie eine Werbetafel.</translation>
     </message>
     <message>
+        <location filename="exhibits/lenticular/lenticular_table.h"/>
+        <source>Whether the color is averaged over the lens and the pixel; without it, one ray per pixel gives moiré from afar.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob die Farbe über Linse und Pixel gemittelt wird; ohne das gibt ein Strahl pro Pixel aus der Ferne Moiré.</translation>
+    </message>
+    <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
         <source>Whether the draft turns the mobile and carries the dust.</source>
         <extracomment>tables</extracomment>
@@ -21144,12 +21096,6 @@ steht in assets/SOURCES.md.</translation>
         <source>Whether the ice cream stands on a plinth.</source>
         <extracomment>tables</extracomment>
         <translation>Ob das Eis auf einem Sockel steht.</translation>
-    </message>
-    <message>
-        <location filename="exhibits/lenticular/lenticular_table.h"/>
-        <source>Whether the lens and the pixel are integrated over; without it, one ray per pixel gives moiré from afar.</source>
-        <extracomment>tables</extracomment>
-        <translation>Ob über Linse und Pixel integriert wird; ohne das gibt ein Strahl pro Pixel aus der Ferne Moiré.</translation>
     </message>
     <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
@@ -21333,6 +21279,11 @@ steht in assets/SOURCES.md.</translation>
         <translation>Breite einer Zelle; nie weniger, als eine Laterne braucht.</translation>
     </message>
     <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Width of a rendered view in pixels; more than two pixels per lens are lost in the print.</source>
+        <translation>Breite einer gerenderten Ansicht in Pixeln; mehr als zwei Pixel pro Linse gehen im Druck verloren.</translation>
+    </message>
+    <message>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
         <source>Width of the blend between posts and rings; 0 joins them sharply.</source>
         <extracomment>tables</extracomment>
@@ -21471,6 +21422,11 @@ steht in assets/SOURCES.md.</translation>
         <location filename="exhibits/printing/print_layout.cpp"/>
         <source>With one view the print shows the same picture from everywhere.</source>
         <translation>Mit einer Ansicht zeigt der Druck von überall dasselbe Bild.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/sdf_scenes/asked_scene.cpp"/>
+        <source>with so few shapes, evaluating all of them is as fast</source>
+        <translation>bei so wenigen Formen ist es ebenso schnell, alle auszuwerten</translation>
     </message>
     <message>
         <location filename="exhibits/study/study_text.cpp"/>

@@ -106,8 +106,8 @@ struct CrepuscularRaysTable final : Parameters {
                                       "each other's results, or a running sum on a polar grid.",
                                       quality(RayMethod::loop), screenSpace and when(sum, RaySum::mean));
     Count samples = count("samples", 216, {1, 4096, logarithmic},
-                          "Number of samples along a ray: few show bands. Each of the three passes takes the cube root "
-                          "of it, the polar grid has two cells per sample.",
+                          "Number of samples along a ray: few show bands. With three passes, each takes the cube root "
+                          "of this number; the polar grid has two cells per sample.",
                           quality(4096), screenSpace);
     Toggle jitter = toggle(
         "jitter", true,

@@ -141,7 +141,7 @@ struct FurTable final : Parameters {
     Direction windDirection =
         direction("windDirection", {1, 0, -0.3}, "Direction in which the draft blows.", whenAbove(wind, 0));
     Real gustiness = real("gustiness", 0.5, none, {0, 1},
-                          "Unevenness of the draft: 0 leans on the fur steadily and moves nothing, 1 blows in gusts.",
+                          "Unevenness of the draft: 0 is a steady draft that only bends the fur, 1 blows in gusts.",
                           whenAbove(wind, 0));
     Real flattening = real("flattening", 0.75, none, {0, 1},
                            "Compression of the fur where it touches something: 0 carries the body on its tips, 1 lets "

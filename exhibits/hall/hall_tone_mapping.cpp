@@ -54,7 +54,7 @@ void planToneMapping(const SceneLighting& lighting, const FrameRequest& request,
     render::Pass average =
         fullscreen(averaged ? "average" : "copy", "lib/copy.frag", source, "frame",
                    averaged ? "sample " + std::to_string(request.sample + 1) + " of " + std::to_string(request.samples)
-                            : "linear light is handed out as it is");
+                            : "linear light is output unchanged");
     average.phase = render::PassPhase::present;
     if (!toneMapped) average.shader.defines.emplace_back("COVERAGE");
     if (averaged && request.sample > 0) {

@@ -66,7 +66,7 @@ struct IceCreamRows : virtual Parameters {
         {"foot",        "collar",     "bowl",           "rings",           "bars",        "smooth wafer",  "one cone",
          "round edges", "repeated",   "joined",         "twisted",         "upper layer", "smooth layers", "candies",
          "colors",      "highlights", "shadow k h / t", "improved shadow", "occlusion",   "fog",           "finished"},
-        "Stage of the build-up, after the slides of its author; each stage includes all before it.");
+        "Stage of the build-up, in the order of the reference's slides; each stage includes all before it.");
     Toggle buildUp = toggle("buildUp", false, "Whether the ice cream is built up stage by stage, again and again.");
     Real stageTime = real("stageTime", 1.5, second, Range{0.05, 60, logarithmic}.soft(0.2, 10),
                           "Time for which each stage is shown.", when(buildUp));
@@ -101,8 +101,9 @@ struct IceCreamRows : virtual Parameters {
                            "Radius of the sphere from which the bowl is cut.");
     Real bowlBottom = real("bowlBottom", 0.2535, meter, Range{0.01, 1}.soft(0.1, 0.32),
                            "Radius of the bowl at its bottom; at most that of its sphere.");
-    Real bowlTop = real("bowlTop", 0.32175, meter, Range{0.01, 1}.soft(0.2, 0.5),
-                        "Radius of the bowl at its rim, between those of its bottom and of its sphere.");
+    Real bowlTop =
+        real("bowlTop", 0.32175, meter, Range{0.01, 1}.soft(0.2, 0.5),
+             "Radius of the bowl at its rim; at least the radius of its bottom, and at most that of its sphere.");
     Count rings = count("rings", 3, {0, 24}, "Number of rings around the foot, evenly spaced over its height.");
     Real ringTube =
         real("ringTube", 0.0075, meter, Range{0.0005, 0.05}.soft(0.002, 0.02), "Radius of the tube of the rings.");
@@ -161,7 +162,7 @@ struct IceCreamRows : virtual Parameters {
     Real candyRoughness =
         real("candyRoughness", 0.65, none, {0, 1}, "Roughness of candies and sprinkles: 0 is a mirror, 1 is chalk.");
     Real metalness = real("metalness", 0.0, none, {0, 1},
-                          "Share of metal in all materials: 0 is edible, 1 is bare metal in their colors.");
+                          "Share of metal in all materials: 0 is none, 1 is bare metal in their colors.");
 
     Group stand = group("Plinth");
     Toggle plinth = toggle("plinth", true, "Whether the ice cream stands on a plinth.");

@@ -69,7 +69,7 @@ struct SdfPlanner {
                                                      .size = PixelBlocks(plan.view.raster, pixelsOfCone).count,
                                                      .nearest = true});
         Pass made =
-            pass("cone", "it saves every ray the way to the object", "lib/fullscreen.vert", "kit/sdf/cone.frag");
+            pass("cone", "it shortens the way of every ray to the object", "lib/fullscreen.vert", "kit/sdf/cone.frag");
         made.phase = render::PassPhase::prepare;
         made.shader.defines.push_back(coneDefine());
         made.colors = {Attachment::cleared(image)};
@@ -123,7 +123,7 @@ struct SdfPlanner {
         const double reflected = around.probeLight.absolute + shaded;
         (void)plan.includeIfEffective(
             made, {named("bounces"), render::boundOf(0, any,
-                                                     {{bounces > 0 ? 1.0 : 0.0, "no bounce is asked for"},
+                                                     {{bounces > 0 ? 1.0 : 0.0, "no bounce is requested"},
                                                       {reflected, "there is no light to reflect"}})});
         made.blocks[BLOCK_PARAMETERS] = derive::uniformBytes(needed);
     }

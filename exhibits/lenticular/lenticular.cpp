@@ -167,7 +167,7 @@ std::shared_ptr<const PreparedPart> Lenticular::prepare(const PrepareContext& co
         if (print.source && !print.source->doubt.empty()) made->doubts.emplace_back(step, print.source->doubt);
         if (!print.failure.empty())
             made->unreadable.push_back({step, unreadableFile(values.rows()[row.row], title(), print.failure),
-                                        print.source ? message("Our own is shown in its place until it can be read.")
+                                        print.source ? message("The built-in print is shown until it can be read.")
                                                      : message("The card is left out until it can be read.")});
         if (!print.source) continue;
         made->faces[static_cast<std::size_t>(face)] = {
@@ -282,7 +282,7 @@ void Lenticular::plan(const PlanContext& context, render::FramePlan& plan) const
     }
     if (pose.roll > 0) scene.reason += ", and one print rolls in after the other";
     for (const auto& [step, doubt] : prepared.doubts) plan.warn(step, doubt);
-    if (!prepared.sheetNote.empty()) scene.reason += "; the sheet cannot be: " + prepared.sheetNote;
+    if (!prepared.sheetNote.empty()) scene.reason += "; the sheet is impossible: " + prepared.sheetNote;
     Pass card = cardPass(scene, pose, prepared, plan);
     Pass count = card;
     drawSurface(card, {.normal = context.channels.normal});

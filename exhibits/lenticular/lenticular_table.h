@@ -86,10 +86,10 @@ struct LenticularTable final : Parameters {
                                   "Number of rays traced over a lens, or over the part of it under a pixel: few show "
                                   "steps between views, many are smooth.",
                                   quality(64), whenLater("prefilter", 1));
-    Toggle prefilter = toggle(
-        "prefilter", true,
-        "Whether the lens and the pixel are integrated over; without it, one ray per pixel gives moiré from afar.",
-        quality(1));
+    Toggle prefilter = toggle("prefilter", true,
+                              "Whether the color is averaged over the lens and the pixel; without it, one ray per "
+                              "pixel gives moiré from afar.",
+                              quality(1));
     Toggle dispersion =
         toggle("dispersion", false, "Whether red, green and blue are refracted separately, by Cauchy's formula.");
     Real abbeNumber =
@@ -104,8 +104,8 @@ struct LenticularTable final : Parameters {
 
     Group printing = group("Printing");
     Real distance = real("distance", 1.6, meter, Range{0.05, 1e6, logarithmic}.soft(0.2, 20),
-                         "Viewing distance for which the pitch of the strips is made: at it, the whole card shows one "
-                         "view. Large values make it parallel.");
+                         "Viewing distance for which the pitch of the strips is made: from this distance, the whole "
+                         "card shows one view. For large values, strips have the pitch of the lenses.");
     Choice<CardStrips> strips = choice("strips", CardStrips::flat, {"flat", "squeezed"},
                                        "Content of a strip: the one color that its lens shows (flat), or its slice of "
                                        "the view, squeezed as in the reference.",

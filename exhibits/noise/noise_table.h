@@ -93,9 +93,10 @@ struct NoiseTable final : Parameters {
     Real windDirection = real("windDirection", degrees(-150), degree, Range{degrees(-180), degrees(180)},
                               "Direction in which the wind blows, from straight ahead: negative is to the left.",
                               physical and (inSea or (inClouds and moving)));
-    Real chop = real("chop", 0.85, none, Range{0, 1.2}.soft(0, 1),
-                     "Sharpness of the wave crests: 0 is a plain sum of sines, 1 is a sea, above 1 crests overturn.",
-                     inSea and physical);
+    Real chop = real(
+        "chop", 0.85, none, Range{0, 1.2}.soft(0, 1),
+        "Sharpness of the wave crests: 0 is a plain sum of sines, 1 looks like a natural sea, above 1 crests overturn.",
+        inSea and physical);
     Real foam = real("foam", 0.5, none, {0, 1}, "Amount of foam on the crests: 0 is none, high foams early.",
                      inSea and physical);
     Color water = color("water", {0.016, 0.075, 0.085}, "Color of deep water in daylight.", inSea and physical);
@@ -139,7 +140,8 @@ struct NoiseTable final : Parameters {
                            "is quicker but may miss details.",
                            exactAt(1), (inField or inSea) and physical and when(march, NoiseMarch::bounded));
     Count stepLimit = count("stepLimit", 160, {1, 1024, logarithmic},
-                            "Largest number of steps of a ray to find the field, or the sea as in the reference.",
+                            "Largest number of steps of a ray that searches for the field, or for the sea if its march "
+                            "is that of the reference.",
                             quality(1024), inField or (inSea and when(look, NoiseLook::reference)));
     Real hitTolerance =
         real("hitTolerance", 0.5, none, Range{0.01, 16, logarithmic}.soft(0.1, 4),

@@ -94,8 +94,8 @@ struct PaperLanternsTable final : Parameters {
 
     Group shape = foldedGroup("Shape");
     Real paperRadius = real("paperRadius", 0.75, meter, Range{0.1, 3}.soft(0.3, 1.2), "Radius of the paper tube.");
-    Real paperHeight =
-        real("paperHeight", 2, meter, Range{0.2, 8}.soft(0.6, 4), "Height of the upper edge of the paper.");
+    Real paperHeight = real("paperHeight", 2, meter, Range{0.2, 8}.soft(0.6, 4),
+                            "Height of the upper edge of the paper above the middle of the base.");
     Real paperWall =
         real("paperWall", 0.06, meter, Range{0.005, 0.3}.soft(0.01, 0.15), "Thickness of the paper as it is drawn.");
     Real baseWidth = real("baseWidth", 2.2, meter, Range{0.2, 6}.soft(1, 3), "Side length of the wooden base.");
@@ -159,8 +159,8 @@ struct PaperLanternsTable final : Parameters {
     Group accuracy = foldedGroup("Accuracy");
     Choice<LakeRepetition> repetition =
         choice("repetition", LakeRepetition::cellWall, {"own cell", "2 x 2 cells", "3 x 3 cells", "to the cell's wall"},
-               "Cells whose lanterns a step of a ray tests: its own, 2 x 2 or 3 x 3 cells, which cut off lanterns "
-               "beyond, or cell by cell up to each wall, which is exact.",
+               "Cells whose lanterns a step of a ray tests: only its own, 2 x 2 or 3 x 3 cells (lanterns that reach "
+               "farther are cut off), or one cell after the other along the ray, which is exact.",
                exactAt(LakeRepetition::cellWall), afloat);
     Count bounces =
         count("bounces", 1, {0, 3}, "Number of times that the water may reflect a ray: 0 shows no reflections.",

@@ -29,8 +29,8 @@ struct PixelArtTable final : Parameters {
     Toggle turn = toggle("turn", true, "Whether the model turns about the vertical axis, once per round of 4 s.",
                          whenGiven(model));
     Count animation = count("animation", 1, Range{0, 1000}.soft(0, 8),
-                            "Number of the model's animation to play, in the order of its file; 0 is none. Beyond the "
-                            "last, the last is played.",
+                            "Number of the model's animation to play, in the order of its file; 0 is none. Numbers "
+                            "above the last one play the last one.",
                             whenGiven(model));
     Real animationSpeed = real("animationSpeed", 1, none, Range{0, 100}.soft(0, 4),
                                "Speed of the model's animation: 1 is as in its file, 0 stops it.",

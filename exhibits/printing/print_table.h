@@ -25,12 +25,12 @@ enum class PrintBits : int { eight, sixteen };
 struct PrintTable final : Parameters {
     Group viewGroup = group("Views");
     Choice<ViewOrigin> origin = choice("origin", ViewOrigin::shown, {"what is shown", "files", "quilt"},
-                                       "Where the views come from: rendered from the picture in the window, read from "
+                                       "Origin of the views: rendered from the picture in the window, read from "
                                        "pictures, or cut from a grid of views.");
     Count views = count("views", 12, Range{1, mostViews, logarithmic}.soft(2, 48),
                         "Number of views to render, or to choose evenly from the files.");
     Count viewWidth = count("viewWidth", 960, Range{64, 8192, logarithmic}.soft(256, 4096),
-                            "Pixels across a rendered view; more than two for each lens are lost.");
+                            "Width of a rendered view in pixels; more than two pixels per lens are lost in the print.");
     Count samples = count("samples", 16, {1, 256, logarithmic},
                           "Samples per pixel of a rendered view, each view with noise of its own.", quality(256));
     Real baselineScale = real("baselineScale", 1, none, Range{0, 4}.soft(0, 2),

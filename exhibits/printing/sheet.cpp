@@ -12,7 +12,7 @@ namespace {
 [[noreturn]] void refuse(const Sheet& sheet, const std::string& why)
 {
     throw Failure(Blame::usage,
-                  "The sheet" + (sheet.name.empty() ? "" : " \"" + sheet.name + "\"") + " cannot be: " + why + ".");
+                  "The sheet" + (sheet.name.empty() ? "" : " \"" + sheet.name + "\"") + " is impossible: " + why + ".");
 }
 
 void requirePositive(const Sheet& sheet, double value, const char* what)

@@ -19,13 +19,12 @@ Sheet sheetFrom(const render::JsonDocument& document, std::size_t i)
     const Json& json = document.root()["sheets"][i];
     if (!json.is_object() || !json.contains("name") || !json["name"].is_string())
         throw document.failure(
-            place,
-            "this must be a sheet with a name; correct it there, or move the file away, and a new list is begun.");
+            place, "this must be a sheet with a name; correct it there, or move the file away to begin a new list.");
     const auto number = [&](const char* key) {
         if (!json.contains(key) || !json[key].is_number())
             throw document.failure(place, std::string("\"") + key +
-                                              "\" must be there and be a number; correct it there, or move the file "
-                                              "away, and a new list is begun.");
+                                              "\" must be a number; correct it there, or move the file "
+                                              "away to begin a new list.");
         return json[key].get<double>();
     };
     Sheet sheet{json["name"].get<std::string>(),
@@ -86,8 +85,8 @@ std::vector<Sheet> SheetList::own() const
     const Json& root = document.root();
     if (!root.is_object() || root.value("format", Json()) != "vitrine-sheets" || root.value("version", Json()) != 1 ||
         !root.contains("sheets") || !root["sheets"].is_array()) {
-        throw document.failure("",
-                               "this is no list of lens sheets of version 1; move it away, and a new one is begun.");
+        throw document.failure(
+            "", "this is not a list of lens sheets of version 1; move the file away to begin a new list.");
     }
     std::vector<Sheet> sheets;
     for (std::size_t i = 0; i < root["sheets"].size(); ++i) sheets.push_back(sheetFrom(document, i));

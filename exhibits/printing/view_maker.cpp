@@ -74,8 +74,9 @@ void sweep(std::vector<ViewShot>& shots, const SceneState& from, const SceneStat
         }
     }
     if (!anything)
-        throw Failure(Blame::usage,
-                      "Both ends of the sweep are the same: all views would be; give two different values.");
+        throw Failure(
+            Blame::usage,
+            "Both ends of the sweep are equal, so that all views would be the same; give two different values.");
 }
 
 ViewMaker::ViewMaker(const Museum& museum, render::RenderBackend& backend, std::vector<ViewShot> shots, Take take)

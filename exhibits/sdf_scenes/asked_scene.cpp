@@ -75,11 +75,11 @@ AskedScene unfolded(const ShownScene& shown, const SceneWords& words, SceneEvalu
     if (way == SceneEvaluation::shapes) return everyShape(shown, words);
     const bool automatic = way == SceneEvaluation::automatic;
     if (automatic && shapesOf(*shown.program) < manyShapes && !isInBuffer(*shown.program))
-        return everyShape(shown, words, "asking every shape of so few is as fast");
+        return everyShape(shown, words, "with so few shapes, evaluating all of them is as fast");
     if (!hasLists(ListVocabulary::of(*shown.program)))
         return everyShape(shown, words, "the tree is nested too deep for lists");
     const std::shared_ptr<const AskedScene> made = byLists(shown, words, assets);
-    if (!made) return everyShape(shown, words, "what is near is still being found");
+    if (!made) return everyShape(shown, words, "the lists of near shapes are still being computed");
     const bool noCells = made->near->cells.cells.empty();
     const char* const noEnd = !noCells ? ""
                               : made->near->crowded
@@ -136,9 +136,9 @@ std::vector<char> steadyWords(const SceneProgram& program)
 std::string whyNotFolded(const ShownScene& shown, const AskedScene& asked, SceneEvaluation way, SceneRest rest)
 {
     if (way != SceneEvaluation::automatic) return "numbers are folded by themselves where the evaluation is automatic";
-    if (asked.near) return "lists have no numbers in their text";
+    if (asked.near) return "the shader text of lists contains no numbers";
     if (shapesOf(*shown.program) > mostFolded) return "so many numbers take too long to be built into a program";
-    return rest == SceneRest::nothing ? "its numbers have not rested for a while" : "";
+    return rest == SceneRest::nothing ? "its numbers changed a short time ago" : "";
 }
 
 }  // namespace

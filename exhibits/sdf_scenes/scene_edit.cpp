@@ -124,7 +124,7 @@ const NodeKind& SceneEdit::kindOf(std::uint32_t node) const
 {
     const auto word = text_.member(node, "kind");
     const NodeKind* kind = word ? findKind(text_.string(*word)) : nullptr;
-    if (!kind) refuse("What is brought from elsewhere has no kind of its own; change it where it is written.");
+    if (!kind) refuse("An instance or an included node has no kind of its own; change it where it is defined.");
     return *kind;
 }
 
@@ -206,7 +206,7 @@ EditedScene SceneEdit::removed(std::string_view node) const
         const auto operation = operationOf(gone);
         if (!operation) {
             if (text_.wholePath(gone) == "root")
-                refuse("The root cannot be deleted, a scene shows something; change its kind.");
+                refuse("The root cannot be deleted, because every scene has one; change its kind instead.");
             return {text_.without(gone), "root"};
         }
         const std::vector<std::uint32_t> children = childrenOf(*operation);
@@ -251,7 +251,7 @@ EditedScene SceneEdit::moved(std::string_view node, std::string_view parent, std
     if (kindOf(to).form != Form::operands || !toList)
         refuse("A " + std::string(kindOf(to).name) + " takes no further child; wrap it in a union first.");
     if (!fromList || !operation || kindOf(*operation).form != Form::operands || childrenOf(*operation).size() < 2)
-        refuse("Its operation would be left without what it works on; delete or unwrap that one.");
+        refuse("The operation around it would have too few children; delete or unwrap the operation.");
     const std::string path = text_.wholePath(from);
     const std::string target = text_.wholePath(*toList);
     if (target.compare(0, path.size(), path) == 0 && (target.size() == path.size() || target[path.size()] == '.'))

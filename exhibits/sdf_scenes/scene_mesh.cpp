@@ -59,8 +59,8 @@ std::string endlessPart(const SceneField& field)
            " of " + file.name() +
            (isAlone || node.kind->form == Form::repeater
                 ? " goes on without end"
-                : " is stretched too much to have a bound within what is blended, rounded or displaced "
-                  "around it");
+                : " is stretched too much: inside a blended, rounded or displaced node, no bound of its "
+                  "distance is known");
 }
 
 render::Box meshedBox(const SceneField& scene, const MeshRequest& request)

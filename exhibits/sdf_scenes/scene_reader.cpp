@@ -361,7 +361,7 @@ void SceneReader::checkRepeaters(const std::shared_ptr<const Scene>& scene)
         findings_.add(
             *scene->files[node.origin.file].text, node.origin.value,
             "the child is so wide that " + sentenceNumber(words.asked[i]) +
-                " copies would be asked at every point; make it smaller or its copies fewer or farther apart");
+                " copies would be evaluated at every point; make it smaller or its copies fewer or farther apart");
     }
 }
 

@@ -50,7 +50,7 @@ struct SdfScenesTable final : Parameters {
     Choice<SceneShadow> shadowMethod =
         choice("shadowMethod", SceneShadow::look,
                {"as the look has it", "none", "hard", "classic", "improved", "signed", "area"},
-               "Method with which shapes shade each other: as the shading has it, none, one ray (hard), three "
+               "Method of the shadows between shapes: the one that belongs to the look, none, one ray (hard), three "
                "estimates of soft shadows from one ray, or many rays (area).",
                quality(SceneShadow::area));
     Count shadowRays =
@@ -68,8 +68,8 @@ struct SdfScenesTable final : Parameters {
                              rightIs("rightShadowMethod", SceneShadow::area));
     Choice<SceneOcclusion> occlusionMethod =
         choice("occlusionMethod", SceneOcclusion::look, {"as the look has it", "none", "5 taps", "hemisphere", "cones"},
-               "Method of ambient occlusion: as the shading has it, none, 5 taps along the normal, rays over the "
-               "hemisphere, or cones.",
+               "Method of ambient occlusion: the one that belongs to the look, none, 5 taps along the normal, rays "
+               "over the hemisphere, or cones.",
                quality(SceneOcclusion::hemisphere));
     Count occlusionRays = count(
         "occlusionRays", 32, {1, 512, logarithmic},

@@ -38,8 +38,8 @@ Study::Study(const Museum& museum, render::RenderBackend& backend, StudyRequest 
         throw Failure(Blame::usage,
                       "A study needs a parameter that is marked as quality; `vitrine list --json` names them.");
     if (render::metricInfo(request_.metric).falls)
-        throw Failure(Blame::usage,
-                      "A study goes by an error that falls to 0: study rmse, of which psnr is the decibels.");
+        throw Failure(Blame::usage, "A study needs a measure that falls to 0, and psnr rises without end; give rmse, "
+                                    "the same error not in decibels.");
     if (queue_.isPart() && request_.axes.size() > 2)
         throw Failure(Blame::usage,
                       "A study over three parameters or more searches: which settings it measures depends on those "

@@ -98,7 +98,7 @@ std::string besidePresent(const StudyResult& result, const StudyPoint& chosen)
     const StudyPoint& present = result.points[*result.present];
     if (&present == &chosen) return ", the present setting";
     if (present.cost <= 0 || chosen.cost <= 0) return {};
-    if (result.costsTheSame(present, chosen)) return ", as cheap as at present as far as can be told";
+    if (result.costsTheSame(present, chosen)) return ", with costs that cannot be distinguished from the present ones";
     const double ratio = present.cost / chosen.cost;
     return ratio > 1 ? ", " + shortNumber(ratio) + " times cheaper than at present"
                      : ", " + shortNumber(1 / ratio) + " times the cost of the present setting";
@@ -171,7 +171,8 @@ std::string lawSentence(const StudyCosts& costs)
     const double low = factor(interval.high);
     const double high = factor(interval.low);
     if (!(low > 0) || !(high <= widestFactor * low))
-        return "What halving the error costs cannot be told from so few points that vary so much: measure more values.";
+        return "The cost of halving the error cannot be estimated from so few points, which vary so much; measure more "
+               "values.";
     const std::string what =
         costs.parameters > 1 ? "With the best of the settings, halving the error" : "Halving the error";
     return what + " costs " + shortNumber(factor(costs.law->slope)) + " times the " + costTitle(costs.name) + " (" +

@@ -24,7 +24,7 @@ std::string whyCameraLost(const History& history, const View& now, const View& l
 std::string whyLost(const History& history, const View& now, double time, bool cut, const HistoryRecord* last)
 {
     if (!last) return "nothing was drawn before";
-    if (cut) return "the picture was cut";
+    if (cut) return "the frame does not continue the last one";
     if (!sameStorage(history.image, last->image)) return "the image has another form";
     if (std::string why = whyCameraLost(history, now, last->view); !why.empty()) return why;
     const bool clockRuns = time >= last->time && time - last->time <= history.cutSeconds;

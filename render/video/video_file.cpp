@@ -69,7 +69,7 @@ std::string whyNoVideo(const VideoSpec& spec)
         return "A GIF counts in hundredths of a second, and programs show no more than 50 frames a second of it; give "
                "at most 50, or choose .webp or .apng.";
     if (spec.transparent && spec.format != VideoFormat::webp && spec.format != VideoFormat::apng)
-        return "Of the videos only .webp and .apng can be transparent; choose one of them, or frames of PNG.";
+        return "Only the videos .webp and .apng can be transparent; choose one of them, or PNG frames.";
     return {};
 }
 

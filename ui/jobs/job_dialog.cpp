@@ -151,7 +151,8 @@ void JobDialog::buildBar()
                              said(job_.title()), filtersOf(job_), extensionOf(job_)},
                             this);
     QPushButton* load = export_->addButton(
-        tr("Load settings…"), tr("Sets everything as in a settings document, or as beside a file that was exported."));
+        tr("Load settings…"),
+        tr("Loads all settings from a settings document, or from an exported file that has one beside it."));
     connect(load, &QPushButton::clicked, this, &JobDialog::chooseDocument);
     QPushButton* copy =
         export_->addButton(tr("Copy command"), tr("A line for a terminal, which writes the same files."));

@@ -170,7 +170,7 @@ void PrintDialog::connectSetup()
         state.files.clear();
         state.values.set(printing::printTable().origin, origin);
         state.values.set(printing::printTable().places, std::string());
-        setup_.change(tr("Change where the views come from"), state);
+        setup_.change(tr("Change the origin of the views"), state);
     });
     connect(source_, &SourceBar::filesChosen, this, &PrintDialog::open);
     connect(sheets_, &SheetBar::failed, this,

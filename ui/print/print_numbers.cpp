@@ -107,18 +107,17 @@ QLayout* PrintNumbersView::buildNumbers()
     grid->setHorizontalSpacing(16);
     grid->setVerticalSpacing(4);
     perLens_ = addNumber(tr("Pixels per lens"),
-                         tr("Printed dots that one lens covers: no more views than these can be told apart."));
+                         tr("Number of printed dots under one lens: no more views than this are distinguishable."));
     lpi_ = addNumber(tr("LPI in the file"),
                      tr("Lenses per inch of the strips, with the resolution as the file stores it."));
-    views_ = addNumber(tr("Views that show"), tr("How many views can be told apart."));
-    zone_ = addNumber(tr("Viewing zone"), tr("Angle in which all views are seen once; beyond it they start again."));
-    depth_ =
-        addNumber(tr("Depth budget"),
-                  tr("How far the scene may reach before and behind the print, together, without doubled contours."));
-    scene_ =
-        addNumber(tr("Scene"),
-                  tr("From where to where it reaches, and in brackets what the print holds of it, from the camera."));
-    size_ = addNumber(tr("Size"), tr("Of the raster, bleed included."));
+    views_ = addNumber(tr("Views that show"), tr("Number of views that are distinguishable."));
+    zone_ =
+        addNumber(tr("Viewing zone"), tr("Viewing angle over which all views are seen once; beyond it, they repeat."));
+    depth_ = addNumber(tr("Depth budget"),
+                       tr("Depth that the print can show without doubled contours, before and behind it together."));
+    scene_ = addNumber(tr("Scene"), tr("Nearest and farthest distance of the scene from the camera; in brackets, the "
+                                       "range that the print can show."));
+    size_ = addNumber(tr("Size"), tr("Size of the print's raster in pixels, bleed included."));
     bytes_ = addNumber(tr("File"), tr("Uncompressed."));
     for (std::size_t i = 0; i < numbers_.size(); ++i) {
         const int row = static_cast<int>(i) / 2;

@@ -22,7 +22,7 @@ SourceBar::SourceBar(bool canShow, PrintSetup& setup, QWidget* parent)
     if (canShow) origin_->addItem(tr("What is shown"), static_cast<int>(printing::ViewOrigin::shown));
     origin_->addItem(tr("Pictures"), static_cast<int>(printing::ViewOrigin::files));
     origin_->addItem(tr("Quilt"), static_cast<int>(printing::ViewOrigin::quilt));
-    origin_->setAccessibleName(tr("Where the views come from"));
+    origin_->setAccessibleName(tr("Origin of the views"));
     origin_->setToolTip(
         tr("Views rendered from the picture in the window, read from a folder or a list of pictures,\nor cut from one "
            "picture with a grid of views. A folder or pictures can also be dropped here."));

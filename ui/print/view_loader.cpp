@@ -102,7 +102,7 @@ void ViewLoader::take(std::shared_ptr<const printing::PrintViews> views,
     const QString from = files.isEmpty()     ? tr("what is shown")
                          : files.size() == 1 ? QFileInfo(files.front()).fileName()
                                              : tr("%1 pictures").arg(files.size());
-    emit said(draft ? tr("%1 views of %2, small ones to look at").arg(views_->count()).arg(from)
+    emit said(draft ? tr("%1 views of %2, as small previews").arg(views_->count()).arg(from)
                     : tr("%1 views from %2").arg(views_->count()).arg(from));
     emit changed();
 }

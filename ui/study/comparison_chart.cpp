@@ -70,8 +70,9 @@ void ComparisonChart::addCurve(std::size_t index)
     QColor faint = color;
     faint.setAlphaF(faintness);
     QCPGraph* front = addGraph();
-    nameInLegend(*front, curve.leftOut ? tr("%1: another metric, left out").arg(QString::fromStdString(curve.label))
-                                       : QString::fromStdString(curve.label));
+    nameInLegend(*front, curve.leftOut
+                             ? tr("%1: left out, because its metric differs").arg(QString::fromStdString(curve.label))
+                             : QString::fromStdString(curve.label));
     front->setPen(QPen(color, 2, look.line));
     front->setScatterStyle(
         QCPScatterStyle(look.mark, QPen(color, 1.6), index == 0 ? QBrush(color) : QBrush(theme().base), 9));

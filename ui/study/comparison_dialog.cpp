@@ -35,8 +35,8 @@ QStringList differenceColumns(const StudyComparison& comparison)
             ComparisonDialog::tr("Setting of %1").arg(first),
             comparedCostTitle(comparison.cost),
             ComparisonDialog::tr("Its error"),
-            ComparisonDialog::tr("The other's error at this cost"),
-            ComparisonDialog::tr("The other's cost at this error")};
+            ComparisonDialog::tr("Error of the other study at this cost"),
+            ComparisonDialog::tr("Cost of the other study at this error")};
 }
 
 QStringList differenceTexts(const StudyComparison& comparison, const StudyDifference& d)
@@ -75,7 +75,7 @@ ComparisonDialog::ComparisonDialog(std::vector<KeptStudy> studies, QWidget* pare
     setWindowFlag(Qt::WindowMaximizeButtonHint);
     why_->setWordWrap(true);
     why_->setTextFormat(Qt::PlainText);
-    table_->setAccessibleName(tr("How the other studies stand to the first"));
+    table_->setAccessibleName(tr("The other studies compared with the first"));
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->verticalHeader()->hide();
@@ -98,7 +98,7 @@ ComparisonDialog::ComparisonDialog(std::vector<KeptStudy> studies, QWidget* pare
 
 QLayout* ComparisonDialog::top()
 {
-    cost_->setAccessibleName(tr("What costs are counted in"));
+    cost_->setAccessibleName(tr("Unit of the costs"));
     for (const std::string& cost : sharedCosts(studies_))
         cost_->addItem(comparedCostTitle(cost), QString::fromStdString(cost));
     QStringList sentences{timesDifferText(timesDiffer(studies_))};

@@ -443,9 +443,9 @@ ChartedStudy charted(Subjects subjects, const StudyRequest& request, const Study
     const int all = static_cast<int>(result.points.size());
     if (axis == CostAxis::time)
         study.emptyText =
-            StudyChart::tr("%1 of %2 settings are drawn.\nTimes come when all of them are.").arg(drawn).arg(all);
+            StudyChart::tr("%1 of %2 settings are drawn.\nTimes are measured once all are drawn.").arg(drawn).arg(all);
     else if (drawn < all)
-        study.emptyText = StudyChart::tr("%1 of %2 settings are drawn.\nTheir work is compared when all of them are.")
+        study.emptyText = StudyChart::tr("%1 of %2 settings are drawn.\nTheir work is compared once all are drawn.")
                               .arg(drawn)
                               .arg(all);
     else

@@ -97,8 +97,8 @@ std::vector<double> parametersOf(const scenes::Scene& scene, const ParameterValu
         while (i < all.size() && scene.parameters()[i].name != name) ++i;
         if (i == all.size()) {
             const std::string names = joined(scene.parameters(), ", ", &scenes::SceneParameter::name);
-            throw Failure(Blame::usage, "--set " + name + ": the scene has no such parameter" +
-                                            (names.empty() ? " and no other." : "; it has " + names + "."));
+            throw Failure(Blame::usage, "--set " + name + ": the scene has no " +
+                                            (names.empty() ? "parameters." : "such parameter; it has " + names + "."));
         }
         const scenes::SceneParameter& parameter = scene.parameters()[i];
         std::optional<double> value = evaluate(typed, Unit::none);

@@ -93,8 +93,8 @@ std::string chooseColor(OIIO::ImageInput& input, ChannelChoice& choice, std::vec
             choice = onlyColor(color);
             const std::string layer = color.layer.empty() ? "the main layer" : "the layer \"" + color.layer + "\"";
             if (!color.otherLayers.empty())
-                warnings.push_back("Of its layers " + layer + " is read; \"" + color.otherLayers.front() +
-                                   (color.otherLayers.size() > 1 ? "\" and others are left out." : "\" is left out."));
+                warnings.push_back("Only " + layer + " is read; the layer \"" + color.otherLayers.front() +
+                                   (color.otherLayers.size() > 1 ? "\" and others are ignored." : "\" is ignored."));
             return {};
         }
         if (problem.empty()) problem = color.problem;

@@ -238,7 +238,7 @@ const std::map<std::string, Claim>& claims()
         {"glass scatters nothing of the room's light",
          [](const Skipped& s) { return s.number("material") == 1 && s.number("heatMap") == 0; }},
         {"the shadow method is none", isZero("shadowMethod")},
-        {"no bounce is asked for", isZero("bounces")},
+        {"no bounce is requested", isZero("bounces")},
         {"the field is shown", isZero("shownAs")},
         {"a mesh is shown instead of the field", is("shownAs", 1)},
         {"the overlay is switched off", isZero("showBox")},
@@ -344,10 +344,10 @@ const std::map<std::string, Claim>& claims()
         {"the reference has no glass", isNot("look", 1)},
         {"the reference shows no lamps", isNot("look", 1)},
         {"no light of the scene has an area", measuredByPictures},
-        {"asking every shape of so few is as fast", isZero("evaluation")},
-        {"its numbers have not rested for a while", [](const Skipped& s) { return !s.picture.frame.rests; }},
+        {"with so few shapes, evaluating all of them is as fast", isZero("evaluation")},
+        {"its numbers changed a short time ago", [](const Skipped& s) { return !s.picture.frame.rests; }},
         {"numbers are folded by themselves where the evaluation is automatic", isNot("evaluation", 0)},
-        {"lists have no numbers in their text", measuredByPictures},
+        {"the shader text of lists contains no numbers", measuredByPictures},
         {"the scene has no end, so no cells hold it", measuredByPictures},
     };
     return all;

@@ -103,7 +103,7 @@ TEST(History, IsResetByWhateverMakesItWorthless)
     EXPECT_EQ(reset([](Accumulated& a) { a.time = 0.9; }), "the clock jumped");
     EXPECT_EQ(reset([](Accumulated& a) { a.time = 9; }), "the clock jumped");
     EXPECT_EQ(reset([](Accumulated& a) { a.time = std::numeric_limits<double>::quiet_NaN(); }), "the clock jumped");
-    EXPECT_EQ(reset([](Accumulated& a) { a.cut = true; }), "the picture was cut");
+    EXPECT_EQ(reset([](Accumulated& a) { a.cut = true; }), "the frame does not continue the last one");
     EXPECT_EQ(reset([](Accumulated& a) { a.values = 8; }), "a value changed");
     EXPECT_EQ(reset([](Accumulated& a) { a.history.image.format = Format::rgba32f; }), "the image has another form");
     EXPECT_EQ(reset([](Accumulated&) {}), "");
