@@ -8,9 +8,9 @@
 
 namespace vitrine::jobs {
 
-/// The jobs, in the order in which the help names them. jobs.cpp is the only place that names them all.
+/// Returns the jobs in the order of the help. jobs.cpp is the only place that names them all.
 [[nodiscard]] const std::vector<std::unique_ptr<const Job>>& allJobs();
-/// The job of that name; null: there is none.
+/// Returns the job of that name; null if there is none.
 [[nodiscard]] const Job* findJob(std::string_view name);
 
 }  // namespace vitrine::jobs

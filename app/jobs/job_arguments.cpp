@@ -27,7 +27,7 @@ std::string commandName(const jobs::Job& job)
     throw Failure(Blame::usage, '`' + name + "` needs " + option + "; `" + name + " --help` says what it is.");
 }
 
-/// Returns the scene of a job that takes the settings of one exhibit. The camera stays where it was.
+/// Returns the scene of a job that uses the settings of one exhibit. The camera is unchanged.
 RequestedPicture settingsOnly(const jobs::Job& job, const JobArguments& typed, const Museum& museum,
                               const SceneState& state)
 {

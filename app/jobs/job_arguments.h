@@ -26,7 +26,7 @@ struct JobArguments {
 /// Adds an option for each parameter of the job, and those that all jobs have. Both must outlive the command's use.
 void addJobArguments(CLI::App&, const jobs::Job&, JobArguments&);
 
-/// Museum of a job, and what is set in it before the arguments are applied.
+/// Museum of a job, and its state before the arguments are applied.
 struct JobStart {
     std::function<const Museum&()> museum;  ///< Called for a job with a scene only.
     const SceneState* state = nullptr;      ///< Null: the museum's initial one.
@@ -40,7 +40,8 @@ struct OrderedJob {
     jobs::JobPlan plan;
     std::vector<std::string> notes;  ///< Sentences on corrected values.
 };
-/// Throws Failure (Blame::usage) naming the option for what cannot be, and as the job's files are read.
+/// Returns the job. Throws Failure (Blame::usage) naming the option that is wrong, and the failures of reading the
+/// job's files.
 [[nodiscard]] OrderedJob orderedJob(const CLI::App&, const jobs::Job&, const JobArguments&, const JobStart&);
 
 }  // namespace vitrine::app

@@ -19,7 +19,7 @@ namespace {
 
 using render::Json;
 
-/// Draws with a renderer that others may use as well.
+/// Backend that draws with a renderer that others may use, too.
 class SharedBackend final : public render::RenderBackend {
 public:
     explicit SharedBackend(std::shared_ptr<render::gl::Renderer> renderer) : renderer_(std::move(renderer)) {}
@@ -42,7 +42,7 @@ struct HeadlessRenderer {
     render::gl::Renderer renderer;
 };
 
-/// "frames 12, volume 0.523 m³".
+/// Formats facts: "frames 12, volume 0.523 m³".
 std::string factsText(const std::vector<jobs::Fact>& facts)
 {
     return joined(facts, ", ", [](const jobs::Fact& fact) {
@@ -119,7 +119,7 @@ std::optional<jobs::JobReport> reportOf(const jobs::Job& job, jobs::JobOrder ord
     }
 }
 
-/// Makes one part of a job whose parts have to be merged.
+/// Makes one part of a job whose parts must be merged.
 int runPartOf(const jobs::Job& job, jobs::JobOrder order, const jobs::JobPlan& plan, const Shard& shard)
 {
     return runPart(order.out, shard, [&](Parts& parts) -> std::optional<std::string> {

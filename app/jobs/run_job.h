@@ -16,15 +16,15 @@ namespace vitrine::app {
 /// Creates a backend that draws with this renderer.
 [[nodiscard]] std::unique_ptr<render::RenderBackend> sharedBackend(std::shared_ptr<render::gl::Renderer>);
 
-/// Runs a job, or the part of it that the options say, to its end on this thread and prints what it did, as text or
-/// JSON. A stop signal stops it in an orderly way. Returns the exit code. Throws Failure (Blame::usage) for what the
-/// plan refuses, else as the run does.
+/// Runs a job, or the part of it that the options name, to its end on this thread. Prints the outcome as text or JSON.
+/// A stop signal stops it in an orderly way. Returns the exit code. Throws Failure (Blame::usage) if the plan has a
+/// refusal, and the failures of the run.
 int runJob(const jobs::Job&, jobs::JobOrder, const jobs::JobPlan&, const PartOptions&, bool asJson);
 
-/// Returns what the job did.
+/// Returns the outcome of the job.
 [[nodiscard]] render::Json reportJson(const jobs::Job&, const jobs::JobReport&);
 
-/// Returns or prints what the job would do.
+/// Returns or prints the plan of the job.
 [[nodiscard]] render::Json planJson(const jobs::Job&, const jobs::JobPlan&);
 void printPlan(const jobs::Job&, const jobs::JobPlan&, bool asJson);
 

@@ -14,7 +14,8 @@ void TypedParameters::addTo(CLI::App& command, const Parameters& table, const Wa
         if (wanted && !wanted(first)) continue;
         const std::string help = jobs::helpText(table, option);
         if (option.isFlag) {
-            // Both ways: a document may have it either way. The help shows the one that changes the initial value.
+            // Both flags exist, because a document may have either value. The help shows only the one that changes the
+            // initial value.
             const bool on = std::get<double>(first.initial) != 0;
             command.add_flag(option.name, help)->group(on ? "" : "Options");
             const std::string off = "Turn this off (it is on by default): " + help;

@@ -12,15 +12,16 @@ class App;
 
 namespace vitrine::app {
 
-/// Options of a command for the parameters of a table, and what was typed for them.
+/// Options of a command for the parameters of a table, and the words typed for them.
 class TypedParameters {
 public:
     using Wanted = std::function<bool(const ParameterInfo&)>;
 
-    /// Adds an option for each parameter, or for those that are `wanted`. Must outlive the command.
+    /// Adds an option for each parameter, or only for those for which `wanted` is true. This object must outlive the
+    /// command.
     void addTo(CLI::App&, const Parameters&, const Wanted& wanted = {});
-    /// Takes what was typed, option by option, so that a message names the first one that is wrong. Throws Failure
-    /// (Blame::usage).
+    /// Passes the typed words on, option by option in the order of the table, so that a message names the first wrong
+    /// one. Throws Failure (Blame::usage).
     void read(const CLI::App&, jobs::GivenValues&) const;
 
 private:

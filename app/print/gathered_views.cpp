@@ -86,7 +86,7 @@ GatheredViews viewsOfFiles(const ViewOptions& options)
     return result;
 }
 
-/// Throws Failure (Blame::usage).
+/// Parses the columns and rows of --quilt. Throws Failure (Blame::usage).
 glm::ivec2 gridOf(const std::string& text)
 {
     if (const std::optional<glm::ivec2> grid = printing::quiltGrid(text)) return *grid;

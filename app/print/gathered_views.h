@@ -12,7 +12,7 @@
 
 namespace vitrine::app {
 
-/// The views of a print and where they came from.
+/// Views of a print, and their origin.
 struct GatheredViews {
     printing::ViewSet views;
     printing::PrintSources sources;      ///< For the print's description.
@@ -23,11 +23,11 @@ struct GatheredViews {
     std::unique_ptr<ViewFolder> folder;  ///< Of --save-views, not yet published.
 };
 
-/// Returns the layout of a print of so many views. Throws Failure if it is impossible.
+/// Returns the layout of a print with this number of views. Throws Failure if it is impossible.
 [[nodiscard]] printing::PrintLayout layoutOf(const ViewOptions&, int views);
 
-/// Reads or renders the views that the options ask for; everything that can be refused without reading or
-/// rendering is refused first. Throws Failure naming the option or file; also when stopped (StopSignal).
+/// Reads or renders the views. All checks that need neither come first. Throws Failure naming the option or file, and
+/// also if it was stopped (StopSignal).
 [[nodiscard]] GatheredViews gatherViews(const ViewOptions&);
 
 }  // namespace vitrine::app

@@ -31,7 +31,7 @@ namespace {
 namespace fs = std::filesystem;
 using printing::PrintLayout;
 
-/// The path and the file format of the print; its description is added later.
+/// Returns path and file format of the print; its description is added later.
 printing::PrintFile target(const PrintOptions& options)
 {
     printing::PrintFile file;
@@ -69,7 +69,7 @@ void describe(const PrintLayout& layout, const PrintOptions& options, const std:
                 numbers.effectiveViews);
 }
 
-/// Rendering views takes minutes: a print that cannot be written is refused before.
+/// Throws Failure if the print cannot be written. Called before the views are rendered, which takes minutes.
 void checkTarget(const PrintOptions& options)
 {
     const std::string& out = options.out;
@@ -154,7 +154,8 @@ int makePrint(const PrintOptions& options)
     return 0;
 }
 
-/// Ctrl-C is an orderly end: what was begun is undone, and the message is the one of the step that was stopped.
+/// Makes the print. Ctrl-C stops it in an orderly way: unfinished files are removed, and the message is that of the
+/// stopped step.
 int makeStoppably(const PrintOptions& options)
 {
     const StopSignal signal;

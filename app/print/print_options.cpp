@@ -12,7 +12,7 @@ namespace {
 
 using printing::printTable;
 
-/// Returns whether the command has an option for the parameter. The others are typed in other ways, or not at all.
+/// Returns whether the command has an option for the parameter. The others have options of their own, or none.
 bool isOption(const ParameterInfo& row)
 {
     return row.group != "Views" || row.name == "fitting" || row.name == "convergence";

@@ -24,8 +24,8 @@ struct PrintOptions {
 
 void addPrintOptions(CLI::App&, PrintOptions&);
 
-/// Reads what was typed. Throws Failure (Blame::usage) naming an option that is missing, cannot be, or changes nothing
-/// beside the others. Beside a sheet, the LPI that is given is the measured one.
+/// Reads the typed options. Throws Failure (Blame::usage) naming an option that is missing, impossible, or without
+/// effect together with the others. If a sheet is given, --lpi is its measured value.
 void readPrintOptions(const CLI::App&, PrintOptions&);
 
 }  // namespace vitrine::app

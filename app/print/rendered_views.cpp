@@ -44,7 +44,7 @@ int countFor(const ViewOptions& options)
     return std::clamp(static_cast<int>(layoutOf(options, 1).pixelsPerLens()), 2, mostOfItself);
 }
 
-/// Of the print's shape, no finer than the print.
+/// Returns the size of a view: the print's aspect ratio, with no higher resolution than the print has.
 std::string sizeFor(const PrintLayout& layout)
 {
     const printing::PrintSettings& s = layout.settings();
@@ -54,7 +54,7 @@ std::string sizeFor(const PrintLayout& layout)
     return text("%.0fx%.0f", size.x, size.y);
 }
 
-/// What --baseline-scale says; nothing for "fit".
+/// Returns the value of --baseline-scale; nothing for "fit".
 std::optional<double> strengthOf(const ViewOptions& options)
 {
     if (options.baselineScale.empty()) return options.turnDegrees == 0 && options.sweeps.empty() ? 1 : 0;
@@ -63,7 +63,7 @@ std::optional<double> strengthOf(const ViewOptions& options)
                       rangeOf(printing::printTable(), printing::printTable().baselineScale));
 }
 
-/// "morph=0..1" as "morph=0" and "morph=1".
+/// Splits "morph=0..1" into "morph=0" and "morph=1".
 std::array<std::string, 2> endsOf(const std::string& sweep)
 {
     const std::size_t equals = sweep.find('=');
@@ -101,7 +101,7 @@ std::string depthText(double meters)
     return std::isinf(meters) ? "the horizon" : text("%.2f m", meters);
 }
 
-/// Refuses what can be refused before anything is rendered.
+/// Throws Failure for everything that can be refused before rendering.
 void checkOptions(const ViewOptions& options)
 {
     if (options.every != 1 || options.pingPong)
@@ -109,7 +109,7 @@ void checkOptions(const ViewOptions& options)
                                     "an exhibit's views with --count.");
 }
 
-/// The options of the picture that all views vary, with the size of a view.
+/// Returns the options of the picture that all views have in common, with the size of a view.
 PictureOptions sceneOptions(const ViewOptions& options, const PrintLayout& layout)
 {
     PictureOptions scene = options.scene;
@@ -121,14 +121,14 @@ PictureOptions sceneOptions(const ViewOptions& options, const PrintLayout& layou
     return scene;
 }
 
-/// Moves the shots' cameras to those of another rig; turns and sweeps stay.
+/// Replaces the shots' cameras by those of another rig; turns and sweeps stay.
 void takeCameras(std::vector<ViewShot>& shots, const ViewRig& rig)
 {
     for (std::size_t k = 0; k < shots.size(); ++k)
         shots[k].sceneState.camera = shots[k].request.frame.camera = rig.camera(static_cast<int>(k));
 }
 
-/// What the rig is and what it holds of the scene, for people.
+/// Prints the rig, and the depth range that the print can show.
 void describe(const ViewRig& rig, const DepthRange& depth, bool reverse, GatheredViews& result)
 {
     const DepthRange budget = rig.budget();
@@ -148,7 +148,7 @@ void describe(const ViewRig& rig, const DepthRange& depth, bool reverse, Gathere
         result.notes.emplace_back("With --reverse the depth of rendered views is inside out.");
 }
 
-/// Numbers of the cameras.
+/// Returns the numbers of the rig as JSON.
 render::Json rigJson(const ViewOptions& options, const RequestedPicture& picture, const ViewRig& rig)
 {
     return {{"baseline", rig.baseline()},       {"baselineScale", rig.strength()},
@@ -167,7 +167,7 @@ render::Image viewMade(const Parts& parts, int k)
     throw Failure(Blame::check, parts.file(nameOfView(k)).string() + " is missing; make all parts anew.");
 }
 
-/// Renders the views, or those of a part into it, or takes those that were rendered in parts.
+/// Renders all views; or renders the views of one part into its folder; or reads the views that were rendered in parts.
 void takeViews(const Museum& museum, render::RenderBackend& renderer, const std::vector<ViewShot>& shots,
                const ViewOptions& options, const printing::ViewMaker::Take& take)
 {

@@ -4,7 +4,7 @@
 
 namespace vitrine::app {
 
-/// Renders the views that --exhibit asks for. Throws as `gatherViews`.
+/// Renders the views of --exhibit. Throws like `gatherViews`.
 [[nodiscard]] GatheredViews renderedViews(const ViewOptions&);
 
 }  // namespace vitrine::app

@@ -18,7 +18,7 @@ constexpr int viewBits = 8;  // Per channel.
     throw Failure(Blame::file, "--save-views " + folder.string() + ": " + why + ".");
 }
 
-/// Removes unfinished views of processes that are no longer there.
+/// Removes unfinished views of processes that have ended.
 void clearViews(const fs::path& folder)
 {
     std::vector<fs::path> left;

@@ -10,24 +10,23 @@
 
 namespace vitrine::app {
 
-/// Extensions that views may have, the usual one first: "png", "jpg".
+/// Returns the possible extensions of views, the usual one first: "png", "jpg".
 [[nodiscard]] std::vector<std::string> viewFormats();
 
-/// A folder of views that is there completely or not at all: they are written into a folder within and put in
-/// place together at the end.
+/// Folder of views that is either complete or absent: views are written into a subfolder, and moved out of it together
+/// at the end.
 class ViewFolder {
 public:
-    /// `extension` is one of `viewFormats`; `count` views will come. Makes the folder when it is missing (not those
-    /// that hold it). Throws Failure (Blame::file) when it cannot be made, or holds other pictures than views of these
-    /// names: they would be taken for views as well. Clears what processes of this machine left there when they were
-    /// killed.
+    /// `extension` is one of `viewFormats`; `count` is the number of views. Creates the folder if it is missing, but
+    /// not its parents. Removes unfinished views of killed processes of this machine. Throws Failure (Blame::file) if
+    /// the folder cannot be created, or contains other pictures with names of views, which would be mistaken for views.
     ViewFolder(std::filesystem::path, std::string extension, int count);
-    /// Removes what was not published.
+    /// Removes views that were not published.
     ~ViewFolder();
     ViewFolder(const ViewFolder&) = delete;
     ViewFolder& operator=(const ViewFolder&) = delete;
 
-    /// Writes view `k`, of linear light; a PNG carries the preset. Throws Failure as `writePicture` does.
+    /// Writes view `k`, in linear light; a PNG contains the preset. Throws Failure like `writePicture`.
     void add(int k, const render::Image&, const std::string& preset);
     void publish();
 

@@ -37,7 +37,7 @@ struct ViewOptions {
     std::string viewFormat = "png";
 };
 
-/// The command has the options of the print table already.
+/// Adds the options. Call it after those of the print table were added.
 void addViewOptions(CLI::App&, ViewOptions&);
 
 }  // namespace vitrine::app

@@ -18600,8 +18600,8 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <location filename="exhibits/museum/museum_plan.cpp"/>
-        <source>the window is opening, and programs of nearer exhibits are built first</source>
-        <translation>das Fenster öffnet sich, und Programme näherer Exponate werden zuerst gebaut</translation>
+        <source>the window is opening, and nearer exhibits are drawn first</source>
+        <translation>das Fenster öffnet sich, und nähere Exponate werden zuerst gezeichnet</translation>
     </message>
     <message>
         <location filename="render/image/oiio/rows.cpp"/>

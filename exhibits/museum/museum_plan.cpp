@@ -24,7 +24,7 @@
 namespace vitrine {
 namespace {
 
-constexpr const char* othersFirst = "the window is opening, and programs of nearer exhibits are built first";
+constexpr const char* othersFirst = "the window is opening, and nearer exhibits are drawn first";
 
 constexpr double shadowReach = 30;  ///< Meters behind an exhibit within which its shadow may fall on something.
 

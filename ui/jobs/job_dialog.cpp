@@ -41,7 +41,7 @@ namespace {
 constexpr int jobPanelWidth = 376;
 constexpr int planAfter = 250;  // Milliseconds.
 
-// Causes of problems: each leaves with its own.
+// Cause of a problem in the message list. Problems of different causes are removed separately.
 QString jobExportCause()
 {
     return QStringLiteral("export");
@@ -61,7 +61,7 @@ QString extensionOf(const jobs::Job& job)
     return text(job.needs().extensions.front());
 }
 
-/// "PNG (*.png);;TIF (*.tif)": for a dialog that chooses a file.
+/// Returns the filter of a file dialog: "PNG (*.png);;TIF (*.tif)".
 QString filtersOf(const jobs::Job& job)
 {
     QStringList filters;
@@ -70,7 +70,7 @@ QString filtersOf(const jobs::Job& job)
     return filters.join(QStringLiteral(";;"));
 }
 
-/// The files that the values name, where they have an effect.
+/// Returns the files of parameters that have an effect.
 std::vector<std::string> filesOf(const ParameterValues& values)
 {
     std::vector<std::string> files;
@@ -130,7 +130,7 @@ void JobDialog::build()
     if (preview_) right->addWidget(preview_, 1);
     right->addWidget(facts_);
     right->addWidget(export_);
-    // Without a preview, the settings take its room.
+    // Without a preview, the settings use its space.
     auto* sides = new QBoxLayout(preview_ ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
     sides->setSpacing(8);
     sides->addWidget(panel_, preview_ ? 0 : 1);

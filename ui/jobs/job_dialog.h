@@ -33,33 +33,33 @@ public:
     /// Returns the scene as it is now. Its museum must outlive the dialog.
     using SceneSource = std::function<jobs::JobScene()>;
 
-    /// All must outlive it. Plans and exports take the scene as it is when they begin.
+    /// All arguments must outlive the dialog. Plans and exports use the scene as it is when they begin.
     JobDialog(const jobs::Job&, SceneSource, Renderers&, RenderThread&, QWidget* parent);
     ~JobDialog() override;
 
     [[nodiscard]] const jobs::Job& job() const { return job_; }
     [[nodiscard]] JobSetup& setup() { return setup_; }
-    /// Null: the job has none.
+    /// Returns the preview; null if the job has none.
     [[nodiscard]] JobPreview* preview() { return preview_; }
     void setPath(const QString&);
     [[nodiscard]] QString path() const;
     [[nodiscard]] bool exporting() const { return full_.running(); }
-    /// The preview shows what is set, or nothing can be shown.
+    /// Returns whether the preview is up to date, or nothing can be previewed.
     [[nodiscard]] bool settled() const;
-    /// As its button: asks before files are replaced.
+    /// Starts the export as its button does: asks before files are replaced.
     void startExport();
-    /// Sets what a settings document says, or the one beside an output. One undo step.
+    /// Loads the settings of a document, or of the document beside an output. One undo step.
     void load(const QString& file);
-    /// Reads the inputs and plans anew: something outside of the settings has changed.
+    /// Reads the inputs and plans again, after a change outside of the settings.
     void refresh();
-    /// The command line that writes the same files, for a terminal.
+    /// Returns the command line that writes the same files, for a terminal.
     [[nodiscard]] QString commandLine() const;
 
     void done(int result) override;
     void reject() override;
 
 signals:
-    /// `written`: the files are there.
+    /// Emitted at the end of an export. `written`: the files were written.
     void exportEnded(bool written);
 
 private:

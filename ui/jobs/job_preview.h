@@ -8,22 +8,22 @@
 
 namespace vitrine::ui {
 
-/// Shows in a job's dialog what the job will make, by a smaller run of it.
+/// Preview in a job's dialog: shows the result of a smaller run of the job.
 class JobPreview : public QWidget {
     Q_OBJECT
 
 public:
     using QWidget::QWidget;
 
-    /// Makes what is shown of a finished run of the values `drawn` (`Job::draft` of `all`). On any thread; what it
-    /// returns is called on the window's thread.
+    /// Prepares the display of a finished run with the values `drawn` (`Job::draft` of `all`). Any thread; the returned
+    /// function is called on the window's thread.
     [[nodiscard]] virtual std::function<void()> prepare(const jobs::JobRun&, const ParameterValues& all,
                                                         const ParameterValues& drawn) = 0;
-    /// Shows nothing.
+    /// Clears the preview.
     virtual void clear() = 0;
 };
 
-/// The preview of a job, by its name. Null: the dialog has none.
+/// Creates the preview of the job of this name; null if the job has none.
 [[nodiscard]] JobPreview* makePreview(std::string_view job, QWidget* parent);
 
 }  // namespace vitrine::ui

@@ -13,8 +13,8 @@ namespace vitrine::ui {
 
 class Renderers;
 
-/// Steps a job: what draws on the render thread, beside what else is drawn there, and what computes on a thread of its
-/// own. Only here does a run go from one thread to another.
+/// Runs the steps of a job: drawing steps on the render thread, between its other tasks, and computing steps on a
+/// thread of its own. Runs are passed between threads only here.
 class JobRunner final : public QObject {
     Q_OBJECT
 
@@ -27,7 +27,8 @@ public:
 
     /// Starts a job in place of the one that is running. Publishes it at the end if `order` has an output.
     void start(const jobs::Job&, jobs::JobOrder order);
-    /// Nothing more is told, and nothing is left of the run, unless it is being published.
+    /// Cancels the run: no further signal is emitted, and all of its files are removed, unless they are being
+    /// published.
     void cancel();
     [[nodiscard]] bool running() const { return running_; }
     [[nodiscard]] bool publishing() const { return running_ && publishing_; }
@@ -35,12 +36,13 @@ public:
 signals:
     /// `part` is 0 to 1; `secondsLeft` is negative while unknown.
     void progressed(double part, double secondsLeft);
-    /// The run is done, and published if it has an output.
+    /// Emitted when the run is done, and published if it has an output.
     void finished(const vitrine::ui::JobRunner::Run& run);
     void failed(const QString& why);
 
 private:
-    // By value: a run that draws is let go on the render thread, with what it draws on.
+    // The run is passed by value, because a drawing run must be destroyed on the render thread together with its
+    // renderer.
     void go(Run);
     void draw(Run);
     void compute(Run);

@@ -7,7 +7,7 @@
 
 namespace vitrine::ui {
 
-/// What is set in the dialog of a job, with undo. It is remembered as a settings document.
+/// Values in the dialog of a job, with undo. They are remembered as a settings document.
 class JobSetup final : public QObject {
     Q_OBJECT
 
@@ -15,12 +15,12 @@ public:
     JobSetup(const jobs::Job&, QObject* parent);
 
     [[nodiscard]] const ParameterValues& values() const { return history_.sceneState().values[0]; }
-    /// `text` names the step for people.
+    /// Changes the values in one undo step; `text` is its name for people.
     void change(const QString& text, const ParameterValues&);
-    /// The values, for a panel.
+    /// Returns the history of the values, for a panel.
     [[nodiscard]] History& history() { return history_; }
 
-    /// Brings back what `remember` wrote, with nothing to undo. A document that cannot be read is left out.
+    /// Restores what `remember` wrote, without an undo step. An unreadable document is ignored.
     void recall();
     void remember() const;
 

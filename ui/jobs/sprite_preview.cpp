@@ -48,7 +48,7 @@ std::function<void()> SpritePreview::prepare(const jobs::JobRun& run, const Para
     for (const glm::ivec2 pivot : sheet.pivots) shown->pivots.emplace_back(pivot.x, pivot.y);
     shown->frame = {drawn[t.width], drawn[t.height]};
     shown->frames = drawn[t.frames];
-    // Fewer frames take as long as all of them.
+    // The draft's fewer frames last as long as all frames would.
     const bool atRate = all[t.framesPerSecond] > 0 && all[t.frames] > 0;
     shown->seconds = sheet.frameSeconds * (atRate ? static_cast<double>(all[t.frames]) / drawn[t.frames] : 1);
     return [this, shown] { setShown(shown); };
@@ -101,7 +101,7 @@ void SpritePreview::paintEvent(QPaintEvent*)
     painter.fillRect(rect(), palette().color(QPalette::Base));
     if (!shown_) return;
     const SpriteCell& cell = shown_->cells[static_cast<std::size_t>(cell_)];
-    // Whole pixels of the screen for each of the sprite, unless it is too large for that.
+    // Each pixel of the sprite covers a whole number of screen pixels, unless the sprite is too large for that.
     const double room = std::min(0.9 * width() / shown_->frame.width(), 0.9 * height() / shown_->frame.height());
     const double scale = room >= 1 ? std::floor(room) : room;
     const QSizeF whole = QSizeF(shown_->frame) * scale;

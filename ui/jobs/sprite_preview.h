@@ -14,13 +14,13 @@
 
 namespace vitrine::ui {
 
-/// What a sheet shows, in motion: every direction for one round of its frames, large pixels. Its own clock stops while
-/// it cannot be seen.
+/// Animated preview of a sprite sheet: shows the frames of one direction after the other, with large pixels. Its clock
+/// stops while it is hidden.
 class SpritePreview final : public JobPreview, public Spoken {
     Q_OBJECT
 
 public:
-    /// A sheet to look at: its picture, and where the frames lie in it.
+    /// Sheet to show: its picture, and the positions of the frames in it.
     struct Shown {
         QImage picture;
         std::vector<SpriteCell> cells;  ///< Direction by direction.
@@ -36,7 +36,7 @@ public:
                                                 const ParameterValues& drawn) override;
     void clear() override { setShown(nullptr); }
     [[nodiscard]] const Shown* shown() const { return shown_.get(); }
-    /// Of all cells, the one that is shown.
+    /// Returns the index of the displayed cell.
     [[nodiscard]] int cell() const { return cell_; }
     [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Animation; }
     [[nodiscard]] QString spokenText() const override;
@@ -48,7 +48,7 @@ protected:
     void hideEvent(QHideEvent*) override;
 
 private:
-    /// Null: nothing is to be seen.
+    /// Sets the sheet to show; null: none.
     void setShown(std::shared_ptr<const Shown>);
     void next();
 

@@ -117,7 +117,7 @@ void ParameterPanel::showExhibit(std::size_t exhibit, const QString& name)
 void ParameterPanel::showAll()
 {
     if (name_.isEmpty()) return;  // Nothing is shown yet.
-    // A file that was read again gives another table, mostly of the same rows: their controls stay as they are.
+    // A file that was read again gives a new table, usually with the same parameters; their controls are then kept.
     const bool sameTable = table_ && table_->hasRowsOf(values().table());
     const bool onlyRows = table_ && !sameTable;  // Of the same exhibit: a file gave others.
     const std::string focused = onlyRows ? focusedRow() : std::string();
@@ -129,10 +129,11 @@ void ParameterPanel::showAll()
     for (std::size_t i = 0; i < rows_.size(); ++i) showValue(i);
     showWhatActs();
     for (ParameterSection* section : sections_) section->refresh();
-    // While only changed rows are shown, a row that was just reset stays until the next look.
+    // With the filter for changed parameters, a parameter that was just reset stays visible until the filter is applied
+    // again.
     if (!sameTable) applyFilter();
     if (!onlyRows) return;
-    // The new rows have no place yet, and the bar no range.
+    // The layout is activated first, because new rows have no position yet, and the scroll bar no range.
     content_->layout()->activate();
     content_->resize(scroll_->viewport()->width(), content_->sizeHint().height());
     focusRow(focused);
@@ -186,7 +187,7 @@ void ParameterPanel::rebuild()
     }
     layout->addStretch(1);
     showLocks();
-    // What asked for other rows may be one of those that go.
+    // Deleted later, because the sender of this call may be one of the rows that are deleted.
     if (QWidget* before = scroll_->takeWidget()) before->deleteLater();
     scroll_->setWidget(content_);
     content_->installEventFilter(this);
@@ -196,7 +197,7 @@ void ParameterPanel::rebuild()
 
 void ParameterPanel::makeRoom()
 {
-    // Rows are not scrolled across: the panel is as wide as the widest one needs, and the bar beside them.
+    // Rows are not scrolled sideways: the panel is as wide as the widest row and the scroll bar.
     const int needed = content_->minimumSizeHint().width() + scroll_->verticalScrollBar()->sizeHint().width();
     setMinimumWidth(std::max(leastWidth, needed));
 }
@@ -234,7 +235,7 @@ void ParameterPanel::addRow(std::size_t i)
 
 void ParameterPanel::orderTabs()
 {
-    // From the filter straight into the rows, in their order: Qt would put what is made later behind everything else.
+    // Tab leads from the filter to the rows in their order. By default, Qt would put new widgets at the end.
     QWidget* before = elsewhere_;
     setTabOrder(filter_, onlyChanged_);
     setTabOrder(onlyChanged_, elsewhere_);
@@ -247,7 +248,7 @@ void ParameterPanel::orderTabs()
         }
         if (child->focusPolicy() == Qt::NoFocus || child->window() != window())
             continue;  // Choices have windows of their own.
-        // The marks stand before the controls.
+        // Marks are placed before the controls.
         const bool mark = qobject_cast<GaugeMark*>(child) || qobject_cast<IdleMark*>(child);
         stops.insert(mark ? firstOfRow + marks++ : stops.size(), child);
     }
@@ -708,7 +709,7 @@ void ParameterPanel::nudge(int step, bool again)
     } else if (qobject_cast<QComboBox*>(control)) {
         type(*control, step > 0 ? Qt::Key_Down : Qt::Key_Up, again);
     } else if (auto* button = qobject_cast<QAbstractButton*>(control)) {
-        // A switch is on to the right; anything else that is pressed is so once.
+        // A step up switches on, a step down off. Other buttons are pressed once, and not again while the key is held.
         if (!again && (!button->isCheckable() || button->isChecked() != (step > 0))) button->click();
     }
 }

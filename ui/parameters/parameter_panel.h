@@ -27,8 +27,8 @@ class OtherSettings;
 class ParameterRow;
 class ParameterSection;
 
-/// The values of one exhibit in the history: everything here is derived from the rows of its table. Controls set values
-/// in the history; when one changes, its row is shown anew and no other.
+/// Panel with the parameters of one exhibit. All controls are derived from its parameter table and set values in the
+/// history. If a value changes, only its own row is updated.
 class ParameterPanel final : public QWidget {
     Q_OBJECT
 
@@ -36,62 +36,63 @@ public:
     /// The history must outlive it.
     explicit ParameterPanel(History&, QWidget* parent = nullptr);
 
-    /// Shows the values of this exhibit from now on. `name`: under which it keeps what is folded, and copies and
-    /// pastes.
+    /// Shows the values of this exhibit. `name` is the key of its folded groups, and of copied values.
     void showExhibit(std::size_t exhibit, const QString& name);
-    /// Whose values are shown.
+    /// Returns the exhibit whose values are shown.
     [[nodiscard]] std::size_t exhibit() const { return exhibit_; }
     [[nodiscard]] const ParameterValues& values() const { return history_.sceneState().values[exhibit_]; }
     [[nodiscard]] ParameterRow* row(std::string_view name) const;
-    /// Values that text parameters may be chosen from, by the parameter's name.
+    /// Sets the values that text parameters offer, by the parameter's name.
     void setOffers(const std::map<std::string, std::vector<std::string>, std::less<>>&);
-    /// Shows only rows that are wanted; an empty function wants all.
+    /// Shows only the parameters for which the function returns true; without a function, all.
     void setWanted(const std::function<bool(const ParameterInfo&)>&);
-    /// The focus goes to the next row that is shown (1), or the one before (-1); from elsewhere, to the first.
+    /// Focuses the next visible row (1) or the previous one (-1); the first one if no row has the focus.
     void stepRow(int step);
-    /// Changes the row with the focus, as its arrow keys do: more (1) or less (-1). `again`: still the same gesture.
+    /// Changes the focused row as its arrow keys do: up (1) or down (-1). `again`: continues the same gesture.
     void nudge(int step, bool again);
     [[nodiscard]] QString filterText() const;
-    /// Another exhibit is on show: what was searched for belonged to the one before.
+    /// Clears the filter, for example because another exhibit is shown.
     void clearFilter();
-    /// Says that something outside this table matches the filter; a click asks for it. Empty: nothing does.
+    /// Shows a link to matches of the filter outside of this table; a click emits `elsewhereAsked`. Empty: no link.
     void offerElsewhere(const QString& what);
-    /// Connect `accuracyAsked` before showing the gauge: a mark that does nothing is no mark.
+    /// Shows gauge buttons. Connect `accuracyAsked` first, because they only emit that signal.
     void setGaugesShown(bool);
-    /// What rows can be copied from and to, in their menus; must outlive it. Null: nothing.
+    /// Sets the settings B, for the commands that copy rows from and to B; must outlive the panel. Null: none.
     void setOther(OtherSettings* other) { other_ = other; }
 
-    /// Groups that the visitor folded, or unfolded where they are folded at first, "exhibit/group": kept with the
-    /// window's layout.
+    /// Groups, as "exhibit/group", that the visitor has folded, or unfolded if they are folded by default. Stored with
+    /// the window's layout.
     [[nodiscard]] QStringList foldedGroups() const;
     void setFoldedGroups(const QStringList&);
 
-    /// The moment of the last picture, for rows that move: they show the values that they then have.
+    /// Sets the time of the last picture, for animated parameters: their rows show the values at that time.
     void showMoment(const MotionMoment&);
 
-    /// Rows that keep their values when the others are varied, "exhibit/row": kept with the window's layout.
+    /// Parameters, as "exhibit/row", that keep their values when the others are varied. Stored with the window's
+    /// layout.
     [[nodiscard]] QStringList lockedRows() const;
     void setLockedRows(const QStringList&);
-    /// Of the table on show.
+    /// Returns whether a parameter of the shown table is locked.
     [[nodiscard]] bool isLocked(std::size_t row) const { return locked_.contains(keyOf(row)); }
-    /// Gives all rows of the exhibit that are not locked other values, by the next seed (`variation`). One undo step.
+    /// Sets all parameters of the exhibit that are not locked to random values, with the next seed (`variation`). One
+    /// undo step.
     void vary();
 
-    /// Shows the rows that match these words, as if they were typed.
+    /// Filters by these words, as if they were typed.
     void find(const QString& words);
 
 public slots:
     void focusFilter();
 
 signals:
-    /// The gauge of a quality parameter: what does its accuracy cost?
+    /// Emitted when the gauge of a quality parameter is pressed, which asks what its accuracy costs.
     void accuracyAsked(std::size_t row);
-    /// Which rows keep their values when the others are varied.
+    /// Emitted when parameters were locked or unlocked against varying.
     void locksChanged();
-    /// The words of the filter changed.
+    /// Emitted when the words of the filter changed.
     void filtered();
     void elsewhereAsked();
-    /// Esc in the empty filter: the visitor is done here.
+    /// Emitted when Esc is pressed in the empty filter.
     void filterLeft();
 
 protected:
@@ -101,7 +102,7 @@ private:
     void rebuild();
     void addRow(std::size_t row);
     void addSection(const ParameterInfo&);
-    /// Follows the changes of the shown exhibit, and of no other.
+    /// Watches the shown exhibit only.
     void watch();
     void showRow(std::size_t row);
     void showAll();
@@ -109,44 +110,44 @@ private:
     void applyFilter();
     void focusFirst();
     void orderTabs();
-    /// The row that has the focus; empty: none.
+    /// Returns the row with the focus; empty: none.
     [[nodiscard]] std::string focusedRow() const;
     void focusRow(std::string_view name);
     void openMenu(std::size_t row, const QPoint& at);
-    /// Menu of a row that does nothing: why, and what would change that.
+    /// Opens the menu of a parameter without effect: the reason, and changes that would give it an effect.
     void openWay(std::size_t row, const QPoint& at);
-    /// Entry that makes the row act, where other rows can.
+    /// Adds a command that gives the parameter an effect, if other parameters can do that.
     void addWayTo(QMenu&, std::size_t row);
     void openGroupMenu(ParameterSection*, const QPoint& at);
-    /// Entries of a group that is one of several of its kind.
+    /// Adds the commands of a group that belongs to an array of groups.
     void addArrayTo(QMenu&, const ParameterInfo& first);
     [[nodiscard]] std::vector<std::size_t> rowsOf(const ParameterSection*) const;
     [[nodiscard]] bool allLocked(const std::vector<std::size_t>& rows) const;
-    /// The marks of headings: locked, edited together with others.
+    /// Updates the marks of headings: locked, edited together.
     void showGroups();
-    /// Of the exhibit on show: what its rows edit through.
+    /// Returns the edits of the shown exhibit, through which rows set values.
     [[nodiscard]] GroupEdits& edits();
-    /// Entries that copy the row from and to B, while there is one.
+    /// Adds the commands that copy the row from and to B, if there is a B.
     void addOtherTo(QMenu&, std::size_t row);
-    /// Entries that let the row move, hold it and stop it.
+    /// Adds the commands that animate the row, hold it and stop it.
     void addMotionTo(QMenu&, std::size_t row);
     void setMotion(std::size_t row, const QString& text, const std::optional<Motion>&, const Value&);
     void showValue(std::size_t row);
-    /// Entries that lock the row and its group.
+    /// Adds the commands that lock the row and its group.
     void addLocksTo(QMenu&, std::size_t row);
     [[nodiscard]] QString keyOf(std::size_t row) const;
     void lock(const std::vector<std::size_t>& rows, bool locked);
     static constexpr int leastWidth = 320;  ///< Pixels.
-    /// Makes the panel as wide as its rows need, whatever their type.
+    /// Makes the panel as wide as its rows need with the current font.
     void makeRoom();
     void showLocks();
     void copy(std::size_t row) const;
     void paste(std::size_t row);
     void copyAll() const;
     void pasteAll(std::size_t row);
-    /// Something about what was pasted, at the row where it was asked for.
+    /// Shows a message about pasted values at this row.
     void tell(std::size_t row, const QString& words);
-    /// Focuses the first control of a row that takes the focus; returns whether there is one.
+    /// Focuses the first focusable control of a row. Returns whether there is one.
     static bool focusIn(const ParameterRow&);
     [[nodiscard]] std::optional<std::size_t> rowAt(QObject*) const;
 

@@ -32,7 +32,7 @@ QString nameOf(const ParameterInfo& row)
     return said(label(row));
 }
 
-/// What the row's own files end in, and everything.
+/// Returns the filters of a file dialog: the parameter's own extensions, and all files.
 QStringList filtersOf(const ParameterInfo& row)
 {
     const QString patterns = filePatterns(row.endings);

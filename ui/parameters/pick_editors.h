@@ -10,7 +10,7 @@ class QToolButton;
 
 namespace vitrine::ui {
 
-/// On or off.
+/// Editor of a toggle: a check box.
 class ToggleEditor final : public ValueEditor {
     Q_OBJECT
 
@@ -22,7 +22,7 @@ private:
     QCheckBox* box_;
 };
 
-/// One of several names.
+/// Editor of a choice: a combo box.
 class ChoiceEditor final : public ValueEditor {
     Q_OBJECT
 
@@ -34,7 +34,7 @@ private:
     QComboBox* box_;
 };
 
-/// Whether there is a text: what it says is edited elsewhere, and reset here.
+/// Editor of a text that is edited elsewhere: shows whether there is one, and resets it.
 class TextMark final : public ValueEditor {
     Q_OBJECT
 
@@ -46,7 +46,7 @@ private:
     QLabel* words_;
 };
 
-/// A text that is typed, or chosen from a list where some are offered.
+/// Editor of a text: typed, or chosen from offered values.
 class TextEditor final : public ValueEditor {
     Q_OBJECT
 
@@ -60,7 +60,7 @@ private:
     QString shown_;
 };
 
-/// A path: typed, chosen, or dropped on the row.
+/// Editor of a path: typed, chosen in a dialog, or dropped on the row.
 class FileEditor final : public ValueEditor {
     Q_OBJECT
 

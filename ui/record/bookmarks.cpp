@@ -27,7 +27,7 @@ void Bookmarks::read()
     try {
         const Tour kept = readTour(file_);
         places_.fill(std::nullopt);
-        // A name begins with its number.
+        // The name of a bookmark begins with its number.
         for (const Bookmark& bookmark : kept.bookmarks) {
             const int number = bookmark.name.empty() ? 0 : bookmark.name.front() - '0';
             if (number >= 1 && number <= most) place(number) = bookmark;

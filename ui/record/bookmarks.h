@@ -14,26 +14,27 @@ namespace vitrine::ui {
 
 class Workbench;
 
-/// Views that the visitor keeps under the numbers 1 to 9, in a file of their own: a tour, which `vitrine record` takes.
+/// Bookmarks: views that the visitor stores under the numbers 1 to 9. Their file is a tour, which `vitrine record`
+/// accepts.
 class Bookmarks final : public QObject {
     Q_OBJECT
 
 public:
     static constexpr int most = 9;
 
-    /// Reads what was kept before. The window must outlive it.
+    /// Reads the stored bookmarks. The window must outlive this object.
     Bookmarks(Workbench&, QObject* parent);
 
-    /// Number 1 to `most`: keeps where the visitor is, in place of what was there.
+    /// Stores the current view as bookmark `number` (1 to `most`), in place of the old one.
     void set(int number);
-    /// Glides there; says so where there is none.
+    /// Glides to a bookmark; shows a message if it is not set.
     void go(int number);
     void forgetAll();
-    /// What it is called; empty: there is none.
+    /// Returns the name of a bookmark; empty if it is not set.
     [[nodiscard]] QString name(int number) const;
-    /// Those that there are, by number.
+    /// Returns the bookmarks that are set, by number.
     [[nodiscard]] Tour tour() const;
-    /// Writes them to another file.
+    /// Writes the bookmarks to another file.
     void saveAs(const QString& path);
 
 signals:
@@ -41,7 +42,7 @@ signals:
 
 private:
     void read();
-    /// Changes the bookmarks as they are in the file now, which another window may have written, under a lock.
+    /// Edits the bookmarks under a lock, after reading the file again, because another window may have changed it.
     void change(const std::function<void()>& edit);
     void write();
     [[nodiscard]] std::optional<Bookmark>& place(int number)

@@ -85,7 +85,8 @@ public:
 class StandsOnFloor {
 public:
     virtual ~StandsOnFloor() = default;
-    /// Returns simple shapes of the bodies in its own space, averaged over time: movement is not visible in the floor.
+    /// Returns simple shapes of the bodies in its own space, averaged over time. They are not updated while bodies
+    /// move, because that would not be visible in the floor's shadows and reflections.
     [[nodiscard]] virtual std::vector<StandingShape> standingShapes(const ParameterValues&) const = 0;
 };
 

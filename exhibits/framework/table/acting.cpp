@@ -18,7 +18,7 @@ std::size_t rowNamed(const Parameters& table, std::string_view name)
     return row.value_or(0);
 }
 
-/// "a, b or c".
+/// Returns the alternatives as text: "a, b or c".
 std::string alternatives(const ParameterInfo& row, const std::vector<double>& values)
 {
     std::string text;
@@ -32,7 +32,7 @@ std::string alternatives(const ParameterInfo& row, const std::vector<double>& va
     return text;
 }
 
-/// `values` adds, of each row that does not act itself, when it does.
+/// Formats a condition. With `values`, adds the conditions of tested parameters that have no effect themselves.
 std::string text(const Condition& condition, const Parameters& table, const ParameterValues* values)
 {
     const bool all = condition.test == Condition::Test::all;

@@ -11,17 +11,18 @@ namespace vitrine {
 /// Returns whether the condition holds, and the parameters that it tests act themselves.
 [[nodiscard]] bool holds(const Condition&, const ParameterValues&);
 
-/// Whether row `row` acts: its condition holds, and the rows that it looks at act themselves. A row that does not act
-/// changes no picture and keeps its value.
+/// Returns whether parameter `row` has an effect ("acts"): its condition holds, and the parameters that it tests act
+/// themselves. A parameter without effect changes no picture and keeps its value.
 [[nodiscard]] bool acts(const ParameterValues&, std::size_t row);
 
-/// When row `row` acts, by the labels of the other rows: "“Shadow filter” is sun's disk". Empty: always.
+/// Returns the condition under which parameter `row` acts, by the labels of the tested parameters: "“Shadow filter” is
+/// sun's disk". Empty: it always acts.
 [[nodiscard]] std::string actsWhen(const Parameters&, std::size_t row);
-/// The same, and of every row in it that does not act itself, when that one does.
+/// The same, followed by the conditions of the tested parameters that do not act themselves with these values.
 [[nodiscard]] std::string actsWhen(const ParameterValues&, std::size_t row);
 
-/// The values with every row that does not act at its initial value: alike for two snapshots that differ in such rows
-/// alone.
+/// Returns the values, with every parameter that does not act at its initial value. The results are equal for two
+/// snapshots that differ only in such parameters.
 [[nodiscard]] ParameterValues actingValues(const ParameterValues&);
 
 /// Changes as few other parameters as necessary so that parameter `row` acts (`acts`), none of them in `fixed`. Among

@@ -6,7 +6,7 @@
 namespace vitrine {
 namespace {
 
-/// Parts of the same kind lie side by side: (a and b) and c is a and b and c.
+/// Parts of the same kind are merged into one list: (a and b) and c becomes a and b and c.
 Condition combined(Condition::Test test, Condition a, Condition b)
 {
     Condition both{test};

@@ -6,8 +6,8 @@
 
 namespace vitrine {
 
-/// What must hold in other rows of a table for a row to act on anything that can be seen. Rows are told by their names,
-/// so that one may look at rows further down.
+/// Condition on other parameters of a table under which a parameter acts, which means that it can change a picture.
+/// Parameters are given by their names, so that a condition may refer to one that is declared later.
 struct Condition {
     enum class Test : std::uint8_t {
         among,    ///< The row has one of `values`: numbers, indices of choices, 0 or 1 for toggles.
@@ -28,10 +28,10 @@ struct Condition {
 [[nodiscard]] Condition operator&&(Condition, Condition);
 [[nodiscard]] Condition operator||(Condition, Condition);
 
-/// "all", "among" ... as `vitrine list --json` prints them.
+/// Returns the name that `vitrine list --json` prints: "all", "among" ...
 [[nodiscard]] std::string_view toString(Condition::Test);
 
-/// The names of all rows that the condition looks at, in the order in which it does.
+/// Returns the names of all parameters that the condition tests, in the order of its parts.
 [[nodiscard]] std::vector<std::string_view> rowsOf(const Condition&);
 
 }  // namespace vitrine

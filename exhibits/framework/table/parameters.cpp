@@ -51,7 +51,7 @@ bool isRowName(std::string_view name)
 
 namespace {
 
-/// "Shell count" for "shellCount".
+/// Returns "Shell count" for "shellCount".
 std::string spelledOut(std::string_view name)
 {
     std::string text;
@@ -79,7 +79,8 @@ std::string labelInGroup(const ParameterInfo& row)
     const std::size_t end = text.find(' ');
     if (end == std::string::npos) return text;
     const std::string first = text.substr(0, end);
-    // The word as a whole word of the heading, whatever the case of its first letter: "Ball" in "Coat of the ball".
+    // The word must be a whole word of the heading; the case of its first letter is ignored: "Ball" in "Coat of the
+    // ball".
     const auto lower = [](unsigned char c) { return std::tolower(c); };
     for (std::size_t from = 0; from <= row.group.size();) {
         const std::size_t to = std::min(row.group.find(' ', from), row.group.size());

@@ -28,12 +28,12 @@ namespace vitrine {
 enum class Kind : std::uint8_t { real, count, toggle, choice, color, direction, file, text };
 enum class Scale : std::uint8_t { linear, logarithmic };
 
-/// "real", "count", ... as `vitrine list --json` prints them.
+/// Returns the name that `vitrine list --json` prints: "real", "count", ...
 [[nodiscard]] std::string_view toString(Kind);
 [[nodiscard]] std::string_view toString(Scale);
 
-/// The legal closed interval of a number and, inside it, the comfortable one that the slider spans.
-/// `scale` shapes the slider and spaces the points of an accuracy study.
+/// Legal closed interval of a number and, inside it, the comfortable interval that the slider spans. `scale` shapes the
+/// slider and spaces the points of an accuracy study.
 struct Range {
     double low;
     double high;
@@ -41,8 +41,8 @@ struct Range {
     double softLow;
     double softHigh;
 
-    // No aggregate: as the argument of a member's initializer, one with initializers that read each other ends GCC 13
-    // with an internal error.
+    // A constructor, because GCC 13 ends with an internal error for an aggregate here: one whose initializers read each
+    // other, as an argument of a member's initializer.
     constexpr Range() : Range(0, 1) {}
     constexpr Range(double from, double to, Scale shape = Scale::linear) : Range(from, to, shape, from, to) {}
     constexpr Range(double from, double to, Scale shape, double softFrom, double softTo)
@@ -54,7 +54,7 @@ struct Range {
     bool operator==(const Range&) const = default;
 };
 
-/// A number that means something else than a number: shown as this word, and typed as it.
+/// Number with a special meaning, which is shown and typed as a word: "auto" for 0.
 struct Word {
     double value = 0;
     std::string_view text;  ///< "auto".
@@ -62,7 +62,7 @@ struct Word {
     bool operator==(const Word&) const = default;
 };
 
-/// Value that another parameter takes when a parameter is given: a file of views sets where the views come from.
+/// Value that another parameter takes if this parameter is given: a file of views sets the origin of the views.
 struct Implication {
     std::string_view parameter;
     double value = 0;
@@ -70,7 +70,7 @@ struct Implication {
     bool operator==(const Implication&) const = default;
 };
 
-/// Traits of a parameter of a job: how it is given on the command line, by the service and in a settings document.
+/// Traits of a job's parameter: its form on the command line, in requests to the service and in settings documents.
 struct GivenAs {
     std::string_view option;   ///< Name on the command line, without dashes; empty: the parameter's name, "frame-rate".
     Unit unit = Unit::none;    ///< Unit of a plain number on the command line; none: SI.
@@ -83,11 +83,11 @@ struct GivenAs {
     bool operator==(const GivenAs&) const = default;
 };
 
-/// One row of a parameter table.
+/// Description of one parameter of a table.
 ///
-/// Everything the program says about a parameter is said here: the slider and its tooltip, the key in
-/// a preset, the command line flag, the field of the uniform block, the line in the manual, the points
-/// of the accuracy study and the random values of the tests are all derived from this row.
+/// Everything that the program knows about a parameter is declared here. The slider and its tooltip, the key in a
+/// preset, the command line flag, the field of the uniform block, the line in the manual, the points of the accuracy
+/// study and the random values of the tests are all derived from it.
 struct ParameterInfo {
     std::string_view name;   ///< The member it initializes; preset key, flag and GLSL field.
     std::string_view group;  ///< Heading in the panel; empty before the first `group`.
@@ -113,22 +113,22 @@ struct ParameterInfo {
     bool several = false;                    ///< For Kind::file and text: each line is a value of its own.
     GivenAs given = {};
 
-    /// Whether its values are numbers, with others between them: a real or a count.
+    /// Returns whether its values are numbers with intermediate values: a real or a count.
     [[nodiscard]] bool isNumeric() const { return kind == Kind::real || kind == Kind::count; }
-    /// Whether its values are strings: it is nothing for shaders and sweeps.
+    /// Returns whether its values are strings. Shaders and sweeps do not use such a parameter.
     [[nodiscard]] bool isWritten() const { return kind == Kind::file || kind == Kind::text; }
-    /// The word for this value; null: none.
+    /// Returns the word for this value; null if there is none.
     [[nodiscard]] const Word* wordFor(double value) const;
     bool operator==(const ParameterInfo&) const = default;
 };
 
-/// "Shell count" for "shellCount", or what the row is called.
+/// Returns the label: the declared one, otherwise made from the name: "Shell count" for "shellCount".
 [[nodiscard]] std::string label(const ParameterInfo&);
-/// The label under the heading of its group, whose word it need not repeat: "Length" for "Ball length" in "Coat of the
-/// ball".
+/// Returns the label under the heading of its group, without a word that the heading contains: "Length" for "Ball
+/// length" in "Coat of the ball".
 [[nodiscard]] std::string labelInGroup(const ParameterInfo&);
 
-/// The legal value nearest to `value`, or nothing when its type or a NaN leaves no nearest one.
+/// Returns the legal value nearest to `value`. Returns nothing if the type is wrong or the number is NaN.
 [[nodiscard]] std::optional<Value> nearestLegal(const ParameterInfo&, const Value& value);
 
 /// Returns why a parameter of this description cannot be animated, as a full sentence; empty: it can.
@@ -139,7 +139,7 @@ struct ParameterInfo {
 /// and reused afterwards.
 [[nodiscard]] std::string_view whyUnmoved(const ParameterInfo&);
 
-/// Typed handles: the index of a row, and the type its value reads back as.
+/// Typed handle of a parameter: its index in the table, and the type of its value.
 template <typename T> struct Parameter {
     std::uint16_t row;
 };
@@ -181,7 +181,7 @@ public:
     ~Parameters() = default;
 
     [[nodiscard]] std::span<const ParameterInfo> rows() const { return rows_; }
-    /// Whether the other table says the same of the same rows.
+    /// Returns whether the other table declares the same parameters with the same properties.
     [[nodiscard]] bool hasRowsOf(const Parameters& other) const { return rows_ == other.rows_; }
     [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const;
     [[nodiscard]] ParameterValues initial() const;
@@ -195,24 +195,24 @@ protected:
     using enum Unit;  // So that a row reads `meter`, not `Unit::meter`.
     using enum Scale;
 
-    /// One group of an array: "ball" stands before the names of its rows, the heading above them.
+    /// One group of an array: `name` ("ball") is the prefix of its parameters' names, `heading` is shown above them.
     struct Element {
         std::string_view name;
         std::string_view heading;
     };
 
-    /// Radians: for initial values and ranges of angles. The inverse of how `Unit::degree` shows them, to the last bit
-    /// for most.
+    /// Converts degrees to radians, for initial values and ranges of angles. For most angles it is the inverse, to the
+    /// last bit, of the conversion with which `Unit::degree` displays them.
     [[nodiscard]] static constexpr double degrees(double angle) { return angle / (180 / std::numbers::pi); }
 
-    // What may be said of a row after its help, in any order:
+    // Traits of a parameter, which follow its help in any order:
     struct Quality {
         std::optional<double> reference;
         bool byMeaning;
     };
-    /// Accuracy costs time, and `reference` is as near to exact as the row comes; a study checks how near.
+    /// Declares that accuracy costs time, and that `reference` is the most exact value; a study checks how exact it is.
     [[nodiscard]] static Quality quality(double reference) { return {reference, false}; }
-    /// The same, but at `reference` the row approximates nothing: a closed form, or an approximation that is off.
+    /// The same, but nothing is approximated at `reference`: a closed form, or an approximation that is switched off.
     [[nodiscard]] static Quality exactAt(double reference) { return {reference, true}; }
     template <typename Enum>
     requires std::is_enum_v<Enum>
@@ -220,7 +220,7 @@ protected:
     template <typename Enum>
     requires std::is_enum_v<Enum>
     [[nodiscard]] static Quality exactAt(Enum reference) { return exactAt(static_cast<double>(reference)); }
-    /// Of the files that a file row reads, with blanks between: "glb gltf".
+    /// Extensions of the files that a file parameter accepts, separated by blanks: "glb gltf".
     struct Endings {
         std::string_view text;
     };
@@ -228,18 +228,18 @@ protected:
     struct Shipped {
         std::string_view folder;
     };
-    /// Of a file row: a name without a folder means a file of this folder of assets, where it has one of that name
-    /// (`filePath`).
+    /// For a file parameter: a name without a folder refers to a file in this folder of the assets, if there is one of
+    /// that name (`filePath`).
     [[nodiscard]] static Shipped shippedIn(std::string_view folder) { return {folder}; }
     struct GivesRows {};
-    /// Of a file row: `TableFromFiles::tableFor` makes further rows of its file.
+    /// For a file parameter: its file adds parameters to the table (`TableFromFiles::tableFor`).
     [[nodiscard]] static GivesRows givesRows() { return {}; }
     struct Called {
         std::string_view text;
     };
     [[nodiscard]] static Called called(std::string_view text) { return {text}; }
-    /// `value` is shown and typed as this word. It may lie outside of the parameter's range, even be infinite. Several
-    /// may be given.
+    /// Shows and accepts this word for `value`, which may be outside of the parameter's range, even infinite. A
+    /// parameter may have several words.
     [[nodiscard]] static Word reads(double value, std::string_view word) { return {value, word}; }
     struct Option {
         std::string_view name;
@@ -273,7 +273,7 @@ protected:
     {
         return {nameOf(parameter), static_cast<double>(value)};
     }
-    /// When the row acts: `when(...) && when(...)`, `when(...) || when(...)`.
+    /// Condition under which the parameter acts: `when(...) && when(...)`, `when(...) || when(...)`.
     [[nodiscard]] Condition when(Toggle row, bool on = true) const
     {
         return {Condition::Test::among, nameOf(row), {on ? 1.0 : 0.0}};
@@ -312,7 +312,7 @@ protected:
         return {Condition::Test::above, nameOf(row), {value}};
     }
     [[nodiscard]] Condition whenGiven(File row) const { return {Condition::Test::given, nameOf(row)}; }
-    // Of a row further down, by its name and its value as a number:
+    // Condition on a parameter that is declared later, by its name and its value as a number:
     [[nodiscard]] static Condition whenLater(std::string_view row, double value)
     {
         return {Condition::Test::among, row, {value}};
@@ -322,13 +322,13 @@ protected:
         return {Condition::Test::above, row, {value}};
     }
 
-    /// Heading of the rows that follow.
+    /// Declares the heading of the parameters that follow.
     Group group(std::string_view title);
-    /// The same; the panel shows the group folded until someone opens it.
+    /// The same for a group that the panel shows folded at first.
     Group foldedGroup(std::string_view title);
 
-    /// Groups with the same rows, one for each element: within `make(i)` a row "length" is "ballLength". Returns what
-    /// `make` returns, in the order of the elements.
+    /// Declares groups with the same parameters, one for each element. Within `make(i)`, the name "length" becomes
+    /// "ballLength". Returns what `make` returns, in the order of the elements.
     template <typename Make> auto groups(std::string_view array, std::span<const Element> elements, const Make& make)
     {
         std::vector<decltype(make(std::size_t{0}))> made;
@@ -372,13 +372,13 @@ protected:
     {
         return {append({name, group_, help, Kind::file, Unit::none, {0, 0}, std::string()}, traits...)};
     }
-    /// A text that is typed: a name, or with `several` a list of them.
+    /// Declares a typed text: a name, or with `several` a list of names.
     template <typename... Traits> Text text(std::string_view name, std::string_view help, const Traits&... traits)
     {
         return {append({name, group_, help, Kind::text, Unit::none, {0, 0}, std::string()}, traits...)};
     }
-    /// The content of the file that `of` names, changed and not written to it yet; empty: as it is in the file. It
-    /// gives rows as the file does. Who chooses another file empties it (`ParameterValues::chooseFile`).
+    /// Declares a text with the unsaved, edited content of the file that `of` names; empty: there are no unsaved edits.
+    /// It adds parameters as the file does. Choosing another file clears it (`ParameterValues::chooseFile`).
     File document(std::string_view name, File of, std::string_view help)
     {
         ParameterInfo row{name, group_, help, Kind::text, Unit::none, {0, 0}, std::string()};
@@ -394,7 +394,7 @@ protected:
         return {append({name, group_, help, Kind::choice, Unit::none, {0, last}, static_cast<double>(initial), names},
                        traits...)};
     }
-    /// For choices that are known at run time only; `initial` is an index, and there is at least one name.
+    /// The same for choices that are only known at run time. `initial` is an index; there must be at least one name.
     template <typename... Traits>
     Choice<int> choice(std::string_view name, int initial, std::span<const std::string> names, std::string_view help,
                        const Traits&... traits)
@@ -447,7 +447,7 @@ private:
     template <typename T> [[nodiscard]] std::string_view nameOf(Parameter<T> row) const { return rows_[row.row].name; }
     void beginElement(std::string_view array, std::size_t index, const Element&);
     void endArray();
-    /// The table's own copy of a text.
+    /// Returns the table's own copy of a text.
     [[nodiscard]] std::string_view owned(std::string_view);
     void own(Condition&);
 
@@ -460,7 +460,7 @@ private:
     std::string_view elementName_;
 };
 
-/// A table whose rows are known at run time only: of a scene that a file describes.
+/// Table whose parameters are only known at run time, such as those of a scene file.
 class MadeTable final : public Parameters {
 public:
     using Parameters::choice;
@@ -478,17 +478,17 @@ public:
     using Parameters::toggle;
 };
 
-/// Whether a row may have this name: letters and digits, a letter first, at most 64 of them, so that it is a key, a
-/// flag and a field of GLSL alike. Words that GLSL reserves pass: who makes a table of a file has to keep them out.
+/// Returns whether a parameter may have this name: a letter, then letters and digits, at most 64 in all. Such a name is
+/// valid as a key, a flag and a field in GLSL. Words that GLSL reserves are not excluded; the caller must avoid them.
 [[nodiscard]] bool isRowName(std::string_view);
 
-/// A snapshot of one value per row of one table. Cheap to copy: presets, A/B comparisons, undo and
-/// sweeps are all just snapshots, and a frame is a function of one.
+/// Snapshot of one value for each parameter of a table. Cheap to copy: presets, A/B comparisons, undo and sweeps
+/// consist of snapshots, and a frame is a function of one.
 class ParameterValues {
 public:
-    /// Initial values of a table that a std::shared_ptr owns, or that outlives them.
+    /// Makes the initial values of a table, which a std::shared_ptr owns or which must outlive the values.
     explicit ParameterValues(const Parameters&);
-    /// Initial values of a table that they keep alive; not null.
+    /// Makes the initial values of a table, which must not be null. The values keep it alive.
     explicit ParameterValues(std::shared_ptr<const Parameters>);
 
     template <typename T> [[nodiscard]] T operator[](Parameter<T> p) const
@@ -514,36 +514,38 @@ public:
     [[nodiscard]] const std::shared_ptr<const Parameters>& sharedTable() const { return table_; }
     [[nodiscard]] std::span<const ParameterInfo> rows() const { return table_->rows(); }
 
-    /// Untyped access, for code that walks the table: panels, presets, flags, studies.
+    /// Untyped access by index, for code that visits all parameters: panels, presets, flags, studies.
     [[nodiscard]] const Value& row(std::size_t i) const { return values_[i]; }
-    /// Stores the nearest legal value; a value without one (wrong type, NaN) leaves the row as it was.
-    /// Returns whether the stored value is exactly `value`.
+    /// Stores the nearest legal value. If there is none (wrong type, NaN), the old value stays. Returns whether the
+    /// stored value is exactly `value`.
     bool setRow(std::size_t i, const Value& value);
     void resetRow(std::size_t i);
-    /// As `setRow`. Another file takes the documents of the one before with it.
+    /// Like `setRow`, for a file parameter. Choosing another file clears the documents and texts that belong to the old
+    /// file.
     bool chooseFile(std::size_t i, const Value& value);
     [[nodiscard]] bool isInitial(std::size_t i) const;
 
-    /// Values that were read for rows which the table lacks, as JSON by the row's name: the file that gives these rows
-    /// has not been read, or cannot be. Presets and sessions write them again.
+    /// Values of parameters that the table does not have, as JSON by name, because the file that adds them has not been
+    /// read yet or is unreadable. Presets and sessions write them again.
     using PendingRows = std::map<std::string, std::string>;
     [[nodiscard]] const PendingRows& pending() const { return pending_; }
     void setPending(PendingRows pending) { pending_ = std::move(pending); }
-    /// What the rows name or are that give the table further rows, in their order: files and documents.
+    /// Returns the files and documents that add parameters to the table, in the order of their parameters.
     [[nodiscard]] std::vector<std::string> tableFiles() const;
 
-    /// How rows move, by their names; of rows that may (`whyUnmoved`), between legal values.
+    /// Returns the animations by parameter name. Only parameters that can be animated (`whyUnmoved`) have one, and both
+    /// ends are legal values.
     [[nodiscard]] const Motions& motions() const { return motions_; }
-    /// How row `i` moves; null: it keeps its value.
+    /// Returns the animation of parameter `i`; null if it is not animated.
     [[nodiscard]] const Motion* motion(std::size_t i) const;
-    /// Lets row `i` move; nothing: it keeps its value. Both ends become the nearest legal values. Returns whether it
-    /// may move so: a row that may not, or an end of another type, leaves everything as it was.
+    /// Animates parameter `i`; nullopt ends its animation. Both ends become the nearest legal values. Returns false and
+    /// changes nothing if the parameter cannot be animated or an end has the wrong type.
     bool setMotion(std::size_t i, std::optional<Motion> motion);
-    /// Motions that were read for rows which the table lacks, as `pending` has their values.
+    /// Returns animations of parameters that the table does not have, like `pending` for values.
     [[nodiscard]] const PendingRows& pendingMotions() const { return pendingMotions_; }
     void setPendingMotions(PendingRows pending) { pendingMotions_ = std::move(pending); }
 
-    /// Values of different tables are equal when their rows bear the same names.
+    /// Compares the values. Those of different tables are equal if the parameters have the same names and values.
     bool operator==(const ParameterValues& other) const;
 
 private:

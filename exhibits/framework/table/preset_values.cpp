@@ -51,7 +51,7 @@ Json three(const glm::dvec3& v)
     return Json::array({v.x, v.y, v.z});
 }
 
-/// The texts of an array, a line each.
+/// Returns the texts of an array, one per line.
 std::string linesAt(const Json& json, const JsonPlace& place)
 {
     if (!json.is_array()) wrongType(place, "an array of texts", json);
@@ -120,8 +120,8 @@ std::string changeNote(const ParameterInfo& row, std::string_view shownName, con
     return (note += shortestNumber(row.range.high)) += ")";
 }
 
-/// Whether a number is a limit of its row but for rounding: 3.141593 where half a turn is the limit. Nobody has to hear
-/// of it.
+/// Returns whether a number equals a limit of its parameter up to rounding, as 3.141593 for half a turn. No note is
+/// added then.
 bool isRoundedLimit(const ParameterInfo& row, const Value& value)
 {
     const auto* x = std::get_if<double>(&value);
@@ -216,7 +216,7 @@ render::Camera cameraFromJson(const Json& json, const JsonPlace& place, std::vec
     position("target", camera.target);
     if (json.contains("fov")) {
         const double written = numberAt(json["fov"], place.inside("fov"));
-        // The limits of render::makeView, 1° and 175°.
+        // These are the limits of render::makeView, 1° and 175°.
         const double low = std::numbers::pi / 180;
         camera.fovY = std::clamp(written, low, 175 * low);
         if (camera.fovY != written) {

@@ -42,7 +42,7 @@ Value randomValue(const ParameterInfo& row, RandomNumbers& random, RandomReach r
     switch (row.kind) {
     case Kind::real:
     case Kind::count: {
-        // Only words that no number of the range stands for: other parameters keep their random numbers.
+        // Only words for values outside of the range count. If there is none, the parameter keeps its random number.
         const auto beyond = [&](const Word& word) { return word.value < row.range.low || word.value > row.range.high; };
         if (std::any_of(row.words.begin(), row.words.end(), beyond) && random.chance(0.2))
             return row.words[static_cast<std::size_t>(random.index(static_cast<int>(row.words.size())))].value;

@@ -39,9 +39,9 @@ struct RandomReach {
     bool affordable = true;
 };
 
-/// A legal value for a row: half of the time from its comfortable range, else from all that is legal, and its ends
-/// more often than chance would. One in five has a word for a number outside of the range, where there is one. A file
-/// keeps its initial value.
+/// Returns a legal random value: in half of the cases from the comfortable range, otherwise from all legal values. The
+/// ends of the range are more frequent than in a uniform distribution. In one of five cases it is the word for a number
+/// outside of the range, if there is one. A file keeps its initial value.
 [[nodiscard]] Value randomValue(const ParameterInfo&, RandomNumbers&, RandomReach = {});
 
 /// Returns random legal values for a share of the rows (0 to 1); the others keep their initial value.

@@ -8,7 +8,7 @@
 namespace vitrine::jobs {
 namespace {
 
-/// As `--set` reads it: numbers in SI units.
+/// Formats a value as `--set` reads it: numbers in SI units.
 std::string settingText(const ParameterInfo& parameter, const Value& value)
 {
     const auto* number = std::get_if<double>(&value);

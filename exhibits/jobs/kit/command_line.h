@@ -7,7 +7,7 @@
 
 namespace vitrine::jobs {
 
-/// The command line, without the program's name, that runs the job with these values again. Parameters that have no
+/// Returns the command line, without the program's name, that runs the job with these values again. Parameters without
 /// effect are left out.
 [[nodiscard]] std::vector<std::string> commandOf(const Job&, const JobOrder&);
 

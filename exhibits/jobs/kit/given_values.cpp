@@ -29,7 +29,7 @@ std::vector<std::string> splitAt(char separator, const std::string& text)
     return parts;
 }
 
-/// "--palette own", "--border": what has to be given for the condition to hold.
+/// Returns the options that must be given for the condition to hold: "--palette own", "--border".
 std::string typedCondition(const Condition& condition, const ParameterValues& values,
                            const std::vector<JobOption>& options)
 {
@@ -194,7 +194,7 @@ std::vector<std::string> wordsOf(const ParameterValues& values)
     };
     std::vector<bool> given;
     for (const JobOption& option : options) given.push_back(isGiven(option));
-    // A value that another one implies differently has to be given as well.
+    // If two given values imply different values of a parameter, that parameter must be given, too.
     for (std::size_t k = 0; k < options.size(); ++k)
         for (const std::size_t i : options[k].parameters)
             for (const Implication& implied : values.rows()[i].given.implies) {

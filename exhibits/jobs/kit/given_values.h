@@ -10,30 +10,31 @@
 
 namespace vitrine::jobs {
 
-/// Values of a job's parameters as they are given, in words or as JSON, on top of initial values or those of a settings
-/// document. What was given implies values of other parameters, so the outcome is settled at the end.
+/// Values of a job's parameters while arguments are read, as words or as JSON. A given value may imply values of other
+/// parameters; `settled` resolves this once everything is given.
 class GivenValues {
 public:
-    /// On top of initial values: parameters that must be given are missing. The table must outlive it.
+    /// Starts from the initial values. Parameters that are required (`mustBeGiven`) count as missing. The table must
+    /// outlive this object.
     explicit GivenValues(const Parameters&);
-    /// On top of the values of a settings document, which count as given.
+    /// Starts from the values of a settings document, all of which count as given.
     explicit GivenValues(ParameterValues document);
 
     [[nodiscard]] const std::vector<JobOption>& options() const { return options_; }
 
-    /// Gives what was typed for an option: one word, or several where the option takes them. Throws Failure
-    /// (Blame::usage) that begins with the option and says what it takes.
+    /// Sets the value of an option from the typed words: one, or several if the option accepts several. Throws Failure
+    /// (Blame::usage) that begins with the option and says which values are valid.
     void type(const JobOption&, const std::vector<std::string>& words);
     /// Turns a flag on or off.
     void turn(const JobOption&, bool on);
-    /// Gives every parameter that the object names; `place` is where the object stands. What is out of range is brought
-    /// to the nearest legal value, with a note. Throws Failure naming file, line and key for a wrong type, an unknown
-    /// choice and an unknown key.
+    /// Sets every parameter in the JSON object; `place` is the location of the object. A value out of range becomes the
+    /// nearest legal one, with a note. Throws Failure naming file, line and key for a wrong type, an unknown choice or
+    /// an unknown key.
     void read(const render::Json& object, const JsonPlace& place, std::vector<std::string>& notes);
 
-    /// The values with all that follows from what was given. Throws Failure (Blame::usage) where `command` ("vitrine
-    /// proof") lacks a parameter, where two exclude each other because they imply different values of a third, and
-    /// where one that was typed has no effect.
+    /// Returns the values, with everything that the given ones imply. Throws Failure (Blame::usage) in three cases: a
+    /// parameter that `command` ("vitrine proof") requires is missing, two values imply different values of a third
+    /// parameter, or a typed parameter has no effect.
     [[nodiscard]] ParameterValues settled(const std::string& command) const;
 
 private:
@@ -49,10 +50,10 @@ private:
     bool typed_ = false;
 };
 
-/// All values by key, numbers in SI: the "values" of a settings document.
+/// Returns all values by key, with numbers in SI units: the "values" of a settings document.
 [[nodiscard]] render::Json jsonOf(const ParameterValues&);
 
-/// Words of a command line that give these values; parameters that have no effect are left out.
+/// Returns the words of a command line for these values. Parameters without effect are left out.
 [[nodiscard]] std::vector<std::string> wordsOf(const ParameterValues&);
 
 }  // namespace vitrine::jobs

@@ -30,7 +30,7 @@ struct JobScene {
 struct JobNeeds {
     /// Exhibit whose settings the job takes (`--preset`, `--set`); empty: none.
     std::string_view subject = {};
-    /// Whether the job shows any exhibit or the hall, with all options of a scene.
+    /// True if the job shows any exhibit or the hall, with all options of a scene.
     bool anyScene = false;
     /// Extensions of the output, the usual one first: "png".
     std::vector<std::string_view> extensions;
@@ -48,7 +48,7 @@ struct Fact {
 
     bool operator==(const Fact&) const = default;
 };
-/// "12", "0.523 m³": three digits of a number that is not whole.
+/// Formats the value: "12", "0.523 m³". Numbers that are not whole have three digits.
 [[nodiscard]] std::string valueText(const Fact&);
 
 struct PlannedFile {
@@ -78,16 +78,17 @@ struct JobReport {
     std::vector<std::string> warnings = {};
 };
 
-/// Asked now and then with the part that is done, 0 to 1; false: the job is to stop.
+/// Called repeatedly with the fraction that is done, 0 to 1. Returns false if the job must stop.
 using Watch = std::function<bool(double part)>;
 
-/// Thrown by a step whose `Watch` answered false.
+/// Exception of a step that stopped because its `Watch` returned false.
 class Stopped final : public std::exception {
 public:
     [[nodiscard]] const char* what() const noexcept override { return "The job was stopped."; }
 };
 
-/// A job in progress. Destroying it before `publish` cancels it: nothing is left but what `JobPlan::ifStopped` says.
+/// A job in progress. Destroying it before `publish` cancels it. Then no file remains, except as `JobPlan::ifStopped`
+/// states.
 class JobRun {
 public:
     enum class Next : std::uint8_t {
@@ -99,7 +100,7 @@ public:
     virtual ~JobRun() = default;
 
     [[nodiscard]] virtual Next next() const = 0;
-    /// Throws Stopped, or Failure naming what was being done.
+    /// Runs the next step. Throws Stopped, or Failure naming what was being done.
     virtual void step(const Watch&) = 0;
     /// Returns the fraction that is done, 0 to 1.
     [[nodiscard]] virtual double progress() const = 0;
@@ -107,11 +108,12 @@ public:
     [[nodiscard]] virtual std::string_view doing() const = 0;
     /// Returns the report of the work so far. It is complete when `next` returns `done`.
     [[nodiscard]] virtual const JobReport& report() const = 0;
-    /// Puts all files in place at once, or throws Failure and leaves all as they were. On any thread.
+    /// Moves all files to their destinations at once. On failure throws Failure and leaves all old files unchanged. Any
+    /// thread.
     virtual void publish() = 0;
 };
 
-/// Files and other inputs that the values name, read. Immutable.
+/// Files and other inputs that the values name, as read. Immutable.
 class JobInputs {
 public:
     virtual ~JobInputs() = default;
@@ -120,10 +122,10 @@ public:
 /// Creates the backend on the thread that draws, when the job first needs it.
 using BackendMaker = std::function<std::unique_ptr<render::RenderBackend>()>;
 
-/// Items of a job, such as frames, that this process makes where several share it.
+/// Share of a job's items (such as frames) that this process makes if several processes share the job.
 struct JobShare {
     std::function<bool(int)> makes = {};  ///< Whether it makes item k (from 0). Empty: all.
-    /// Pattern of the items that the parts made ("folder/%06d.png"), which are taken in place of making them.
+    /// Pattern of the items that the parts made ("folder/%06d.png"). If set, they are read and not made.
     std::filesystem::path from = {};
 };
 
@@ -138,42 +140,43 @@ struct JobOrder {
     int largestTile = 2048;  ///< Largest side of what is drawn in one step, in pixels.
 };
 
-/// A job: turns a scene or files into files. Described by its parameter table, of which command line, dialog, settings
-/// document and schema are derived.
+/// A job: turns a scene or files into files. The command line, the dialog, the settings document and the schema are
+/// derived from its parameter table.
 class Job {
 public:
     virtual ~Job() = default;
 
-    /// "sprite": the command, and the name in documents.
+    /// Returns the name of its command, also used in documents: "sprite".
     [[nodiscard]] virtual std::string_view name() const = 0;
-    /// "Export sprites": title of its dialog.
+    /// Returns the title of its dialog: "Export sprites".
     [[nodiscard]] virtual std::string_view title() const = 0;
-    /// One sentence without a full stop, for the help of the command.
+    /// Returns one sentence without a full stop, for the help of the command.
     [[nodiscard]] virtual std::string_view summary() const = 0;
     [[nodiscard]] virtual const Parameters& parameters() const = 0;
     [[nodiscard]] virtual JobNeeds needs() const = 0;
-    /// Reads the files that the values name. On any thread. Throws Failure.
+    /// Reads the files that the values name. Any thread. Throws Failure.
     [[nodiscard]] virtual std::shared_ptr<const JobInputs> read(const ParameterValues&) const = 0;
-    /// Says what will be written. Reads no file, needs no graphics, and throws nothing: what cannot be is refused in
-    /// the plan. `inputs` are those of `read` for these values. Without `out`, no file is planned.
+    /// Returns what the job would write. Reads no file, needs no graphics and throws nothing: an impossible request is
+    /// reported as `JobPlan::refusal`. `inputs` are the result of `read` for these values. Without `out`, no file is
+    /// planned.
     [[nodiscard]] virtual JobPlan plan(const ParameterValues&, const JobScene&, const JobInputs&,
                                        const std::filesystem::path& out) const = 0;
-    /// Starts what was planned. Cheap: opens nothing.
+    /// Starts the job. Cheap: opens no file.
     [[nodiscard]] virtual std::unique_ptr<JobRun> start(JobOrder) const = 0;
     /// Returns whether the camera of the scene has an effect. For jobs with `JobNeeds::anyScene`.
     [[nodiscard]] virtual bool usesCamera(const ParameterValues&, const JobScene&) const { return true; }
     /// Returns the pattern of the files that a part makes instead of `out`: "%06d.png". Empty: a part makes its items
     /// of `out` itself, and there is nothing to merge.
     [[nodiscard]] virtual std::string partItems(const std::filesystem::path&) const { return {}; }
-    /// Values of a smaller run that shows what the whole one will look like.
+    /// Returns the values of a smaller run that previews the whole one.
     [[nodiscard]] virtual ParameterValues draft(const ParameterValues& values, const JobInputs&) const
     {
         return values;
     }
 };
 
-/// Refusal for an output whose extension the job does not write; empty: it writes it. "a.gif: give a name that ends in
-/// .png or .tif."
+/// Returns the reason why the job cannot write a file with this extension: "a.gif: give a name that ends in .png or
+/// .tif." Empty if it can.
 [[nodiscard]] std::string refusedExtension(const Job&, const std::filesystem::path& out);
 
 }  // namespace vitrine::jobs

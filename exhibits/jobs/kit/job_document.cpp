@@ -48,7 +48,7 @@ void readScene(const Json& json, const std::string& name, const Museum& museum, 
     document.notes.insert(document.notes.end(), read.notes.begin(), read.notes.end());
 }
 
-/// "Cells near the surface" as a key: "cellsNearTheSurface".
+/// Converts a label to a key: "cellsNearTheSurface" for "Cells near the surface".
 std::string keyOf(const std::string& label)
 {
     std::string key;

@@ -11,7 +11,7 @@
 
 namespace vitrine::jobs {
 
-/// The newest version of settings documents that is read, and the one that is written.
+/// Version of settings documents that is written; newer ones are refused.
 inline constexpr int jobDocumentVersion = 1;
 
 /// Settings of a job, from which it can be run again. As a file:
@@ -32,7 +32,7 @@ struct JobDocument {
     ParameterValues values;
     SceneState scene = {};    ///< Without values for a job without a scene.
     std::string chosen = {};  ///< Exhibit that is shown, of a job with `JobNeeds::anyScene`.
-    /// How it is shown, of such a job.
+    /// How the scene is shown, for jobs that use a scene.
     std::optional<PictureRecord> taken = {};
     std::filesystem::path out = {};  ///< Beside the document.
     std::vector<std::string> notes = {};
@@ -41,14 +41,14 @@ struct JobDocument {
 /// Returns the path of the document beside an output: "hero.png.vitrine-job.json" for "hero.png".
 [[nodiscard]] std::filesystem::path documentFile(const std::filesystem::path& out);
 
-/// Returns the text of a document. Throws Failure where a value cannot be written.
+/// Returns the text of a document. Throws Failure if a value cannot be written.
 [[nodiscard]] std::string documentText(const Job&, const JobOrder&, const std::vector<Fact>& facts);
 
-/// Reads a document, or the one that lies beside an output. What is out of range is brought to the nearest legal value,
-/// with a note. `museum` may be null for a job without a scene. Throws Failure naming file, line and key: for no
-/// document, one of another job or of a newer version, an unknown key and a wrong type.
+/// Reads a document, or the one beside an output. A value out of range becomes the nearest legal one, with a note.
+/// `museum` may be null for a job without a scene. Throws Failure naming file, line and key if there is no document, if
+/// it belongs to another job or a newer version, or if a key is unknown or has a wrong type.
 [[nodiscard]] JobDocument readDocument(const std::filesystem::path&, const Job&, const Museum*);
-/// The same of a text; `name` is that of its file.
+/// The same for a text; `name` is the name of its file, for messages.
 [[nodiscard]] JobDocument parseDocument(std::string text, const std::string& name, const Job&, const Museum*);
 
 /// Returns a JSON Schema (draft 2020-12) for the "values" of the job's documents.

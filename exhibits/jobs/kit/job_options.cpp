@@ -15,7 +15,7 @@
 namespace vitrine::jobs {
 namespace {
 
-/// "frame-rate" for "frameRate".
+/// Returns "frame-rate" for "frameRate".
 std::string kebab(std::string_view name)
 {
     std::string text;

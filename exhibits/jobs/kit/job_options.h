@@ -8,7 +8,7 @@
 
 namespace vitrine::jobs {
 
-/// Option of the command line that gives one parameter of a table, or the neighbors of a tuple.
+/// Command line option for one parameter of a table, or for the neighbors of a tuple.
 struct JobOption {
     std::string name;                     ///< "--size", or "model" where it is positional.
     std::vector<std::size_t> parameters;  ///< One, or those of a tuple.
@@ -17,16 +17,16 @@ struct JobOption {
     bool several = false;  ///< Takes any number of words.
     bool isFlag = false;   ///< A toggle: takes no word; `name` turns it on and "--no-..." off.
 
-    /// "size": its key in documents.
+    /// Key in documents: "size".
     std::string key;
 };
 
-/// Returns the options that give all parameters, in the order of the table.
+/// Returns the options for all parameters, in the order of the table.
 [[nodiscard]] std::vector<JobOption> optionsOf(const Parameters&);
-/// Returns the option among these that gives the parameter.
+/// Returns the option for the parameter, out of these.
 [[nodiscard]] const JobOption& optionOf(const std::vector<JobOption>&, std::size_t parameter);
 
-/// "--no-normals" for "--normals".
+/// Returns the flag that switches off: "--no-normals" for "--normals".
 [[nodiscard]] std::string withoutFlag(const JobOption&);
 
 /// Returns the type of the option's value, as help texts show it: "1..64", "own|isle", "TEXT".
@@ -38,11 +38,11 @@ struct JobOption {
 
 /// Returns the value of one parameter as it is typed. `readWord` reads the same bits from it.
 [[nodiscard]] std::string typedText(const ParameterInfo&, const Value&);
-/// Returns the words after the option name that give its parameters these values. Not for flags.
+/// Returns the words that follow the option's name to set these values. Not for flags.
 [[nodiscard]] std::vector<std::string> typedWords(const JobOption&, const ParameterValues&);
 
-/// Reads one parameter's value from a word. Throws Failure (Blame::usage) that begins with `option`: for what is no
-/// value, and for a number out of range.
+/// Parses one parameter's value from a word. Throws Failure (Blame::usage) that begins with `option` if the word is no
+/// value or the number is out of range.
 [[nodiscard]] Value readWord(const std::string& option, const ParameterInfo&, const std::string& word);
 
 }  // namespace vitrine::jobs

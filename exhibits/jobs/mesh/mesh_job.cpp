@@ -66,7 +66,8 @@ std::optional<glm::dvec3> cornerOf(const ParameterValues& values, const std::arr
     return corner;
 }
 
-/// Throws Failure (Blame::usage) where the corners are none of a box.
+/// Returns the box between --low and --high; nullopt if neither is given. Throws Failure (Blame::usage) if the corners
+/// do not form a box.
 std::optional<render::Box> partOf(const ParameterValues& values)
 {
     const MeshTable& t = meshTable();
@@ -83,7 +84,7 @@ std::optional<render::Box> partOf(const ParameterValues& values)
     return render::Box{*low, *high};
 }
 
-/// The values of the scene's parameters with those of "name=value" in their places. Throws Failure (Blame::usage).
+/// Returns the values of the scene's parameters, with those given as "name=value". Throws Failure (Blame::usage).
 std::vector<double> parametersOf(const scenes::Scene& scene, const ParameterValues& values)
 {
     std::vector<double> all;
@@ -125,7 +126,8 @@ scenes::MeshRequest requestOf(const ParameterValues& values)
     return request;
 }
 
-/// Throws Failure (Blame::check) where the mesh is empty or not closed; `isPart`: --low and --high limit it.
+/// Returns the check of the mesh. Throws Failure (Blame::check) if it is empty or not closed. `isPart`: it is limited
+/// by --low and --high.
 scenes::MeshCheck checked(const scenes::SceneMesh& mesh, bool isPart)
 {
     if (mesh.indices.empty() && isPart)

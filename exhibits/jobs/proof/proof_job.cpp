@@ -46,7 +46,7 @@ public:
     void step(const Watch&) override
     {
         const ProofTable& t = proofTable();
-        // Millimeters without the last digits that the way from meters adds.
+        // Rounded, to remove the error in the last digits that the conversion from meters adds.
         const double distance = std::round(order_.values[t.distance] * 1e12) / 1e9;
         const printing::Eye eye{order_.values[t.angle], order_.values[t.angleAlong], distance};
         printing::PrintRaster print = printing::readPrint(order_.values[t.print]);

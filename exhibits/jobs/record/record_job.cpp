@@ -28,7 +28,7 @@ struct RecordInputs final : JobInputs {
     std::string bookmarksProblem;  ///< Sentence on why the bookmarks cannot be read; empty: they can.
 };
 
-/// Returns the way of the camera, where it is chosen by the scene.
+/// Returns the path of the camera, with `automatic` resolved by the scene.
 RecordPath pathOf(const ParameterValues& values, const JobScene& scene)
 {
     const RecordPath path = values[recordTable().path];
@@ -71,8 +71,8 @@ std::vector<Fact> factsOf(const RecordingRequest& request)
             {"Uncompressed", frames * size.x * size.y * channels / 1e6, "MB"}};
 }
 
-/// Moves the camera around its target: in a loop, or to and fro about the view. Throws Failure (Blame::usage) where it
-/// runs into something.
+/// Moves the camera around its target: in a loop, or to and fro about the view. Throws Failure (Blame::usage) if it
+/// runs into an obstacle.
 void turnAround(const ParameterValues& values, const JobScene& scene, RecordingRequest& request)
 {
     const FrameRequest& frame = request.picture.frame;

@@ -19,9 +19,9 @@ public:
     [[nodiscard]] JobPlan plan(const ParameterValues&, const JobScene&, const JobInputs&,
                                const std::filesystem::path& out) const override;
     [[nodiscard]] std::unique_ptr<JobRun> start(JobOrder) const override;
-    /// Only where the camera turns around its target or stays.
+    /// Returns true if the camera turns around its target or stays.
     [[nodiscard]] bool usesCamera(const ParameterValues&, const JobScene&) const override;
-    /// Frames of a video. Frames need no merging.
+    /// Returns the pattern of a video's frames. Frames that are files themselves need no merging.
     [[nodiscard]] std::string partItems(const std::filesystem::path& out) const override;
 };
 

@@ -22,7 +22,7 @@ void setColor(Image& image, int x, int y, const glm::vec3& color)
     for (int k = 0; k < 3; ++k) image.at(x, y, k) = color[k];
 }
 
-/// Which of sixteen colors a pixel of a frame takes.
+/// Returns which of the sixteen colors a pixel of a frame gets.
 std::size_t rankAt(SpriteDither dither, int x, int y)
 {
     if (dither == SpriteDither::ordered) return bayer[static_cast<std::size_t>(4 * (y % 4) + x % 4)];
@@ -87,7 +87,8 @@ Image SpriteColors::diffused(const Image& frame)
     for (int y = 0; y < frame.height; ++y)
         for (int x = 0; x < frame.width; ++x) {
             if (!isSeen(frame, x, y)) continue;
-            // What is owed may lie beyond all colors, but not grow without end where none of the palette is near.
+            // The accumulated error may exceed the range of colors, but it must not grow without limit if no palette
+            // color is near.
             const glm::vec3 here = glm::clamp(colorAt(wanted, x, y), -1.0F, 2.0F);
             const glm::vec3 color = linear_[nearest(here)];
             setColor(made, x, y, color);

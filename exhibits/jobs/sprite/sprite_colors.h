@@ -8,16 +8,16 @@
 
 namespace vitrine {
 
-/// Colors of one palette for the pixels of frames, by the nearest in Oklab.
+/// Mapping of frames to the colors of one palette: the nearest color in Oklab, with dithering.
 class SpriteColors {
 public:
-    /// The palette is not empty.
+    /// `palette` must not be empty.
     SpriteColors(const std::vector<Rgb8>& palette, SpriteDither);
 
-    /// A frame (linear, straight alpha) in colors of the palette. Ordered dithering takes one of sixteen colors, whose
-    /// mean is the one asked for, by the pixel's place in the frame (after Knoll 1999, US 6606166, "Pattern
-    /// dithering", and Bayer 1973); blue noise takes it by a pattern without a grid; error diffusion is that of Floyd
-    /// and Steinberg 1976 in linear light, among seen pixels.
+    /// Returns a frame (linear, straight alpha) in colors of the palette. Ordered dithering chooses one of sixteen
+    /// colors, whose mean is the wanted color, by the pixel's position in the frame (after Knoll 1999, US 6606166,
+    /// "Pattern dithering", and Bayer 1973). Blue noise chooses it by a pattern without a grid. Error diffusion is that
+    /// of Floyd and Steinberg 1976, in linear light, among visible pixels.
     [[nodiscard]] render::Image of(const render::Image& frame);
 
 private:

@@ -11,7 +11,7 @@ namespace {
 constexpr std::int64_t longestSide = 16384;
 constexpr std::int64_t mostPixels = std::int64_t{1} << 26U;  // Frames are kept as floats: 36 bytes a pixel.
 
-/// "hero.png", "_normal" -> "hero_normal.png".
+/// Returns the path of a file beside the sheet: "hero.png" and "_normal" give "hero_normal.png".
 std::filesystem::path besides(const std::filesystem::path& out, const std::string& suffix, const char* extension)
 {
     return out.parent_path() / (out.stem().string() + suffix + extension);
@@ -22,7 +22,7 @@ std::string pngOf(const std::filesystem::path& file, const render::Image& image,
     return render::encodedPicture(file, image, render::PictureFormat::png8, {.preset = settings});
 }
 
-/// The same of numbers as they are, past the curve that colors are written with.
+/// The same for numbers that are stored unchanged, without the sRGB curve of colors.
 std::string codesOf(const std::filesystem::path& file, render::Image image)
 {
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
@@ -47,7 +47,7 @@ std::vector<Rgb8> chosenPalette(const ParameterValues& values)
     return {};
 }
 
-/// A file of a sheet, and how it is made.
+/// A file of a sheet, and the function that makes its content.
 struct SheetPart {
     std::filesystem::path file;
     const char* content;

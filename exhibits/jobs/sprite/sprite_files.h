@@ -13,23 +13,24 @@ namespace vitrine {
 /// Returns the views, frames and sizes to draw for these values of `SpriteTable`.
 [[nodiscard]] SpriteRequest spriteRequest(const ParameterValues&, const SpriteSubject&);
 
-/// Sentence on why there can be no such sheet; empty: there can.
+/// Returns a sentence that says why such a sheet is impossible; empty if it is possible.
 [[nodiscard]] std::string whyNoSheet(const SpriteRequest&);
 
-/// The object that they name: a file is read. Throws Failure as SpriteSubject does.
+/// Returns the object that the values name; reads its file. Throws Failure like SpriteSubject.
 [[nodiscard]] std::shared_ptr<const SpriteSubject> spriteSubject(const ParameterValues&);
 
-/// The frames of these values as a sheet of that file name.
+/// Returns the frames with these values as a sheet with that file name.
 [[nodiscard]] SpriteSheet sheetOf(const std::vector<SpriteFrame>&, const ParameterValues&, const SpriteSubject&,
                                   const std::string& imageName);
 
-/// The files of a sheet that is written to `out` ("hero.png": also "hero_normal.png", "hero_depth.png", "hero.json").
+/// Returns the files of a sheet that is written to `out` ("hero.png": also "hero_normal.png", "hero_depth.png",
+/// "hero.json").
 [[nodiscard]] std::vector<jobs::PlannedFile> sheetFiles(const ParameterValues&, const std::filesystem::path& out);
 
-/// The preset of the look in which a sheet was drawn (values of `spriteLookName`), for `SpriteSheet::settings`.
+/// Returns the preset with the settings of `spriteLookName` with which a sheet was drawn, for `SpriteSheet::settings`.
 [[nodiscard]] std::string lookPreset(const ParameterValues& look);
 
-/// The same files with their content.
+/// Returns the same files with their content.
 [[nodiscard]] std::vector<render::NamedBytes> sheetBytes(const SpriteSheet&, const ParameterValues&,
                                                          const std::filesystem::path& out);
 

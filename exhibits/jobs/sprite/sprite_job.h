@@ -5,13 +5,13 @@
 
 namespace vitrine::jobs {
 
-/// The object of which sprites are drawn, read.
+/// Input of the job: the object of which sprites are drawn.
 struct SpriteInputs final : JobInputs {
     explicit SpriteInputs(std::shared_ptr<const SpriteSubject> read) : object(std::move(read)) {}
     std::shared_ptr<const SpriteSubject> object;
 };
 
-/// Draws a sprite sheet. Once it is done, the preview shows its sheet.
+/// Run that draws a sprite sheet. The preview shows the sheet when the run is done.
 class SpriteRun final : public JobRun {
 public:
     explicit SpriteRun(JobOrder);
@@ -23,7 +23,7 @@ public:
     [[nodiscard]] const JobReport& report() const override { return report_; }
     void publish() override;
 
-    /// Null until the run is done.
+    /// Returns the sheet; null until the run is done.
     [[nodiscard]] const SpriteSheet* sheet() const { return sheet_.get(); }
 
 private:
@@ -53,7 +53,7 @@ public:
     [[nodiscard]] JobPlan plan(const ParameterValues&, const JobScene&, const JobInputs&,
                                const std::filesystem::path& out) const override;
     [[nodiscard]] std::unique_ptr<JobRun> start(JobOrder) const override;
-    /// Fewer frames, and fewer directions, where drawing all of them takes long.
+    /// Returns values with fewer frames and directions if drawing all of them takes long.
     [[nodiscard]] ParameterValues draft(const ParameterValues&, const JobInputs&) const override;
 };
 

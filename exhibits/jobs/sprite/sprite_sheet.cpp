@@ -19,7 +19,7 @@ using render::Json;
 
 constexpr int fewestPixels = 12;  ///< Of a frame that shows something.
 
-/// Pixels that are seen in the fullest frame.
+/// Returns the number of visible pixels in the frame that has most of them.
 int mostSeen(const std::vector<SpriteFrame>& frames)
 {
     int most = 0;
@@ -27,7 +27,7 @@ int mostSeen(const std::vector<SpriteFrame>& frames)
     return most;
 }
 
-/// Tells whether directions have several frames, and all frames of each direction are equal.
+/// Returns whether directions have several frames, and all frames of each direction are equal.
 bool framesRepeat(const std::vector<SpriteFrame>& frames)
 {
     std::map<int, const SpriteFrame*> first;
@@ -38,7 +38,7 @@ bool framesRepeat(const std::vector<SpriteFrame>& frames)
     return frames.size() > first.size();
 }
 
-/// The part of a frame that is not empty; one texel of one that is.
+/// Returns the part of a frame that is not empty; one texel for an empty frame.
 SpriteCell cellOf(const Image& color, bool trimmed)
 {
     SpriteCell cell;
@@ -56,7 +56,7 @@ SpriteCell cellOf(const Image& color, bool trimmed)
     return cell;
 }
 
-/// Rows of directions, each as high as its highest frame. Returns the size of the sheet.
+/// Places the cells in rows, one for each direction and as high as its highest frame. Returns the size of the sheet.
 glm::ivec2 place(std::vector<SpriteCell>& cells, const std::vector<SpriteFrame>& frames)
 {
     glm::ivec2 at(0), size(0);
@@ -83,7 +83,7 @@ std::vector<Rgb8> paletteOf(const std::vector<SpriteFrame>& frames, const Sprite
             for (int x = 0; x < frame.color.width; ++x)
                 if (isSeen(frame.color, x, y))
                     pixels.emplace_back(frame.color.at(x, y, 0), frame.color.at(x, y, 1), frame.color.at(x, y, 2));
-    // Some are enough, evenly chosen.
+    // An evenly chosen part of the pixels is sufficient.
     const std::size_t stride = pixels.size() / 65536 + 1;
     std::vector<glm::vec3> some;
     for (std::size_t i = 0; i < pixels.size(); i += stride) some.push_back(pixels[i]);

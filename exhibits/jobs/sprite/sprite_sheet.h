@@ -22,12 +22,12 @@ struct SpriteFrame {
     glm::dvec2 pivot{0};   ///< Where the object stands, texels from the upper left corner of the picture.
 };
 
-/// Whether anything is in a pixel: its opacity is no 0 in 8 bits.
+/// Returns whether a pixel is visible: its opacity is not 0 in 8 bits.
 [[nodiscard]] inline bool isSeen(const render::Image& color, int x, int y)
 {
     return color.at(x, y, 3) > 0.5F / 255;
 }
-/// In how many pixels of the frame something is.
+/// Returns the number of visible pixels of a frame.
 [[nodiscard]] int seenPixels(const SpriteFrame&);
 
 struct SpriteSheetOptions {
@@ -40,7 +40,7 @@ struct SpriteSheetOptions {
     std::string imageName;  ///< Of the sheet, as the description names it.
 };
 
-/// Where a frame lies in the sheet, and what was cut off it. Texels from upper left corners.
+/// Position of a frame in the sheet, and the margin that was cut off. In texels, from upper left corners.
 struct SpriteCell {
     glm::ivec2 place{0}, size{0};
     glm::ivec2 cutOff{0};  ///< To the left and above.
@@ -56,15 +56,15 @@ struct SpriteSheet {
     std::vector<glm::ivec2> pivots;  ///< Of each frame, as the description has them.
     double frameSeconds = 0;         ///< Likewise.
     std::vector<Rgb8> palette;
-    /// The JSON that Aseprite exports ("array" form, `--filename-format {frame}`, with frame tags, and the pivot as a
-    /// slice), which Phaser, Godot's and Unity's importers read. Phaser's `createFromAseprite` asks a texture for
-    /// frames by their numbers, and keeps the animations of all sheets by the names of their tags.
+    /// Description of the sheet as Aseprite's JSON ("array" form, `--filename-format {frame}`, with frame tags, and the
+    /// pivot as a slice). Phaser and the importers of Godot and Unity read it. Phaser's `createFromAseprite` finds
+    /// frames by their numbers, and stores the animations of all sheets by the names of their tags.
     std::string description;
     std::string settings = {};  ///< The preset that the picture carries: the look that it was drawn in; empty: none.
     std::vector<std::string> warnings;  ///< What will disappoint, sentences.
 };
 
-/// Frames of one size, direction by direction. Throws Failure (Blame::usage) where there is none.
+/// Makes a sheet of frames of one size, ordered by direction. Throws Failure (Blame::usage) if there are none.
 [[nodiscard]] SpriteSheet spriteSheet(const std::vector<SpriteFrame>&, const SpriteSheetOptions&);
 
 }  // namespace vitrine

@@ -16,7 +16,8 @@
 
 namespace vitrine {
 
-/// What holds every vertex of every frame from every direction: half the width, and how far down and up.
+/// Extent that contains every vertex of every frame from every direction: half the width, and the lowest and highest
+/// position.
 struct SpriteExtent {
     double across = 0, low = 1e30, high = -1e30;
 
@@ -76,7 +77,7 @@ PixelCamera spriteCamera(const SpriteExtent& e, const SpriteRequest& request, do
     return camera;
 }
 
-/// Gives the pixels that no opaque surface covers the color, normal and depth of the translucent ones.
+/// Copies color, normal and depth of the translucent parts to pixels that no opaque surface covers.
 void addTranslucent(render::RenderBackend& backend, SpriteFrame& frame, render::Image& depth)
 {
     const render::Image over = backend.read(pixelTranslucentImage);
@@ -95,7 +96,8 @@ void addTranslucent(render::RenderBackend& backend, SpriteFrame& frame, render::
     }
 }
 
-/// Coverage apart from color, and depth over the object's own. `origin` of the object, in the small world.
+/// Reads a frame: coverage separate from color, and depth within the object's own range. `origin` is that of the
+/// object, in the small world.
 SpriteFrame frameOf(render::RenderBackend& backend, const PixelBlock& block, const PixelShot& shot,
                     const glm::dvec3& origin, int direction)
 {
@@ -117,7 +119,7 @@ SpriteFrame frameOf(render::RenderBackend& backend, const PixelBlock& block, con
     for (std::size_t i = 0; i < depth.pixels.size(); ++i) {
         const bool seen = depth.pixels[i] > 0;
         frame.normal.pixels[4 * i + 3] = seen ? 1.0F : 0.0F;
-        // 0 is kept for what is nothing.
+        // 0 is reserved for empty pixels.
         if (seen) frame.depth.pixels[i] = (1 + 254 * (depth.pixels[i] - farthest) / span) / 255;
     }
     const glm::dvec4 view = glm::inverse(glm::dmat4(block.worldFromView)) * glm::dvec4(origin, 1);
@@ -183,7 +185,7 @@ struct SpriteShots::Scene {
 
 namespace {
 
-/// The box around all vertices.
+/// Returns the box around all vertices.
 render::Box exactBounds(const std::vector<WorldPart>& parts)
 {
     render::Box box;
@@ -199,7 +201,7 @@ double largestSide(const render::Box& box)
     return std::max({size.x, size.y, size.z});
 }
 
-/// How far the animation carries the object from its first to its last moment, where that is taken out of the frames.
+/// Returns the distance that the object travels during the animation if it is removed from the frames; otherwise 0.
 glm::dvec3 travel(const std::vector<render::Box>& boxes, const render::Box& end, SpriteMotion motion)
 {
     if (motion == SpriteMotion::kept || boxes.front().empty() || end.empty()) return glm::dvec3(0);
@@ -210,8 +212,8 @@ glm::dvec3 travel(const std::vector<render::Box>& boxes, const render::Box& end,
     return motion == SpriteMotion::inPlace || glm::length(way) > size ? way : glm::dvec3(0);
 }
 
-/// The point about whose vertical it is turned: the object's origin where it stands over that, else its middle. Its
-/// height is that of the middle.
+/// Returns the point on the axis of rotation: the object's origin if the object is above or around it, else the
+/// object's center. Its height is that of the center.
 glm::dvec3 turningPoint(const render::Box& box)
 {
     const bool standsOverOrigin = box.low.x <= 0 && box.high.x >= 0 && box.low.z <= 0 && box.high.z >= 0;
@@ -229,7 +231,7 @@ SpriteShots::SpriteShots(ParameterValues look, std::shared_ptr<const SpriteSubje
     look_.set(table.palette, PaletteName::none);
     look_.set(table.view, PixelView::finished);
     look_.set(table.projection, PixelProjection::orthographic);
-    // Nothing keeps a sprite from the drawn normals, unless another method was asked for.
+    // Sprites can use the drawn normals, unless the settings choose another method.
     if (look_.isInitial(table.method.row)) look_.set(table.method, NormalsBy::trueNormals);
 }
 
@@ -271,7 +273,7 @@ void SpriteShots::pose()
         for (WorldPart& part : scene->poses[i]) part.worldFromModel = moved * part.worldFromModel;
         extent.include(scene->poses[i], look_[lookTable().elevation]);
     }
-    // A model is as large as it is drawn: shadows and thresholds count in meters of the small world.
+    // The model is scaled to a fixed size, because shadows and thresholds are in meters of the small world.
     const double scale = 3 / std::max({extent.across, 0.5 * (extent.high - extent.low), 1e-9});
     for (auto& pose : scene->poses)
         for (WorldPart& part : pose)

@@ -18,7 +18,7 @@ struct WorldPart;
 /// Name of the exhibit whose style sprites are drawn in.
 inline constexpr const char* spriteLookName = "pixel_art";
 
-/// Views and frames to draw of an object.
+/// Views and frames of an object to draw.
 struct SpriteRequest {
     int directions = 8;  ///< Evenly spaced around the object; the first is the azimuth of the pixel art.
     int frames = 1;      ///< Per direction, evenly spaced over the animation.
@@ -30,26 +30,26 @@ struct SpriteRequest {
 /// An object of which sprites are made. Immutable.
 class SpriteSubject {
 public:
-    /// The program's own: the torus over its pillar, which tumbles.
+    /// Makes the built-in object: the torus over its pillar, which tumbles.
     SpriteSubject() = default;
-    /// A glTF file, animated by itself. Throws Failure as `AnimatedModel::load`.
+    /// Reads a glTF file with its animations. Throws Failure like `AnimatedModel::load`.
     explicit SpriteSubject(const std::filesystem::path& file)
         : model_(render::AnimatedModel::load(file)), name_(file.string())
     {
     }
 
-    /// As messages have it.
+    /// Returns its name for messages.
     [[nodiscard]] const std::string& name() const { return name_; }
 
-    /// Frame `i` of `n`. Throws Failure (Blame::usage) where there is no such animation.
+    /// Returns the parts in frame `i` of `n`. Throws Failure (Blame::usage) if the animation does not exist.
     [[nodiscard]] std::vector<WorldPart> parts(const SpriteRequest&, int i) const;
-    /// Of a whole round, by the animation's own length, seconds.
+    /// Returns the length of the animation in seconds.
     [[nodiscard]] double duration(const SpriteRequest&) const;
-    /// Whether its frames differ: the program's own object always tumbles.
+    /// Returns whether its frames differ; those of the built-in object always do.
     [[nodiscard]] bool animated() const { return !model_ || !animations().empty(); }
-    /// Names of its animations, in the file's order.
+    /// Returns the names of its animations, in the order of the file.
     [[nodiscard]] std::vector<std::string> animations() const;
-    /// What its file asks for and is not drawn, sentences.
+    /// Returns sentences on features of the file that are not supported.
     [[nodiscard]] std::vector<std::string> warnings() const;
 
 private:
@@ -58,20 +58,20 @@ private:
     std::string name_ = "the torus over its pillar";
 };
 
-/// Draws frames one by one, direction by direction, in a look (values of `spriteLookName`): its camera's elevation,
-/// light and lines; orthographic, as large as all frames fit, by drawn normals unless the look has a method other than
-/// its initial one. It is turned about its origin where it stands over that, else about its middle; the pivot is the
-/// origin, which may lie outside of the frame.
+/// Draws the frames one by one, direction by direction, with settings of the exhibit `spriteLookName`. It uses the
+/// camera's elevation, the light and the lines of these settings; the projection is orthographic, as large as all
+/// frames fit. Normals are the drawn ones, unless the settings choose another method. The object turns about its origin
+/// if it is above or around that, else about its center. The pivot is the origin, which may be outside of the frame.
 class SpriteShots {
 public:
     SpriteShots(ParameterValues look, std::shared_ptr<const SpriteSubject>, SpriteRequest);
     ~SpriteShots();
 
-    /// The next frame, or the poses of all, which come first. Throws Failure (Blame::usage) where there is no such
-    /// animation, and (Blame::file) where nothing is to be seen in any frame. Always on the same backend.
+    /// Draws the next frame; the first step computes the poses of all frames. Throws Failure: Blame::usage if the
+    /// animation does not exist, Blame::file if all frames are empty. Always call it with the same backend.
     void step(render::RenderBackend&);
     [[nodiscard]] bool finished() const;
-    /// The part that is done, 0 to 1.
+    /// Returns the fraction that is done, 0 to 1.
     [[nodiscard]] double progress() const;
     [[nodiscard]] std::vector<SpriteFrame>& frames() { return frames_; }
 
@@ -86,7 +86,7 @@ private:
     std::vector<SpriteFrame> frames_;
 };
 
-/// All frames at once.
+/// Draws all frames.
 [[nodiscard]] std::vector<SpriteFrame> drawSprite(const ParameterValues& look, const SpriteSubject&,
                                                   const SpriteRequest&, render::RenderBackend&);
 

@@ -6,7 +6,7 @@
 
 namespace vitrine {
 
-/// Palette of the sheet. Further choices are the palettes of the pixel art, by name.
+/// Palette of the sheet. The further choices are the palettes of the exhibit Pixel Art, by name.
 enum class SpritePalette : int { own };
 enum class SpriteDither : int { none, ordered, errorDiffusion, blueNoise };
 enum class SpritePivot : int { origin, center, bottom };

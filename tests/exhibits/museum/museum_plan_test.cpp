@@ -126,10 +126,8 @@ TEST(MuseumPlan, OfTheOnesInViewNoMoreAreDrawnThanAreAskedForTheNearestFirst)
             EXPECT_EQ(drawn(nearest[k]), k < most) << test::museum().subjects()[nearest[k]]->name() << ", " << most;
     }
     scene.request.mostExhibits = 0;
-    EXPECT_EQ(reasonFor(scene.plan(), "sdf_morph"),
-              "the window is opening, and programs of nearer exhibits are built first");
-    EXPECT_EQ(reasonFor(scene.plan(), "exhibits/shadow"),
-              "the window is opening, and programs of nearer exhibits are built first");
+    EXPECT_EQ(reasonFor(scene.plan(), "sdf_morph"), "the window is opening, and nearer exhibits are drawn first");
+    EXPECT_EQ(reasonFor(scene.plan(), "exhibits/shadow"), "the window is opening, and nearer exhibits are drawn first");
 }
 
 TEST(MuseumPlan, OutOfViewTheHallIsPlannedAsIfItWereEmpty)
