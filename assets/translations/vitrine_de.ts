@@ -17326,8 +17326,8 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <location filename="exhibits/printing/view_rig.cpp"/>
-        <source>The baseline's scale is {1}; give 0 or more, 1 for depth in its true measure.</source>
-        <translation>Der Maßstab der Basis ist {1}; geben Sie 0 oder mehr an, 1 für Tiefe in ihrem wahren Maß.</translation>
+        <source>The baseline scale is {1}; give 0 or more, 1 for true depth.</source>
+        <translation>Der Maßstab der Basis ist {1}; geben Sie 0 oder mehr an, 1 für die wahre Tiefe.</translation>
     </message>
     <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays.cpp"/>

@@ -327,7 +327,8 @@ Bounce::MotionState Bounce::stepBodies()
     return next;
 }
 
-/// Advances the springs of body `i` by `steps` steps of the bodies, from number `before` in `motion_`.
+/// Advances the springs of body `i` over `steps` steps of the rigid bodies, the first of which begins at index `before`
+/// of `motion_`.
 void Bounce::stepSprings(int i, std::size_t before, int steps)
 {
     const double h = steps * dt;

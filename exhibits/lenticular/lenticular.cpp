@@ -102,7 +102,7 @@ CardObject cardObject(const Scene& s, const render::View& view, double roll)
     return object;
 }
 
-/// Binds one of the prints; `slot` 0 is the one that rests or leaves.
+/// Binds one of the two prints; `slot` 0 is the one that is static or scrolls out.
 void addPicture(Pass& pass, CardObject& object, int slot, const CardPicture& picture)
 {
     object.prints[static_cast<std::size_t>(slot)] = picture.block;

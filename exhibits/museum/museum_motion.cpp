@@ -1,4 +1,4 @@
-// Which parts of a picture change by themselves, and when.
+// Finds the parts of a picture that change by themselves, and the times at which they do.
 #include "exhibits/framework/time/animation.h"
 #include "exhibits/hall/hall_scene.h"
 #include "exhibits/museum/lamps.h"

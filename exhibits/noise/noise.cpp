@@ -160,7 +160,7 @@ void Noise::plan(const PlanContext& context, render::FramePlan& plan) const
         if (other != work) plan.skip(shaderOf(other).name, "another work is shown");
     const bool clouds = work == NoiseWork::clouds;
     const bool field = work == NoiseWork::field || work == NoiseWork::fractal;
-    // Parameters without effect keep no volume.
+    // Noise is baked only for parameters that have an effect, so that no unused volume is kept.
     const bool baked =
         values[t.look] == NoiseLook::physical &&
         (clouds ? values[t.cloudNoise] == NoiseLookup::baked

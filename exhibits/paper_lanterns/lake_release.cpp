@@ -194,7 +194,8 @@ public:
     {
         const glm::ivec2 first = firstCellAt(seconds * way_.driftVelocity, way_.lake.lake.cell);
         if (first_ != first || glm::distance(place, middle_) > renewsAfter) {
-            // A step is shorter than `beginsToTurn`, so the list includes all lanterns that it may touch on the way.
+            // A step is shorter than `beginsToTurn`, so the list includes all lanterns that the released one may touch
+            // on the way.
             near_ = way_.within(place, way_.sight() + renewsAfter + way_.farther, seconds);
             middle_ = place;
             first_ = first;

@@ -16,8 +16,8 @@ ViewRig::ViewRig(const PrintLayout& layout, const render::Camera& middle, glm::i
 {
     const PrintSettings& s = layout.settings();
     if (!(strength_ >= 0) || !std::isfinite(strength_))
-        throw Failure(Blame::usage, "The baseline's scale is " + shortText(strength_) +
-                                        "; give 0 or more, 1 for depth in its true measure.");
+        throw Failure(Blame::usage,
+                      "The baseline scale is " + shortText(strength_) + "; give 0 or more, 1 for true depth.");
     convergence_ = settings.convergence == 0 ? glm::length(middle.target - middle.eye) : settings.convergence;
     const render::View view = render::makeView(middle, {.size = viewSize});
     if (!(convergence_ > view.nearPlane) || !std::isfinite(convergence_)) {

@@ -296,7 +296,8 @@ EditedScene SceneEdit::hidden(std::string_view node, bool hide) const
 
 std::string SceneEdit::withHidden(const std::vector<std::pair<std::uint32_t, bool>>& changes) const
 {
-    // Each change alone is one range of the text. Applied from the last range on, none moves another.
+    // Each change replaces one range of the text. Changes are applied from the last range to the first, so that none
+    // moves the range of another.
     struct Place {
         std::size_t begin, length;
         std::string with;

@@ -37,11 +37,11 @@ struct PictureFileFormat {
 /// All formats that are read, in the order in which they are named to people.
 [[nodiscard]] const std::vector<PictureFileFormat>& pictureFormats();
 
-/// The format's row in the table.
+/// Returns the declaration of the format.
 [[nodiscard]] const PictureFileFormat& fileFormat(ImageFormat);
-/// The row of the file format that `PictureFormat` is a depth of.
+/// Returns the declaration of the file format to which a `PictureFormat` belongs.
 [[nodiscard]] const PictureFileFormat& fileFormat(PictureFormat);
-/// The row of the format that a file of this name should have. Null if its extension, or the lack of one, names none.
+/// Returns the format that a file of this name should have. Null if its name has no extension or an unknown one.
 [[nodiscard]] const PictureFileFormat* formatNamed(const std::filesystem::path&);
 
 /// Detects the format from the first bytes of a file.
@@ -50,10 +50,11 @@ struct PictureFileFormat {
 /// Returns whether a file of this name may hold `format` (".jpg" and ".jpeg", any case). A name without extension may.
 [[nodiscard]] bool extensionAllows(const std::filesystem::path&, ImageFormat);
 
-/// Bits per channel of a written format.
+/// Returns the bits per channel of a written format.
 [[nodiscard]] int bitsOf(PictureFormat);
 
-/// The format in which a file of this name is written. With `bits`, at that depth. Nothing if there is none.
+/// Returns the format in which a file of this name is written, with this number of bits if given. Nothing if there is
+/// none.
 [[nodiscard]] std::optional<PictureFormat> writtenFormat(const std::filesystem::path&,
                                                          std::optional<int> bits = std::nullopt);
 

@@ -118,8 +118,8 @@ struct DepthOnly {
 struct Pass {
     std::string name;    ///< Unique in the plan: "sdf_morph/march".
     std::string reason;  ///< Why the pass is in the plan, for people: "in view, 1.2 m away".
-    /// Which of several things the pass draws in turn, for people: "built up to: bars". StepCosts keeps the time of
-    /// each.
+    /// Variant that the pass draws in this frame, for people, if it draws several in turn: "built up to: bars".
+    /// StepCosts keeps the time of each.
     std::string variant = {};
     PassPhase phase = PassPhase::opaque;
     Work work = Work::raster;
@@ -170,7 +170,7 @@ struct Pass {
                             ///< is filled.
         bool valid = true;  ///< All histories and sliced outputs that it reads have usable content.
         View lastView;      ///< View of the frame that drew the histories.
-        /// It reads an unfinished output, so that it must run again even if its `key` is unchanged.
+        /// True if the pass reads an unfinished output, so that it must run again even if its `key` is unchanged.
         bool provisional = false;
     } past = {};
 };

@@ -25,8 +25,8 @@ namespace vitrine {
 class Catalog {
 public:
     /// Pairs of English text and translation, with placeholders {1} to {9} in both. In a translation, {=1} inserts the
-    /// text untranslated: names, paths, typed text, messages of other libraries. Such an entry must have four letters
-    /// of its own around the placeholder, or else that matches a single word only.
+    /// text untranslated: names, paths, typed text, messages of other libraries. An entry with {=1} needs four letters
+    /// outside of its placeholders; otherwise {=1} matches a single word only.
     using Entries = std::vector<std::pair<std::string, std::string>>;
     explicit Catalog(Entries);
     ~Catalog();

@@ -24,7 +24,8 @@ void main()
     vec3 color = vec3(0.34, 0.31, 0.28) * (ambient * open + light.sunIrradiance * sunThroughGlass(world) * (lit / PI) + lamp);
     radiance = vec4(color, 1.0) * there;
 #else
-    // The hall has lit the floor with both lights. The result is the share that the bodies leave.
+    // The hall has lit the floor with both lights already. The output is the share of their light that the bodies do
+    // not block.
     vec3 gray = vec3(0.2126, 0.7152, 0.0722);
     float all = dot(ambient + lampOnFloor, gray);
     float there = dot(ambient * open + lamp, gray);

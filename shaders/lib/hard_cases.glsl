@@ -56,7 +56,8 @@ float naiveCase(int which, vec4 a)
     return hardCase(which, a);
 }
 
-// Solids and operators that exhibits use, by number, for a comparison throughout space.
+// Evaluates a solid or operator of the library, by number, so that results on the GPU and the CPU can be compared at
+// many points.
 float libraryField(int which, vec3 p)
 {
     if (which == 0) return sdfSphere(p, 0.75);

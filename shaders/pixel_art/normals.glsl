@@ -298,7 +298,8 @@ vec3 normalVoted(DepthLens lens, ivec2 p)
             bestV = v;
         }
     }
-    // Without a continuing line of three texels, the texel beyond does not bend the slope.
+    // Without a continuing line of three texels, the second texel is extrapolated linearly, so that it does not change
+    // the slope.
     if (!isOnLine(lens, bestH, c)) bestH.second = 2.0 * bestH.first - c;
     if (!isOnLine(lens, bestV, c)) bestV.second = 2.0 * bestV.first - c;
     return normalOfSides(lens, p, c, bestH, bestV);

@@ -31,7 +31,7 @@ void putLegendAbove(QCustomPlot& plot)
     plot.legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
 }
 
-/// The first curve is what one looks at, the others what it is compared with.
+/// Returns the pen of a curve. The first curve is emphasized; the others are for comparison.
 QPen penOf(std::size_t curve)
 {
     const Theme& t = theme();
@@ -62,7 +62,7 @@ void setRanges(QCustomPlot& plot, const Chart& chart)
     plot.yAxis->setRange(y);
 }
 
-/// "Title over x; y from 0 to 3. …": what the curves show, for those who hear it.
+/// Describes the curves for screen readers: "Title over x; y from 0 to 3. …".
 QString sentences(const Chart& chart)
 {
     QStringList all{ChartsDock::tr("%1 over %2.").arg(text(chart.yTitle), text(chart.xTitle))};

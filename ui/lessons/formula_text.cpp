@@ -82,7 +82,7 @@ Piece letter(const QXmlStreamAttributes& attributes, const QString& name)
     return {QStringLiteral("<i>") + name + QStringLiteral("</i>")};
 }
 
-/// Reads the element at whose start the reader stands, with all that is in it.
+/// Reads the element whose start tag was just read, with its content.
 Piece elementText(QXmlStreamReader& xml)  // NOLINT(misc-no-recursion): As deep as the formulas of the pages.
 {
     const QString name = xml.name().toString();

@@ -24,7 +24,7 @@ public:
     [[nodiscard]] double stepped(double value, double steps, Gain = Gain::normal) const;
 
 private:
-    /// The end of the slider for an infinite value, which a word stands for.
+    /// Returns `value`, or the end of the slider if it is infinite. A word is displayed for such a value.
     [[nodiscard]] double finite(double value) const;
     [[nodiscard]] double legal(double value) const;
     [[nodiscard]] double rounded(double value, Gain) const;

@@ -17,12 +17,13 @@ public:
     [[nodiscard]] const ParameterInfo& row() const { return row_; }
     /// Shows a value and sets nothing. A control that already shows it is not painted again.
     virtual void showValue(const Value&) = 0;
-    /// Drag of the parameter's label, which changes numbers. Other editors ignore it.
+    /// Called when the parameter's label is dragged. Editors of numbers change the value; others ignore it.
     virtual void labelPressed(double) {}
     virtual void labelMoved(double, Qt::KeyboardModifiers) {}
     virtual void labelReleased() {}
     [[nodiscard]] virtual bool dragsByLabel() const { return false; }
-    /// Values that a text may be chosen from; the first one is meant where it is empty. Others ignore it.
+    /// Sets the values that a text can be chosen from; the first one is used if the text is empty. Other editors ignore
+    /// it.
     virtual void setOffers(const QStringList&) {}
 
 protected:

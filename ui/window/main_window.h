@@ -53,7 +53,7 @@ public:
 
     /// Chooses an exhibit and goes there.
     void visit(std::size_t exhibit);
-    /// Nothing but the picture is shown.
+    /// Returns whether panels and bars are hidden, so that only the picture is shown.
     [[nodiscard]] bool bare() const { return bare_; }
     [[nodiscard]] ParameterPanel& panel() const;
     [[nodiscard]] PresetShelf& shelf() const { return *shelf_; }

@@ -1,4 +1,4 @@
-// Every job in the list, and one made in the test, keeps what its table promises.
+// Jobs: each job in the list, and one made in the test, behaves as its table declares.
 
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/table/acting.h"
@@ -40,7 +40,7 @@ std::vector<const Job*> everyJob()
     return every;
 }
 
-/// Random values, with texts where the table has some.
+/// Returns random values. Every written parameter that must be given, and half of the others, gets a text or path.
 ParameterValues randomOf(const Job& job, RandomNumbers& random)
 {
     ParameterValues values = randomValues(job.parameters(), random, 0.7);
@@ -52,7 +52,7 @@ ParameterValues randomOf(const Job& job, RandomNumbers& random)
     return values;
 }
 
-/// What a command line of these words gives.
+/// Returns the values that a command line of these words gives.
 ParameterValues typedValues(const Job& job, const std::vector<std::string>& words,
                             std::optional<ParameterValues> document = std::nullopt)
 {
@@ -136,7 +136,7 @@ TEST(EveryJob, ReadsRandomValuesBackFromItsCommandLine)
     for (const Job* job : everyJob()) {
         RandomNumbers random(3);
         for (int i = 0; i < 300; ++i) {
-            // What has no effect is not typed.
+            // Parameters without effect are not typed.
             const ParameterValues values = actingValues(randomOf(*job, random));
             const std::vector<std::string> words = wordsOf(values);
             std::string line;
@@ -223,7 +223,7 @@ TEST(JobOptions, SetWhatTheyImply)
             static_cast<void>(typedValues(contact, {"a.png", "--folder=f", "--title=T"}));
         },
         "pictures and --folder exclude each other; give one of them.");
-    // The other way round on a document: words are a layer of their own.
+    // The other way round, on top of a document: typed words override its values.
     const ParameterValues pictures = typedValues(contact, {"a.png"}, folder);
     EXPECT_EQ(pictures[t.source], test::ContactSource::pictures);
     EXPECT_EQ(pictures[t.folder], "f");
@@ -239,7 +239,7 @@ TEST(JobOptions, RefuseWhatHasNoEffectAndSayWhatWouldGiveItOne)
     };
     refused({"--no-border", "--border-mm=3"}, "--border-mm has no effect without --border;");
     refused({"--source=pictures", "--folder=f"}, "--folder has no effect without --source folder;");
-    // In a document it stands without harm.
+    // In a document, the value without effect is no error.
     ParameterValues values = typedValues(contact, {"--folder=f", "--title=T"});
     EXPECT_NO_THROW(static_cast<void>(typedValues(contact, {"--source=pictures"}, values)));
 }
@@ -275,7 +275,7 @@ TEST(JobDocument, IsRefusedWithFileLineAndKey)
     EXPECT_NE(read.notes.front().find("tileSize 99999 -> 4096"), std::string::npos) << read.notes.front();
 }
 
-/// A gray picture in a folder.
+/// Writes a gray picture into the folder and returns its path.
 std::string pictureIn(const TemporaryFolder& folder, const std::string& name, float gray)
 {
     const std::string file = folder / name;
@@ -283,7 +283,7 @@ std::string pictureIn(const TemporaryFolder& folder, const std::string& name, fl
     return file;
 }
 
-/// What draws in these tests.
+/// Backend of these tests.
 class TestBackend final : public render::RenderBackend {
 public:
     render::FrameReport draw(const render::FramePlan& plan) override { return renderer_.draw(plan); }
@@ -299,7 +299,7 @@ private:
     render::gl::Renderer renderer_;
 };
 
-/// A small order of each job that needs no file of another one.
+/// Small orders, one for each job that needs no output of another job.
 struct SmallOrders {
     SmallOrders()
     {
@@ -308,7 +308,7 @@ struct SmallOrders {
         test::writeBytes(inputs / "ball.json",
                          R"({"format": "vitrine-scene", "version": 1, "root": {"kind": "sphere", "radius": 0.2}})");
     }
-    /// Nothing for a job without a small order.
+    /// Returns the order of a job; nothing if it has none.
     std::optional<JobOrder> of(const Job& job) const
     {
         const std::map<std::string_view, std::vector<std::string>> words{
@@ -466,7 +466,7 @@ TEST(RecordJob, UsesTheCameraWhereItTurnsOrStays)
     scene.subject = hallIndex;
     EXPECT_FALSE(uses({})) << "a tour of the hall";
     EXPECT_TRUE(uses({"--turn=20"})) << "which implies the turntable";
-    // The command line of a tour holds no camera, which it would refuse.
+    // The command line of a tour contains no camera, because the command would refuse it.
     JobOrder order{typedValues(job, {"--path=tour"}), scene};
     const auto holds = [&](const std::string& option) {
         const std::vector<std::string> words = commandOf(job, order);

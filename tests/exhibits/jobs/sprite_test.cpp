@@ -1,4 +1,4 @@
-// Palettes, and sheets of sprites as another reader of their description finds them.
+// Palettes, and sprite sheets as other readers of their description find them.
 
 #include "exhibits/jobs/sprite/sprite_files.h"
 #include "exhibits/jobs/sprite/sprite_sheet.h"
@@ -87,7 +87,7 @@ TEST(Palettes, OfAPictureOfFewColorsAreTheseColors)
     EXPECT_EQ(found, mainColors(image, 16));
 }
 
-/// Disks that move, of colors that do not stand in any palette.
+/// Returns frames with moving disks, in colors that no palette contains.
 std::vector<SpriteFrame> disks(int directions, int each, glm::ivec2 size)
 {
     std::vector<SpriteFrame> frames;
@@ -251,7 +251,7 @@ TEST(SpriteSheet, TakesAnEmptyFrameAndAFrameOfOneTexel)
     EXPECT_THROW(static_cast<void>(spriteSheet({}, {})), std::exception);
 }
 
-/// The rename of this number (from 0) fails.
+/// File operations in which the rename with this number (from 0) fails.
 class NoSuchRename : public render::FileOps {
 public:
     explicit NoSuchRename(int number) : left_(number) {}
@@ -307,7 +307,7 @@ TEST(SpriteSheet, LeavesAllOldFilesWhereALaterOneCannotBeWritten)
     }
 }
 
-/// A frame of one color with a hole in it.
+/// Returns a frame of one color with a hole in it.
 SpriteFrame plainFrame(glm::ivec2 size, const glm::vec3& color)
 {
     SpriteFrame frame;
@@ -343,7 +343,7 @@ TEST(SpriteDithering, KeepsTheMeanWithinThePalette)
                                         [&](const Rgb8& p) { return linearOf(p) == c; }));
             }
         EXPECT_EQ(seen, 64 * 64 - 1);
-        // Sixteen colors give the mean of each channel to one part in sixteen.
+        // The mean of sixteen colors is exact to one part in sixteen in each channel.
         const double tolerance = dither == SpriteDither::errorDiffusion ? 0.01 : 1.0 / 16;
         const glm::dvec3 off = glm::abs(sum / static_cast<double>(seen) - glm::dvec3(wanted));
         if (dither == SpriteDither::none)
@@ -357,7 +357,7 @@ TEST(SpriteDithering, BlueNoiseHasNoGrid)
 {
     SpriteSheetOptions options;
     options.palette = {{0, 0, 0}, {255, 255, 255}};
-    // How often a pixel is like the one four to its right, beyond what chance has it.
+    // Returns how much more often a pixel equals the one four to its right than it would by chance.
     const auto repeats = [&](SpriteDither dither) {
         options.dither = dither;
         const SpriteSheet sheet = spriteSheet({plainFrame({64, 64}, glm::vec3(0.3F))}, options);

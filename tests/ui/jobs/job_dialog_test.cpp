@@ -1,4 +1,5 @@
-// The dialog of a job, on real renderers, shown by sprites: the same bytes as the command, and what it says.
+// Dialog of a job on real renderers, tested with sprites: it writes the same bytes as the command, and its texts are
+// right.
 
 #include "exhibits/exhibits.h"
 #include "exhibits/jobs.h"
@@ -38,7 +39,7 @@ class JobDialogTest : public QObject {
     std::unique_ptr<QTemporaryDir> home_;
     QPointer<JobDialog> dialog_;
 
-    /// `subject`: what a job shows that can show any.
+    /// `subject`: the exhibit to show, for jobs that can show any.
     void openDialog(std::string_view name = "sprite", std::string_view subject = {})
     {
         const jobs::Job& job = *jobs::findJob(name);
@@ -94,7 +95,7 @@ class JobDialogTest : public QObject {
         QTRY_COMPARE(ended.count(), 1);
         QVERIFY2(ended[0][0].toBool(), qPrintable(said().join('\n')));
     }
-    /// A triangle that two animations move: one to the side, one up.
+    /// Returns the path of a triangle with two animations: one moves it to the side, one up.
     [[nodiscard]] QString movedTriangle() const
     {
         vitrine::test::GltfBuilder b;
@@ -114,7 +115,7 @@ class JobDialogTest : public QObject {
         std::ofstream(path.toStdString(), std::ios::binary) << b.glb();
         return path;
     }
-    /// Runs the program, and holds every file of a sheet against those of the dialog.
+    /// Runs the program, and compares every file of a sheet with that of the dialog.
     void compareWithProgram(const QStringList& words, const QStringList& endings)
     {
         QDir().mkpath(at("window"));
@@ -137,7 +138,7 @@ private slots:
     void initTestCase()
     {
         std::setlocale(LC_NUMERIC, "C");
-        // The program writes its commit into its files, which this one does not know.
+        // The program writes its commit into its files; the test program does not know the commit.
         QProcess program;
         program.start(QStringLiteral(VITRINE_PROGRAM), {"--version"});
         QVERIFY(program.waitForFinished(vitrine::test::patience));
@@ -171,7 +172,7 @@ private slots:
         compareWithProgram({"--directions", "3", "--frames", "2", "--size", "31x40", "--palette", "Game Boy",
                             "--dither", "ordered", "--trim", "--pivot", "bottom"},
                            {".png", "_normal.png", "_depth.png", ".json", ".png.vitrine-job.json"});
-        // Control: other settings are other bytes.
+        // Control: other settings give other bytes.
         const QByteArray before = contentOf(at("window/hero.png"));
         set({{"dither", 0.0}});
         exportTo(at("window/plain.png"));
@@ -265,8 +266,8 @@ private slots:
         QVERIFY(offered().isEmpty());
         set({{"model", movedTriangle().toStdString()}});
         QTRY_COMPARE(offered(), (QStringList{"walk", "jump"}));
-        // Its animations only move the whole object, which is taken out of the frames: they are equal, too, until it is
-        // kept.
+        // The animations only move the whole object. This motion is removed from the frames, so all frames are equal
+        // until it is kept.
         QTRY_VERIFY(dialog_->settled() && warned());
         set({{"motion", static_cast<double>(SpriteMotion::kept)}});
         QTRY_VERIFY(dialog_->settled() && !warned());
@@ -274,7 +275,7 @@ private slots:
         animations().setCurrentIndex(1);
         emit animations().activated(1);
         QCOMPARE(dialog_->setup().values()[spriteTable().animation], "jump");
-        // Another file has others.
+        // Another file has other animations.
         const std::size_t model = spriteTable().model.row;
         dialog_->setup().history().set(0, model, at("still.glb").toStdString(), newGesture());
         QCOMPARE(dialog_->setup().values()[spriteTable().animation], "");
@@ -344,7 +345,7 @@ private slots:
         QCOMPARE(QFileInfo(dialog_->path()).fileName(), QStringLiteral("fur.mp4"));
     }
 
-    /// A dialog without a preview gives the room to the settings.
+    /// Without a preview, the settings use the whole dialog.
     void noPartOfTheDialogIsEmpty()
     {
         closeDialog();

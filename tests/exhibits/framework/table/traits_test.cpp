@@ -1,4 +1,4 @@
-// Traits that jobs' parameters have: words beyond the range, lists of texts, and how they are given.
+// Traits of jobs' parameters: words for values beyond the range, lists of texts, and ways to give them.
 
 #include "exhibits/framework/table/morph.h"
 #include "exhibits/framework/table/preset_values.h"
@@ -37,7 +37,7 @@ const ParameterInfo& info(std::uint16_t row)
 
 const TraitTable table;
 
-/// What a preset or document makes of the value and reads of that.
+/// Returns the value after writing it to a preset or document and reading it back.
 Value throughJson(const ParameterInfo& parameter, const Value& value)
 {
     std::vector<std::string> notes;
