@@ -2125,7 +2125,7 @@ Zeiten nach: %2.</translation>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_sheet.cpp"/>
         <source>A sprite sheet takes at least one frame.</source>
-        <translation>Ein Blatt mit Sprites nimmt mindestens einen Frame auf.</translation>
+        <translation>Ein Sprite-Bogen nimmt mindestens einen Frame auf.</translation>
     </message>
     <message>
         <location filename="render/scene/gltf_guard.cpp"/>
@@ -2268,7 +2268,7 @@ Zeiten nach: %2.</translation>
     <message>
         <location filename="render/video/video_file.cpp"/>
         <source>A video has 0.1 to 240 frames a second; give another number.</source>
-        <translation>Ein Video hat 0.1 bis 240 Frames pro Sekunde; geben Sie eine andere Zahl an.</translation>
+        <translation>Ein Video hat 0,1 bis 240 Frames pro Sekunde; geben Sie eine andere Zahl an.</translation>
     </message>
     <message>
         <location filename="render/video/video_file.cpp"/>
@@ -3841,17 +3841,17 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Candy1 half x</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 1: halbes x</translation>
+        <translation>Bonbon 1: halbe Breite</translation>
     </message>
     <message>
         <source>Candy1 half y</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 1: halbes y</translation>
+        <translation>Bonbon 1: halbe Höhe</translation>
     </message>
     <message>
         <source>Candy1 half z</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 1: halbes z</translation>
+        <translation>Bonbon 1: halbe Tiefe</translation>
     </message>
     <message>
         <source>Candy1 spin</source>
@@ -3896,17 +3896,17 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Candy10 half x</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 10: halbes x</translation>
+        <translation>Bonbon 10: halbe Breite</translation>
     </message>
     <message>
         <source>Candy10 half y</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 10: halbes y</translation>
+        <translation>Bonbon 10: halbe Höhe</translation>
     </message>
     <message>
         <source>Candy10 half z</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 10: halbes z</translation>
+        <translation>Bonbon 10: halbe Tiefe</translation>
     </message>
     <message>
         <source>Candy10 spin</source>
@@ -3951,17 +3951,17 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Candy2 half x</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 2: halbes x</translation>
+        <translation>Bonbon 2: halbe Breite</translation>
     </message>
     <message>
         <source>Candy2 half y</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 2: halbes y</translation>
+        <translation>Bonbon 2: halbe Höhe</translation>
     </message>
     <message>
         <source>Candy2 half z</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 2: halbes z</translation>
+        <translation>Bonbon 2: halbe Tiefe</translation>
     </message>
     <message>
         <source>Candy2 spin</source>
@@ -4006,17 +4006,17 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Candy3 half x</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 3: halbes x</translation>
+        <translation>Bonbon 3: halbe Breite</translation>
     </message>
     <message>
         <source>Candy3 half y</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 3: halbes y</translation>
+        <translation>Bonbon 3: halbe Höhe</translation>
     </message>
     <message>
         <source>Candy3 half z</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 3: halbes z</translation>
+        <translation>Bonbon 3: halbe Tiefe</translation>
     </message>
     <message>
         <source>Candy3 spin</source>
@@ -4061,17 +4061,17 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Candy4 half x</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 4: halbes x</translation>
+        <translation>Bonbon 4: halbe Breite</translation>
     </message>
     <message>
         <source>Candy4 half y</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 4: halbes y</translation>
+        <translation>Bonbon 4: halbe Höhe</translation>
     </message>
     <message>
         <source>Candy4 half z</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 4: halbes z</translation>
+        <translation>Bonbon 4: halbe Tiefe</translation>
     </message>
     <message>
         <source>Candy4 spin</source>
@@ -4116,17 +4116,17 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Candy5 half x</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 5: halbes x</translation>
+        <translation>Bonbon 5: halbe Breite</translation>
     </message>
     <message>
         <source>Candy5 half y</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 5: halbes y</translation>
+        <translation>Bonbon 5: halbe Höhe</translation>
     </message>
     <message>
         <source>Candy5 half z</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 5: halbes z</translation>
+        <translation>Bonbon 5: halbe Tiefe</translation>
     </message>
     <message>
         <source>Candy5 spin</source>
@@ -4171,17 +4171,17 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Candy6 half x</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 6: halbes x</translation>
+        <translation>Bonbon 6: halbe Breite</translation>
     </message>
     <message>
         <source>Candy6 half y</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 6: halbes y</translation>
+        <translation>Bonbon 6: halbe Höhe</translation>
     </message>
     <message>
         <source>Candy6 half z</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 6: halbes z</translation>
+        <translation>Bonbon 6: halbe Tiefe</translation>
     </message>
     <message>
         <source>Candy6 spin</source>
@@ -4226,17 +4226,17 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Candy7 half x</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 7: halbes x</translation>
+        <translation>Bonbon 7: halbe Breite</translation>
     </message>
     <message>
         <source>Candy7 half y</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 7: halbes y</translation>
+        <translation>Bonbon 7: halbe Höhe</translation>
     </message>
     <message>
         <source>Candy7 half z</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 7: halbes z</translation>
+        <translation>Bonbon 7: halbe Tiefe</translation>
     </message>
     <message>
         <source>Candy7 spin</source>
@@ -4281,17 +4281,17 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Candy8 half x</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 8: halbes x</translation>
+        <translation>Bonbon 8: halbe Breite</translation>
     </message>
     <message>
         <source>Candy8 half y</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 8: halbes y</translation>
+        <translation>Bonbon 8: halbe Höhe</translation>
     </message>
     <message>
         <source>Candy8 half z</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 8: halbes z</translation>
+        <translation>Bonbon 8: halbe Tiefe</translation>
     </message>
     <message>
         <source>Candy8 spin</source>
@@ -4336,17 +4336,17 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Candy9 half x</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 9: halbes x</translation>
+        <translation>Bonbon 9: halbe Breite</translation>
     </message>
     <message>
         <source>Candy9 half y</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 9: halbes y</translation>
+        <translation>Bonbon 9: halbe Höhe</translation>
     </message>
     <message>
         <source>Candy9 half z</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 9: halbes z</translation>
+        <translation>Bonbon 9: halbe Tiefe</translation>
     </message>
     <message>
         <source>Candy9 spin</source>
@@ -5457,7 +5457,7 @@ Zeiten nach: %2.</translation>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
         <source>Conic constant of a custom lens: 0 is a circle, -0.41 the ellipse that is sharp straight ahead.</source>
         <extracomment>tables</extracomment>
-        <translation>Konische Konstante einer eigenen Linse: 0 ist ein Kreis, -0.41 die Ellipse, die geradeaus scharf ist.</translation>
+        <translation>Konische Konstante einer eigenen Linse: 0 ist ein Kreis, -0,41 die Ellipse, die geradeaus scharf ist.</translation>
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
@@ -6899,7 +6899,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
         <source>Error of the pitch of the strips: 0.01 is one percent too wide.</source>
         <extracomment>tables</extracomment>
-        <translation>Fehler des Streifenabstands: 0.01 ist ein Prozent zu breit.</translation>
+        <translation>Fehler des Streifenabstands: 0,01 ist ein Prozent zu breit.</translation>
     </message>
     <message>
         <location filename="ui/study/study_chart.cpp"/>
@@ -7132,7 +7132,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
         <source>Exports a sprite sheet of an object from all sides, with one palette, normals and depth, for games.</source>
-        <translation>Exportiert ein Blatt mit Sprites eines Objekts von allen Seiten, mit einer Palette, Normalen und Tiefe, für Spiele.</translation>
+        <translation>Exportiert einen Sprite-Bogen eines Objekts von allen Seiten, mit einer Palette, Normalen und Tiefe, für Spiele.</translation>
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
@@ -8157,17 +8157,17 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
         <source>Half x</source>
-        <translation>Halbes x</translation>
+        <translation>Halbe Breite</translation>
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
         <source>Half y</source>
-        <translation>Halbes y</translation>
+        <translation>Halbe Höhe</translation>
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
         <source>Half z</source>
-        <translation>Halbes z</translation>
+        <translation>Halbe Tiefe</translation>
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
@@ -14145,18 +14145,18 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/kit/sdf_rows.h"/>
         <source>Reflectance of nonmetals: 0 reflects nothing, 0.5 is the 4 % of most glazes.</source>
         <extracomment>tables</extracomment>
-        <translation>Reflexionsgrad von Nichtmetallen: 0 spiegelt nichts, 0.5 sind die 4 % der meisten Glasuren.</translation>
+        <translation>Reflexionsgrad von Nichtmetallen: 0 spiegelt nichts, 0,5 sind die 4 % der meisten Glasuren.</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
         <source>Reflectance of nonmetals: 0.5 is 4 %.</source>
-        <translation>Reflexionsgrad von Nichtmetallen: 0.5 sind 4 %.</translation>
+        <translation>Reflexionsgrad von Nichtmetallen: 0,5 sind 4 %.</translation>
     </message>
     <message>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
         <source>Reflectance of the plastic: 0 is none, 0.5 is what its refractive index gives.</source>
         <extracomment>tables</extracomment>
-        <translation>Reflexionsgrad des Kunststoffs: 0 ist keiner, 0.5 ist der aus seinem Brechungsindex.</translation>
+        <translation>Reflexionsgrad des Kunststoffs: 0 ist keiner, 0,5 ist der aus seinem Brechungsindex.</translation>
     </message>
     <message>
         <location filename="exhibits/hall/hall_table.h"/>
@@ -14190,7 +14190,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/lenticular/lenticular_table.h"/>
         <source>Refractive index of the custom sheet's plastic: 1.49 to 1.6 are usual.</source>
         <extracomment>tables</extracomment>
-        <translation>Brechungsindex des Kunststoffs der eigenen Folie: 1.49 bis 1.6 sind üblich.</translation>
+        <translation>Brechungsindex des Kunststoffs der eigenen Folie: 1,49 bis 1,6 sind üblich.</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
@@ -14202,7 +14202,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/kit/sdf_rows.h"/>
         <source>Refractive index of the glass: 1 bends nothing, 2.4 is diamond.</source>
         <extracomment>tables</extracomment>
-        <translation>Brechungsindex des Glases: 1 bricht nichts, 2.4 ist Diamant.</translation>
+        <translation>Brechungsindex des Glases: 1 bricht nichts, 2,4 ist Diamant.</translation>
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
@@ -16146,7 +16146,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
         <source>Size relative to the reference, which is 1.4 m high.</source>
         <extracomment>tables</extracomment>
-        <translation>Größe gegenüber der Referenz, die 1.4 m hoch ist.</translation>
+        <translation>Größe gegenüber der Referenz, die 1,4 m hoch ist.</translation>
     </message>
     <message>
         <location filename="exhibits/lenticular/lenticular.cpp"/>
@@ -16518,7 +16518,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_files.cpp"/>
         <source>Sprite sheet</source>
-        <translation>Blatt mit Sprites</translation>
+        <translation>Sprite-Bogen</translation>
     </message>
     <message>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
@@ -17522,7 +17522,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <location filename="exhibits/sdf_scenes/operation_kinds.cpp"/>
         <source>the copies are nearer than 0.1 mm; give a larger spacing, or 0</source>
-        <translation>die Kopien liegen näher als 0.1 mm; geben Sie einen größeren Abstand an, oder 0</translation>
+        <translation>die Kopien liegen näher als 0,1 mm; geben Sie einen größeren Abstand an, oder 0</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
@@ -18209,7 +18209,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <location filename="exhibits/printing/sheet.cpp"/>
         <source>the refractive index is {1}; plastics have 1.49 to 1.6, and it must be above 1</source>
-        <translation>der Brechungsindex ist {1}; Kunststoffe haben 1.49 bis 1.6, und er muss über 1 liegen</translation>
+        <translation>der Brechungsindex ist {1}; Kunststoffe haben 1,49 bis 1,6, und er muss über 1 liegen</translation>
     </message>
     <message>
         <location filename="exhibits/fur/fur.cpp"/>
@@ -18314,12 +18314,12 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <location filename="exhibits/jobs/sprite/sprite_files.cpp"/>
         <source>The sheet would be more than 16384 pixels wide or high; ask for fewer or smaller frames.</source>
-        <translation>Das Blatt wäre mehr als 16384 Pixel breit oder hoch; verlangen Sie weniger oder kleinere Frames.</translation>
+        <translation>Der Bogen wäre mehr als 16384 Pixel breit oder hoch; verlangen Sie weniger oder kleinere Frames.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_files.cpp"/>
         <source>The sheet would have more than 67 million pixels; ask for fewer or smaller frames.</source>
-        <translation>Das Blatt hätte mehr als 67 Millionen Pixel; verlangen Sie weniger oder kleinere Frames.</translation>
+        <translation>Der Bogen hätte mehr als 67 Millionen Pixel; verlangen Sie weniger oder kleinere Frames.</translation>
     </message>
     <message>
         <location filename="exhibits/printing/view_rig.cpp"/>
@@ -19216,8 +19216,8 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <location filename="exhibits/framework/files/preset.cpp"/>
-        <source>this holds settings of the whole exhibition; open it as such.</source>
-        <translation>das enthält Einstellungen der ganzen Ausstellung; öffnen Sie es als solche.</translation>
+        <source>this holds settings of the whole exhibition; open the file as an exhibition.</source>
+        <translation>das sind Einstellungen der ganzen Ausstellung; öffnen Sie die Datei als Ausstellung.</translation>
     </message>
     <message>
         <location filename="exhibits/framework/files/preset.cpp"/>
@@ -19367,8 +19367,8 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <location filename="exhibits/printing/print_json.cpp"/>
-        <source>this must be 1; use the Vitrine that wrote it.</source>
-        <translation>das muss 1 sein; nehmen Sie das Vitrine, das es schrieb.</translation>
+        <source>this must be 1; use the version of Vitrine that wrote the file.</source>
+        <translation>hier muss 1 stehen; verwenden Sie die Version von Vitrine, die die Datei geschrieben hat.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/kit/job_document.cpp"/>

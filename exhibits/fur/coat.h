@@ -51,7 +51,7 @@ struct Coats {
         glm::dvec3 normal{0, 1, 0};
         double distance = 0;
     };
-    /// Returns the half spaces bounded by what is around a body; the ground comes first.
+    /// Returns the half spaces that the surroundings leave free for a body; the one above the ground comes first.
     [[nodiscard]] std::vector<FreeSide> freeSides(int index) const;
     /// Returns the thickness of a body around its spine, meters.
     [[nodiscard]] double radius(int index) const;

@@ -26,7 +26,7 @@ void requirePrint(const render::JsonDocument& document)
     if (!root.is_object() || root.value("format", Json()) != "vitrine-job" || root.value("job", Json()) != "print")
         throw document.failure("", noPrint);
     if (root.value("version", Json()) != version)
-        throw document.failure("version", "this must be 1; use the Vitrine that wrote it.");
+        throw document.failure("version", "this must be 1; use the version of Vitrine that wrote the file.");
     if (!root.contains("values") || !root["values"].is_object())
         throw document.failure("values", "this must be an object; correct it there.");
 }

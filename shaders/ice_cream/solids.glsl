@@ -253,8 +253,8 @@ float coreLevel(IceCreamCore core)
 }
 
 // Returns the radius of a ball around p that contains no surface of the core. The wafer is 1-Lipschitz; the cream's
-// slope depends on its twist. Each of the bounds is valid alone; where the two are blended, the first is the best,
-// elsewhere one of the others.
+// slope depends on its twist. The result is the largest of several bounds, each of which is valid everywhere: the first
+// is the largest where wafer and cream blend, one of the others elsewhere.
 float coreDistance(IceCreamCore core, vec3 p)
 {
     float blend = shape.waferBlend;

@@ -234,7 +234,8 @@ Preset parsePreset(std::string text, std::string fileName, std::string_view exhi
     const JsonDocument document = render::parseJson(std::move(text), std::move(fileName), presetLimits);
     Opened file = open(document);
     if (file.header.isExhibition)
-        throw document.failure("format", message("this holds settings of the whole exhibition; open it as such."));
+        throw document.failure("format",
+                               message("this holds settings of the whole exhibition; open the file as an exhibition."));
     if (file.header.exhibit != exhibit) {
         throw document.failure(
             "exhibit", message("this preset is for {1}, not for {2}; choose another.", file.header.exhibit, exhibit));

@@ -60,8 +60,9 @@ private:
 
 /// Draws the frames one by one, direction by direction, with settings of the exhibit `spriteLookName`. It uses the
 /// camera's elevation, the light and the lines of these settings; the projection is orthographic, as large as all
-/// frames fit. Normals are the drawn ones, unless the settings choose another method. The object turns about its origin
-/// if it is above or around that, else about its center. The pivot is the origin, which may be outside of the frame.
+/// frames fit. Normals are the drawn ones, unless the settings choose another method. It turns about the vertical axis
+/// through its origin if that axis meets its box, else about the one through its center. The pivot is the origin, which
+/// may be outside of the frame.
 class SpriteShots {
 public:
     SpriteShots(ParameterValues look, std::shared_ptr<const SpriteSubject>, SpriteRequest);
