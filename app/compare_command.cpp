@@ -3,7 +3,6 @@
 #include "app/kit/number_option.h"
 #include "app/kit/picture_options.h"
 #include "app/kit/say.h"
-#include "app/study/study_options.h"
 #include "render/failure.h"
 #include "render/files/number_text.h"
 #include "render/image/color_channels.h"
@@ -52,7 +51,7 @@ render::Image pictureOf(const std::string& file, Metric metric)
 
 int compare(const CompareOptions& options)
 {
-    const Metric metric = metricOption("--metric", options.metric);
+    const Metric metric = render::metricNamed(options.metric).value();
     const std::optional<render::PictureFormat> format =
         options.heatMap.empty() ? std::nullopt : std::optional(pictureFormat("--heatmap", options.heatMap, false));
     const render::Image a = pictureOf(options.reference, metric);
@@ -90,7 +89,9 @@ void addCompareCommand(CLI::App& parser, Action& chosen)
     options->metric = "rmse";
     command->add_option("reference", options->reference, "Reference picture: " + render::readFormats())->required();
     command->add_option("test", options->test, "Picture to compare with the reference; of the same size")->required();
-    command->add_option("--metric", options->metric, metricNames())->capture_default_str();
+    std::vector<std::string> metrics;
+    for (const render::MetricInfo& each : render::allMetrics()) metrics.emplace_back(each.name);
+    addChoice(*command, "--metric", options->metric, metrics, "Measure of the difference that is printed first");
     command->add_option("--heatmap", options->heatMap,
                         "Output file for a picture of the differences: " + render::writtenExtensions());
     addNumber(*command, "--max", options->limit, {},

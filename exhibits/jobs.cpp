@@ -4,6 +4,7 @@
 #include "exhibits/jobs/proof/proof_job.h"
 #include "exhibits/jobs/record/record_job.h"
 #include "exhibits/jobs/sprite/sprite_job.h"
+#include "exhibits/jobs/study/study_job.h"
 
 #include <algorithm>
 
@@ -13,6 +14,7 @@ const std::vector<std::unique_ptr<const Job>>& allJobs()
 {
     static const auto jobs = [] {
         std::vector<std::unique_ptr<const Job>> all;
+        all.push_back(std::make_unique<StudyJob>());
         all.push_back(std::make_unique<RecordJob>());
         all.push_back(std::make_unique<ProofJob>());
         all.push_back(std::make_unique<SpriteJob>());

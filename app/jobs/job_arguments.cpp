@@ -1,5 +1,6 @@
 #include "app/jobs/job_arguments.h"
 
+#include "app/jobs/job_folder.h"
 #include "app/kit/useless_option.h"
 #include "exhibits/jobs/kit/given_values.h"
 #include "exhibits/jobs/kit/job_document.h"
@@ -27,16 +28,19 @@ std::string commandName(const jobs::Job& job)
     throw Failure(Blame::usage, '`' + name + "` needs " + option + "; `" + name + " --help` says what it is.");
 }
 
-/// Returns the scene of a job that uses the settings of one exhibit. The camera is unchanged.
-RequestedPicture settingsOnly(const jobs::Job& job, const JobArguments& typed, const Museum& museum,
-                              const SceneState& state)
+/// Returns the parameters that options set one by one, and all that a document has changed.
+std::vector<jobs::SceneRow> pinnedRows(const jobs::JobScene& scene, const std::vector<std::string>& sets, bool like)
 {
-    PictureOptions options = typed.scene;
-    options.subject = job.needs().subject;
-    options.settingsOnly = true;
-    RequestedPicture picture = requestedPicture(museum, options, state, std::nullopt);
-    picture.sceneState.camera = state.camera;
-    return picture;
+    std::vector<jobs::SceneRow> rows;
+    for (const std::string& set : sets) {
+        const NamedRow named =
+            namedRow(*scene.museum, scene.state, scene.subject, set.substr(0, set.find('=')), "--set");
+        rows.push_back({named.owner, named.row});
+    }
+    for (std::size_t subject = 0; like && subject < scene.state.values.size(); ++subject)
+        for (std::size_t row = 0; row < scene.state.values[subject].rows().size(); ++row)
+            if (!scene.state.values[subject].isInitial(row)) rows.push_back({subject, row});
+    return rows;
 }
 
 jobs::JobScene sceneOf(const CLI::App& command, const jobs::Job& job, const JobArguments& typed, const JobStart& start,
@@ -44,21 +48,27 @@ jobs::JobScene sceneOf(const CLI::App& command, const jobs::Job& job, const JobA
 {
     const Museum& museum = start.museum();
     const SceneState state = like ? like->scene : start.state ? *start.state : museum.initialSceneState();
+    const jobs::JobNeeds needs = job.needs();
+    PictureOptions options = typed.scene;
+    if (!needs.choosesSubject()) options.subject = needs.subject;
+    if (options.subject.empty() && like) options.subject = like->chosen;
+    if (options.subject.empty()) refuseMissing(job, "exhibit");
     RequestedPicture picture;
-    if (job.needs().anyScene) {
-        PictureOptions options = typed.scene;
-        if (options.subject.empty() && like) options.subject = like->chosen;
-        if (options.subject.empty()) refuseMissing(job, "exhibit");
+    if (needs.anyScene) {
         refuseUselessSceneOptions(command, options);
         std::optional<render::Camera> camera = start.camera ? start.camera(options.subject) : std::nullopt;
         const bool sameExhibit = like && options.subject == like->chosen;
         if (sameExhibit) camera = like->scene.camera;
         picture = requestedPicture(museum, options, state, camera, sameExhibit ? like->taken : std::nullopt);
     } else {
-        picture = settingsOnly(job, typed, museum, state);
+        options.settingsOnly = true;
+        picture = requestedPicture(museum, options, state, std::nullopt);
+        if (!needs.anySettings) picture.sceneState.camera = state.camera;
     }
     notes.insert(notes.end(), picture.notes.begin(), picture.notes.end());
-    return {&museum, picture.sceneState, picture.subject, picture.request.frame, picture.request.samples};
+    jobs::JobScene scene{&museum, picture.sceneState, picture.subject, picture.request.frame, picture.request.samples};
+    if (needs.anySettings) scene.pinned = pinnedRows(scene, options.sets, like != nullptr);
+    return scene;
 }
 
 /// Returns the settings to start from; nullopt: the initial ones.
@@ -81,7 +91,8 @@ void addJobArguments(CLI::App& command, const jobs::Job& job, JobArguments& type
         addSceneOptions(command, typed.scene);
         command.remove_option(command.get_option("--samples"));  // A parameter of the jobs that take samples.
     } else if (needs.hasScene()) {
-        const std::string subject(needs.subject);
+        const std::string subject(needs.anySettings ? "the exhibit" : needs.subject);
+        if (needs.anySettings) command.add_option("exhibit", typed.scene.subject, "An exhibit's name, or hall");
         command.add_option("--preset", typed.scene.preset,
                            "Preset of " + subject + ": the name of a shipped one, or a file");
         command.add_option("--set", typed.scene.sets, "Value of a parameter of " + subject + ", name=value")
@@ -90,7 +101,9 @@ void addJobArguments(CLI::App& command, const jobs::Job& job, JobArguments& type
     }
     typed.parameters.addTo(command, job.parameters());
     command.add_option("--out", typed.out,
-                       "Output file (" + extensionsText(job) + "); further files have the same name and other endings");
+                       needs.extensions.empty() ? "Output folder; an older output in it is replaced"
+                                                : "Output file (" + extensionsText(job) +
+                                                      "); further files have the same name and other endings");
     command.add_option("--like", typed.like,
                        "File whose settings are the initial ones: a settings document (.vitrine-job.json), or an "
                        "output with one beside it");
@@ -106,7 +119,9 @@ OrderedJob orderedJob(const CLI::App& command, const jobs::Job& job, const JobAr
     OrderedJob ordered{{given.settled(commandName(job))}, {}, std::move(notes)};
     jobs::JobOrder& order = ordered.order;
     order.out = typed.out.empty() && like ? like->out : std::filesystem::path(typed.out);
-    if (order.out.empty() && !typed.dryRun) refuseMissing(job, "--out");
+    if (!order.out.has_filename()) order.out = order.out.parent_path();  // "folder/".
+    if (order.out.empty() && !typed.dryRun && !start.answers) refuseMissing(job, "--out");
+    if (const JobFolder* folder = folderOf(job); folder && !order.out.empty()) folder->require(order.out);
     if (const std::string refusal = jobs::refusedExtension(job, order.out); !order.out.empty() && !refusal.empty())
         throw Failure(Blame::usage, refusal);
     order.inputs = job.read(order.values);
@@ -115,6 +130,8 @@ OrderedJob orderedJob(const CLI::App& command, const jobs::Job& job, const JobAr
         const bool still = job.needs().anyScene && !job.usesCamera(order.values, order.scene);
         for (const char* option : {"--eye", "--target", "--fov"})
             refuseOn(command, option, still, "a camera that follows a tour");
+        for (const auto& [option, what] : job.idleOptions(order.values, order.scene))
+            refuseOn(command, option, true, what);
     }
     ordered.plan = job.plan(order.values, order.scene, *order.inputs, order.out);
     return ordered;

@@ -32,6 +32,7 @@ struct JobStart {
     const SceneState* state = nullptr;      ///< Null: the museum's initial one.
     /// Camera of an exhibit; nullopt: its best view.
     std::function<std::optional<render::Camera>(const std::string& exhibit)> camera = {};
+    bool answers = false;  ///< The job answers what it made, and writes nothing.
 };
 
 /// Job that the arguments order, without a backend.

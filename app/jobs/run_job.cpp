@@ -1,12 +1,14 @@
 #include "app/jobs/run_job.h"
 
+#include "app/jobs/job_folder.h"
 #include "app/kit/progress.h"
 #include "app/kit/say.h"
 #include "app/kit/stop_signal.h"
-#include "app/queue/parts.h"
+#include "app/queue/study_in_parts.h"
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
 #include "render/gl/context.h"
+#include "render/gl/machine_json.h"
 #include "render/gl/renderer.h"
 #include "render/text/joined.h"
 
@@ -76,17 +78,18 @@ public:
 
     bool show(double part)
     {
-        if (run_.doing() != doing_) {
-            doing_ = run_.doing();
-            line_.emplace(doing_);
+        if (!line_ || run_.next() != kind_) {
+            kind_ = run_.next();
+            line_.emplace(std::string(run_.doing()));
             line_->estimate();
         }
+        line_->rename(run_.doing());
         return line_->show(part);
     }
 
 private:
     const jobs::JobRun& run_;
-    std::string doing_;
+    jobs::JobRun::Next kind_ = jobs::JobRun::Next::done;
     std::optional<ProgressLine> line_;
 };
 
@@ -104,18 +107,18 @@ void stepThrough(jobs::JobRun& run)
     run.publish();
 }
 
-/// Runs the job to its end and prints its warnings. Returns nullopt if it was stopped.
-std::optional<jobs::JobReport> reportOf(const jobs::Job& job, jobs::JobOrder order, const jobs::JobPlan& plan)
+/// Runs the job to its end and prints its warnings. Returns null if it was stopped.
+std::unique_ptr<jobs::JobRun> finishedRun(const jobs::Job& job, jobs::JobOrder order, const jobs::JobPlan& plan)
 {
     const StopSignal stop;
     try {
-        const std::unique_ptr<jobs::JobRun> run = job.start(std::move(order));
+        std::unique_ptr<jobs::JobRun> run = job.start(std::move(order));
         stepThrough(*run);
         for (const std::string& warning : run->report().warnings) say(warning);
-        return run->report();
+        return run;
     } catch (const jobs::Stopped&) {
         if (!plan.ifStopped.empty()) say(plan.ifStopped);
-        return std::nullopt;
+        return nullptr;
     }
 }
 
@@ -123,22 +126,24 @@ std::optional<jobs::JobReport> reportOf(const jobs::Job& job, jobs::JobOrder ord
 int runPartOf(const jobs::Job& job, jobs::JobOrder order, const jobs::JobPlan& plan, const Shard& shard)
 {
     return runPart(order.out, shard, [&](Parts& parts) -> std::optional<std::string> {
-        std::string renderer;
+        render::gl::ContextInfo drawn;
+        StudyInParts measures(parts, true);
+        order.share.measures = &measures;
         order.out = parts.file(job.partItems(order.out));
-        order.backend = [&renderer] { return headlessBackend(&renderer); };
-        const std::optional<jobs::JobReport> report = reportOf(job, std::move(order), plan);
-        if (!report) return std::nullopt;
-        for (const auto& file : report->files) parts.wrote(file.filename().string());
-        return renderer;
+        order.backend = [&drawn] { return headlessBackend(&drawn); };
+        const std::unique_ptr<jobs::JobRun> run = finishedRun(job, std::move(order), plan);
+        if (!run) return std::nullopt;
+        for (const auto& file : run->report().files) parts.wrote(file.filename().string());
+        return drawn.renderer;
     });
 }
 
 }  // namespace
 
-std::unique_ptr<render::RenderBackend> headlessBackend(std::string* name)
+std::unique_ptr<render::RenderBackend> headlessBackend(render::gl::ContextInfo* info)
 {
     const auto made = std::make_shared<HeadlessRenderer>();
-    if (name) *name = made->context.info().renderer;
+    if (info) *info = made->context.info();
     return sharedBackend({made, &made->renderer});
 }
 
@@ -153,21 +158,32 @@ int runJob(const jobs::Job& job, jobs::JobOrder order, const jobs::JobPlan& plan
     for (const std::string& warning : plan.warnings) say(warning);
     const std::filesystem::path out = order.out;
     const std::string items = job.partItems(out);
-    order.backend = [] { return headlessBackend(); };
-    if (part.fromParts) order.share.from = Parts(out).file(items);
+    render::gl::ContextInfo drawn;
+    order.backend = [&drawn] { return headlessBackend(&drawn); };
+    order.machine = [&drawn] { return render::gl::machineJson(drawn); };
+    std::optional<Parts> made;
+    std::optional<StudyInParts> measures;
+    if (part.fromParts) {
+        made.emplace(out);
+        order.share.from = made->file(items);
+        order.share.measures = &measures.emplace(*made, false);
+    }
     if (!part.shard.empty()) {
         const Shard shard = parseShard(part.shard);
         order.share.makes = [shard](int k) { return shard.makes(static_cast<std::size_t>(k)); };
         if (!items.empty()) return runPartOf(job, std::move(order), plan, shard);
     }
-    for (const jobs::PlannedFile& file : plan.files) const render::PartFile writable(file.path);
-    const std::optional<jobs::JobReport> report = reportOf(job, std::move(order), plan);
-    if (!report) return StopSignal::exitCode;
+    const JobFolder* folder = folderOf(job);
+    if (folder) order.writeFolder = [&](const jobs::JobRun& run) { folder->write(out, run); };
+    for (const jobs::PlannedFile& file : plan.files)
+        if (!folder || file.path != out) const render::PartFile writable(file.path);
+    const std::unique_ptr<jobs::JobRun> run = finishedRun(job, std::move(order), plan);
+    if (!run) return StopSignal::exitCode;
     if (asJson)
-        print(reportJson(job, *report));
-    else
-        std::printf("%s: %s\n", out.c_str(), factsText(report->facts).c_str());
-    return 0;
+        print(reportJson(job, run->report()));
+    else if (!folder)
+        std::printf("%s: %s\n", out.c_str(), factsText(run->report().facts).c_str());
+    return folder ? folder->tell(out, *run, asJson) : 0;
 }
 
 Json reportJson(const jobs::Job& job, const jobs::JobReport& report)

@@ -6,13 +6,13 @@
 
 namespace vitrine::render::gl {
 class Renderer;
-}
+struct ContextInfo;
+}  // namespace vitrine::render::gl
 
 namespace vitrine::app {
 
-/// Creates a backend that draws without a window, and stores the name of its renderer in `name`. Throws Failure
-/// (Blame::openGl).
-[[nodiscard]] std::unique_ptr<render::RenderBackend> headlessBackend(std::string* name = nullptr);
+/// Creates a backend that draws without a window, and stores what draws in `info`. Throws Failure (Blame::openGl).
+[[nodiscard]] std::unique_ptr<render::RenderBackend> headlessBackend(render::gl::ContextInfo* info = nullptr);
 /// Creates a backend that draws with this renderer.
 [[nodiscard]] std::unique_ptr<render::RenderBackend> sharedBackend(std::shared_ptr<render::gl::Renderer>);
 

@@ -138,24 +138,6 @@ void setCamera(const PictureOptions& options, render::Camera& camera)
     if (options.fovDegrees > 0) camera.fovY = options.fovDegrees * std::numbers::pi / 180;
 }
 
-std::optional<Value> optionValue(const ParameterInfo& row, const std::string& text)
-{
-    if (row.isNumeric())
-        if (const auto plain = evaluate(text, Unit::none)) return *plain;
-    return parseValue(row, text);
-}
-
-std::string whatItTakes(const ParameterInfo& row, const std::string& typed)
-{
-    if (row.kind == Kind::choice) return "one of " + joined(row.choices);
-    if (row.kind == Kind::toggle) return "on or off";
-    if (row.kind == Kind::color) return "#rrggbb or r,g,b";
-    if (row.kind == Kind::direction) return "x,y,z";
-    const bool isPlain = typed.empty() || evaluate(typed, Unit::none);
-    if (!isPlain) return rangeText(rangeOf(row, row.unit));
-    return rangeText(rangeOf(row)) + behindNumber(info(row.unit).storedSymbol);
-}
-
 render::PictureFormat pictureFormat(const std::string& option, const std::string& file, bool sixteenBit)
 {
     const std::optional<int> bits = sixteenBit ? std::optional(16) : std::nullopt;

@@ -88,12 +88,6 @@ struct NamedRow {
 /// option.
 void applyMotion(const Museum&, SceneState&, std::size_t subject, const std::string& assignment);
 
-/// Parses a value of the command line. A number without a unit is in SI units. Returns nullopt if the text is invalid.
-[[nodiscard]] std::optional<Value> optionValue(const ParameterInfo&, const std::string& text);
-/// Returns the text that follows "give ": "a number from 0 to 1", "one of none, hard". Numbers are in SI units if
-/// `typed` is a plain number, else in the parameter's displayed unit.
-[[nodiscard]] std::string whatItTakes(const ParameterInfo&, const std::string& typed = {});
-
 /// Returns the format that belongs to the file's suffix. Throws Failure (Blame::usage) naming the option.
 [[nodiscard]] render::PictureFormat pictureFormat(const std::string& option, const std::string& file, bool sixteenBit);
 

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <string>
+#include <string_view>
 
 namespace vitrine::app {
 
@@ -18,6 +19,8 @@ public:
 
     /// Shows the progress; `part` is 0 to 1. Returns false if the work is to stop.
     bool show(double part);
+    /// Changes the text from the next update on.
+    void rename(std::string_view what) { what_ = what; }
     /// Adds the remaining time: "40 %, 2:05 left".
     void estimate() { estimates_ = true; }
 

@@ -11,13 +11,10 @@
 #include "app/serve/json_rpc.h"
 #include "app/serve/params.h"
 #include "app/serve/values_json.h"
-#include "app/study/study_options.h"
 #include "exhibits/framework/files/preset_store.h"
 #include "exhibits/framework/table/preset_values.h"
 #include "exhibits/jobs.h"
 #include "exhibits/museum/picture_settings.h"
-#include "exhibits/study/study.h"
-#include "exhibits/study/study_text.h"
 #include "render/failure.h"
 #include "render/files/assets.h"
 #include "render/image/image_io.h"
@@ -59,8 +56,7 @@ const std::vector<Service::Entry>& Service::methods()
         {"plan", &Service::planPicture,
          "{exhibit, size, ...} as of `vitrine render`: what would run, what not and why"},
         {"render", &Service::renderPicture,
-         "{exhibit, size, out, ...} as of `vitrine render`; without out, the answer has the PNG in base64"},
-        {"study", &Service::runStudy, "{exhibit, parameters, values, ...} as of `vitrine study`: its study.json"}};
+         "{exhibit, size, out, ...} as of `vitrine render`; without out, the answer has the PNG in base64"}};
     return all;
 }
 
@@ -74,7 +70,9 @@ std::string Service::methodsText()
     for (const Entry& entry : methods()) add(entry.name, entry.help);
     for (const auto& job : jobs::allJobs()) {
         const std::string name(job->name());
-        add(name, "{out, ...} as of `vitrine " + name + "`: its files and facts; with dry_run, what it would write");
+        const bool answers = job->needs().answers;
+        add(name, (answers ? "{...} as of `vitrine " : "{out, ...} as of `vitrine ") + name + "`: " +
+                      (answers ? "what it measured" : "its files and facts") + "; with dry_run, what it would write");
     }
     return text;
 }
@@ -324,38 +322,24 @@ Json Service::renderPicture(const Json& params, const Watch& watch)
     return answer;
 }
 
-Json Service::runStudy(const Json& params, const Watch& watch)
-{
-    StudyOptions asked;
-    CLI::App options;
-    addStudyOptions(options, asked);
-    options.remove_option(options.get_option("--out"));  // The answer contains the table.
-    readParams(options, "study", params);
-    std::vector<std::string> notes;
-    StudyRequest request = studyRequest(museum_, asked, sceneState_, notes);
-    Study study(museum_, renderer_, std::move(request));
-    do watch(study.progress(), study.doing());
-    while (study.step());
-    Json answer = studyJson(museum_.subjects(), study.request(), study.result(), machineJson(gl_));
-    answer["notes"] = notesJson(notes, {});
-    return answer;
-}
-
 Json Service::runJob(const jobs::Job& job, const Json& params, const Watch& watch)
 {
     JobArguments arguments;
     CLI::App options;
+    const bool answers = job.needs().answers;
     addJobArguments(options, job, arguments);
+    if (answers) options.remove_option(options.get_option("--out"));
     readParams(options, std::string(job.name()), params);
     OrderedJob ordered = orderedJob(options, job, arguments,
                                     {[this]() -> const Museum& { return museum_; }, &sceneState_,
-                                     [this](const std::string& exhibit) { return cameraOf(exhibit); }});
+                                     [this](const std::string& exhibit) { return cameraOf(exhibit); }, answers});
     Json answer;
     if (arguments.dryRun) {
         answer = planJson(job, ordered.plan);
     } else {
         if (!ordered.plan.refusal.empty()) throw Failure(Blame::usage, ordered.plan.refusal);
         ordered.order.backend = [this] { return sharedBackend({std::shared_ptr<void>(), &renderer_}); };
+        ordered.order.machine = [this] { return machineJson(gl_); };
         const std::unique_ptr<jobs::JobRun> run = job.start(std::move(ordered.order));
         const auto show = [&] { watch(run->progress(), std::string(run->doing())); };
         for (show(); run->next() != jobs::JobRun::Next::done; show())
@@ -364,7 +348,7 @@ Json Service::runJob(const jobs::Job& job, const Json& params, const Watch& watc
                 return true;
             });
         run->publish();
-        answer = reportJson(job, run->report());
+        answer = answers ? run->answer() : reportJson(job, run->report());
     }
     for (const std::string& warning : ordered.plan.warnings) ordered.notes.push_back(warning);
     answer["notes"] = notesJson(ordered.notes, {});

@@ -52,7 +52,6 @@ private:
     render::Json loadPreset(const render::Json&, const Watch&);
     render::Json planPicture(const render::Json&, const Watch&);
     render::Json renderPicture(const render::Json&, const Watch&);
-    render::Json runStudy(const render::Json&, const Watch&);
     render::Json runJob(const jobs::Job&, const render::Json&, const Watch&);
 
     [[nodiscard]] std::size_t subjectNamed(const std::string& name) const;

@@ -1,9 +1,13 @@
 #include "app/study/study_folder.h"
 
 #include "app/kit/part_folder.h"
+#include "app/kit/say.h"
 #include "app/study/offscreen_charts.h"
 #include "app/study/study_page.h"
+#include "exhibits/jobs/study/study_job.h"
+#include "exhibits/study/study_situation.h"
 #include "exhibits/study/study_text.h"
+#include "render/failure.h"
 #include "render/files/atomic_write.h"
 #include "render/image/image_io.h"
 #include "render/measure/distance.h"
@@ -11,6 +15,8 @@
 #include "ui/study/study_chart.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <numeric>
 
 namespace vitrine::app {
 namespace {
@@ -68,23 +74,60 @@ std::vector<StudyPagePoint> writePictures(const fs::path& folder, Subjects subje
     return points;
 }
 
-}  // namespace
-
-CostAxis chartCosts(const StudyResult& result, std::optional<CostAxis> asked)
+void printTable(Subjects subjects, const StudyRequest& request, const StudyResult& result, CostAxis axis)
 {
-    if (asked) return *asked;
-    return result.workName.empty() ? CostAxis::time : usualCostAxis(result.clockTrusted);
+    const StudyCosts costs = costsAlong(axis, request, result);
+    std::printf("%-44s %12s %14s %12s %10s\n", "setting", std::string(toString(request.metric)).c_str(),
+                costTitle(result.costName).c_str(), "ms, median", "spread");
+    // A curve is sorted by its parameter. A search lists the front and the present setting by cost.
+    std::vector<std::size_t> shown(result.points.size());
+    std::iota(shown.begin(), shown.end(), std::size_t{0});
+    if (request.axes.size() > 2) {
+        std::erase_if(shown, [&](std::size_t i) { return result.points[i].dominated && result.present != i; });
+        std::sort(shown.begin(), shown.end(),
+                  [&](std::size_t a, std::size_t b) { return result.points[a].cost < result.points[b].cost; });
+    }
+    for (const std::size_t i : shown) {
+        const StudyPoint& p = result.points[i];
+        std::string marks;
+        if (costs.knee == i) marks += " knee";
+        if (result.present == i) marks += " present";
+        if (costs.settings[i].cost > 0 && !costs.onFront(i)) marks += " dominated";
+        if (p.uncertain) marks += " uncertain";
+        std::printf("%-44s %12.4g %14.8g ", pointText(subjects, request, p).c_str(), p.error, p.cost);
+        if (p.time)
+            std::printf("%12.3f %10.3f%s\n", p.time->median, p.time->spread, marks.c_str());
+        else
+            std::printf("%12s %10s%s\n", "-", "-", marks.c_str());
+    }
+    std::printf("Clock: %s, %s; taking a time adds %.4f ms to a picture.\n%s\n", result.clock.c_str(),
+                result.clockTrusted ? "trusted" : "not trusted", result.overheadMilliseconds,
+                result.convergence.c_str());
+    std::vector<std::string> sentences = situationSentences(subjects, request, result);
+    sentences.push_back(lawSentence(costs));
+    sentences.push_back(choiceSentence(subjects, request, result));
+    for (const std::string& sentence : sentences)
+        if (!sentence.empty()) std::printf("%s\n", sentence.c_str());
 }
+
+const jobs::StudyRun& studyRun(const jobs::JobRun& run)
+{
+    return static_cast<const jobs::StudyRun&>(run);
+}
+
+}  // namespace
 
 void requireStudyFolder(const fs::path& folder)
 {
     requireFolderFor(folder, "study.json", "a study");
 }
 
-void writeStudyFolder(const fs::path& folder, Subjects subjects, const Study& study, const render::Json& machine,
-                      const std::string& presetText, CostAxis costs)
+void writeStudyFolder(const fs::path& folder, const jobs::JobRun& run)
 {
     requireStudyFolder(folder);
+    const Study& study = studyRun(run).study();
+    const Subjects subjects = studyRun(run).subjects();
+    const CostAxis costs = studyRun(run).costs();
     const StudyRequest& request = study.request();
     const StudyResult& result = study.result();
     PartFolder part(folder);
@@ -114,16 +157,35 @@ void writeStudyFolder(const fs::path& folder, Subjects subjects, const Study& st
         charts.push_back(std::move(made));
     }
 
-    const render::Json json = studyJson(subjects, request, result, machine);
-    render::atomicWrite(part.path() / "study.json", render::writeJson(json));
+    render::atomicWrite(part.path() / "study.json", render::writeJson(run.answer()));
     render::atomicWrite(part.path() / "study.csv", studyCsv(subjects, request, result));
     render::atomicWrite(part.path() / "chart.svg", svg);
     render::atomicWrite(part.path() / "chart.png", png.toStdString());
     render::atomicWrite(
         part.path() / "index.html",
         studyPage(subjects, request, result, charts, {studyChartSize.width(), studyChartSize.height()}, points));
-    if (!presetText.empty()) render::atomicWrite(part.path() / "preset.json", presetText);
+    const std::string preset = studyRun(run).chosenPreset();
+    if (!preset.empty()) render::atomicWrite(part.path() / "preset.json", preset);
     part.publish();
+}
+
+int tellStudy(const fs::path& folder, const jobs::JobRun& run, bool quietly)
+{
+    const Study& study = studyRun(run).study();
+    const StudyRequest& request = study.request();
+    const Subjects subjects = studyRun(run).subjects();
+    if (!quietly) {
+        printTable(subjects, request, study.result(), studyRun(run).costs());
+        std::printf("The study is in %s/index.html\n", folder.c_str());
+    }
+    if (!request.maxError && !request.maxMilliseconds) return 0;
+    if (!studyRun(run).chosenPreset().empty()) {
+        if (!quietly) std::printf("The preset is %s/preset.json\n", folder.c_str());
+        return 0;
+    }
+    say(choiceSentence(subjects, request, study.result()) +
+        " Nothing was chosen; allow more, or study other parameters.");
+    return static_cast<int>(Blame::check);
 }
 
 }  // namespace vitrine::app

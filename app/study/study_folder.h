@@ -1,27 +1,21 @@
 #pragma once
 
-#include "exhibits/study/study.h"
-#include "exhibits/study/study_costs.h"
-#include "render/files/strict_json.h"
+#include "exhibits/jobs/kit/job.h"
 
 #include <filesystem>
-#include <optional>
-#include <string>
 
 namespace vitrine::app {
 
 /// Throws Failure (Blame::usage) if the folder exists and contains anything but a study.
 void requireStudyFolder(const std::filesystem::path&);
 
-/// Returns the cost axis of a study's chart: the requested one, else time, if its clock is exact enough or no count of
-/// work distinguishes the settings.
-[[nodiscard]] CostAxis chartCosts(const StudyResult&, std::optional<CostAxis> asked);
+/// Writes study.json, study.csv, chart.svg, chart.png, pictures, heat maps and index.html of a finished StudyRun, and
+/// preset.json with what it chose. All files are written beside the folder first, which is then replaced, so that it
+/// has all of the old study or all of the new. Throws Failure (Blame::file).
+void writeStudyFolder(const std::filesystem::path&, const jobs::JobRun&);
 
-/// Writes study.json, study.csv, chart.svg, chart.png, pictures, heat maps and index.html, and `presetText`, if not
-/// empty, as preset.json. All files are written beside the folder first, which is then replaced, so that it has all of
-/// the old study or all of the new. `machine` is written unchanged. `costs` is the axis of chart.svg and chart.png; the
-/// page shows both axes. Throws Failure (Blame::file).
-void writeStudyFolder(const std::filesystem::path&, Subjects, const Study&, const render::Json& machine,
-                      const std::string& presetText, CostAxis costs);
+/// Prints the settings of a finished StudyRun with their errors and costs, unless `quietly`. Returns the exit code: a
+/// failed check if it chose nothing though a limit was set.
+int tellStudy(const std::filesystem::path&, const jobs::JobRun&, bool quietly);
 
 }  // namespace vitrine::app

@@ -1082,11 +1082,6 @@ Zeiten nach: %2.</translation>
         <translation>--chart pitch</translation>
     </message>
     <message>
-        <location filename="app/study/study_options.cpp"/>
-        <source>--cost &quot;{1}&quot; is no cost of a chart; give ms or work.</source>
-        <translation>--cost „{=1}“ sind keine Kosten eines Diagramms; geben Sie ms oder work an.</translation>
-    </message>
-    <message>
         <location filename="app/study/compare_studies_command.cpp"/>
         <source>--cost work: these studies share no count of work; give ms.</source>
         <translation>--cost work: Diese Studien haben keine gemeinsame Zählung der Arbeit; geben Sie ms an.</translation>
@@ -1260,17 +1255,17 @@ Zeiten nach: %2.</translation>
         <translation>--time: Geben Sie eine endliche Zahl von Sekunden an.</translation>
     </message>
     <message>
-        <location filename="app/study/study_options.cpp"/>
+        <location filename="exhibits/study/study_table.cpp"/>
         <source>--values: &quot;{1}&quot; is no value for {2}; give {3}</source>
         <translation>--values: &quot;{=1}&quot; ist kein Wert für {=2}; geben Sie an: {3}</translation>
     </message>
     <message>
-        <location filename="app/study/study_options.cpp"/>
+        <location filename="exhibits/study/study_table.cpp"/>
         <source>--values: give values separated by commas, such as --values 16,64,256.</source>
         <translation>--values: Geben Sie Werte durch Kommas getrennt an, etwa --values 16,64,256.</translation>
     </message>
     <message>
-        <location filename="app/study/study_options.cpp"/>
+        <location filename="exhibits/study/study_table.cpp"/>
         <source>--values: name exactly one parameter before it.</source>
         <translation>--values: Nennen Sie davor genau einen Parameter.</translation>
     </message>
@@ -2148,10 +2143,12 @@ Zeiten nach: %2.</translation>
         <translation>Eine Studie braucht einen Parameter, der als Qualität gekennzeichnet ist; `vitrine list --json` nennt sie.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/study/study_job.cpp"/>
         <source>a study of --values</source>
         <translation>einer Studie mit --values</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/study/study_job.cpp"/>
         <source>a study of one or two parameters</source>
         <translation>einer Studie von einem oder zwei Parametern</translation>
     </message>
@@ -2575,6 +2572,11 @@ Zeiten nach: %2.</translation>
         <location filename="ui/window/window_actions.cpp"/>
         <source>All that can be opened (%1)</source>
         <translation>Alles, was sich öffnen lässt (%1)</translation>
+    </message>
+    <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>Alone</source>
+        <translation>Allein</translation>
     </message>
     <message>
         <location filename="exhibits/hall/hall.cpp"/>
@@ -3010,6 +3012,11 @@ Zeiten nach: %2.</translation>
         <translation>Apertur-Samples</translation>
     </message>
     <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>Approximate number of values of each parameter. Auto: 8 for one parameter, 5 for two, 17 for more.</source>
+        <translation>Ungefähre Zahl der Werte jedes Parameters. Automatisch: 8 bei einem Parameter, 5 bei zweien, 17 bei mehr.</translation>
+    </message>
+    <message>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
         <source>Area</source>
         <translation>Fläche</translation>
@@ -3058,9 +3065,19 @@ Zeiten nach: %2.</translation>
         <translation>Wie im Video der Referenz</translation>
     </message>
     <message>
+        <location filename="ui/study/study_dock.cpp"/>
+        <source>As in the settings</source>
+        <translation>Wie in den Einstellungen</translation>
+    </message>
+    <message>
         <location filename="ui/export/screenshot_dialog.cpp"/>
         <source>As in the window</source>
         <translation>Wie im Fenster</translation>
+    </message>
+    <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>As set</source>
+        <translation>Wie eingestellt</translation>
     </message>
     <message>
         <location filename="ui/preferences/preferences_dialog.cpp"/>
@@ -3123,6 +3140,7 @@ Zeiten nach: %2.</translation>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
         <location filename="exhibits/printing/print_table.h"/>
+        <location filename="exhibits/study/study_table.h"/>
         <source>auto</source>
         <translation>automatisch</translation>
     </message>
@@ -3374,6 +3392,11 @@ Zeiten nach: %2.</translation>
         <location filename="ui/print/eyes_preview.cpp"/>
         <source>below</source>
         <translation>von unten</translation>
+    </message>
+    <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>best</source>
+        <translation>beste</translation>
     </message>
     <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays.cpp"/>
@@ -4721,6 +4744,11 @@ Zeiten nach: %2.</translation>
         <translation>Diagramme</translation>
     </message>
     <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>cheapest</source>
+        <translation>billigste</translation>
+    </message>
+    <message>
         <location filename="ui/study/study_dock.cpp"/>
         <source>Cheapest within error</source>
         <translation>Billigstes im Fehler von</translation>
@@ -4743,6 +4771,11 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Chocolate with sprinkles</source>
         <translation>Schokolade mit Streuseln</translation>
+    </message>
+    <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>Choice</source>
+        <translation>Auswahl</translation>
     </message>
     <message>
         <location filename="ui/parameters/color_editor.cpp"/>
@@ -4815,6 +4848,11 @@ Zeiten nach: %2.</translation>
         <source>Chop</source>
         <extracomment>tables</extracomment>
         <translation>Zuspitzung</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/study/study_job.cpp"/>
+        <source>Chosen by a study</source>
+        <translation>Von einer Studie gewählt</translation>
     </message>
     <message>
         <location filename="ui/study/study_chart.cpp"/>
@@ -5352,6 +5390,11 @@ Zeiten nach: %2.</translation>
         <translation>Die angehakten Studien vergleichen</translation>
     </message>
     <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>Compare with a second reference, too, in which all parameters are at their most exact.</source>
+        <translation>Auch mit einer zweiten Referenz vergleichen, in der alle Parameter am genauesten sind.</translation>
+    </message>
+    <message>
         <location filename="ui/compare/compare_actions.cpp"/>
         <source>Compare with: %1</source>
         <translation>Vergleichen mit: %1</translation>
@@ -5675,8 +5718,18 @@ Zeiten nach: %2.</translation>
         <translation>Korrigiert die Ansichten im Voraus um das Übersprechen der Folie, die benachbarte Ansichten mischt; verringert den Kontrast.</translation>
     </message>
     <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>Cost</source>
+        <translation>Kosten</translation>
+    </message>
+    <message>
         <source>cost</source>
         <translation>Kosten</translation>
+    </message>
+    <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>Cost in chart.svg and chart.png: ms (milliseconds per picture) or work (counted). Auto: ms if the clock is reliable. The page shows both.</source>
+        <translation>Kosten in chart.svg und chart.png: ms (Millisekunden je Bild) oder work (gezählt). Automatisch: ms, wenn die Uhr zuverlässig ist. Die Seite zeigt beide.</translation>
     </message>
     <message>
         <location filename="ui/study/comparison_dialog.cpp"/>
@@ -6483,6 +6536,11 @@ Zeiten nach: %2.</translation>
         <source>Divider</source>
         <extracomment>tables</extracomment>
         <translation>Trennlinie</translation>
+    </message>
+    <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>Do not adjust other parameters or skip views to make the studied parameter visible.</source>
+        <translation>Keine anderen Parameter anpassen und keine Ansichten auslassen, damit der untersuchte Parameter zu sehen ist.</translation>
     </message>
     <message>
         <source>Document</source>
@@ -7331,6 +7389,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     <message>
         <location filename="ui/study/study_dock.cpp"/>
         <location filename="ui/tree/kind_menu.cpp"/>
+        <location filename="exhibits/study/study_table.h"/>
         <source>Find</source>
         <translation>Suchen</translation>
     </message>
@@ -8279,6 +8338,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="exhibits/sdf_scenes/operation_kinds.cpp"/>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
+        <location filename="exhibits/study/study_table.h"/>
         <source>Height</source>
         <extracomment>tables</extracomment>
         <translation>Höhe</translation>
@@ -9497,6 +9557,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>von selbst gesprungen vor {1}</translation>
     </message>
     <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>Keep all settings</source>
+        <translation>Alle Einstellungen lassen</translation>
+    </message>
+    <message>
         <location filename="ui/tree/tree_file.cpp"/>
         <source>Keep mine</source>
         <translation>Meine behalten</translation>
@@ -9667,8 +9732,14 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <location filename="ui/study/study_dock.cpp"/>
+        <location filename="exhibits/study/study_table.h"/>
         <source>Largest error</source>
         <translation>Größter Fehler</translation>
+    </message>
+    <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>Largest error allowed in any view: the cheapest setting within it is chosen.</source>
+        <translation>Größter Fehler, der in einer Ansicht erlaubt ist: Die billigste Einstellung darin wird gewählt.</translation>
     </message>
     <message>
         <location filename="render/measure/distance.cpp"/>
@@ -10197,6 +10268,16 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Meldungen</translation>
     </message>
     <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>Longest frame time allowed, in milliseconds: the most exact setting within it is chosen.</source>
+        <translation>Längste erlaubte Zeit eines Bildes in Millisekunden: Die genaueste Einstellung darin wird gewählt.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>Longest time</source>
+        <translation>Längste Zeit</translation>
+    </message>
+    <message>
         <location filename="ui/study/study_dock.cpp"/>
         <source>Longest time in milliseconds</source>
         <translation>Längste Zeit in Millisekunden</translation>
@@ -10481,6 +10562,21 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Matrixmischung</translation>
     </message>
     <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>Max error</source>
+        <translation>Größter Fehler</translation>
+    </message>
+    <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>Max milliseconds</source>
+        <translation>Längste Zeit</translation>
+    </message>
+    <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>Maximum number of settings to measure when three or more parameters vary.</source>
+        <translation>Größte Zahl gemessener Einstellungen, wenn drei oder mehr Parameter verändert werden.</translation>
+    </message>
+    <message>
         <location filename="ui/report/frame_report_view.cpp"/>
         <location filename="render/plan/contribution_bound.cpp"/>
         <source>may change any pixel</source>
@@ -10520,6 +10616,21 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Messen</translation>
     </message>
     <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>Measure of the error.</source>
+        <translation>Maß des Fehlers.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>Measure the exhibit without the hall, in the environment's light: quicker, but without sun and shadows.</source>
+        <translation>Das Exponat ohne die Halle messen, im Licht der Umgebung: schneller, aber ohne Sonne und Schatten.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/study/study_job.h"/>
+        <source>Measure what accuracy costs: error over work and time, with pictures</source>
+        <translation>Messen, was Genauigkeit kostet: Fehler über Arbeit und Zeit, mit Bildern</translation>
+    </message>
+    <message>
         <location filename="ui/study/study_dock.cpp"/>
         <source>Measure, or stop measuring</source>
         <translation>Messen, oder das Messen anhalten</translation>
@@ -10533,6 +10644,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/printing/print_table.h"/>
         <source>Measured per inch</source>
         <translation>Gemessen pro Zoll</translation>
+    </message>
+    <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>Measurement</source>
+        <translation>Messung</translation>
     </message>
     <message>
         <source>Melting</source>
@@ -10662,6 +10778,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Verfahren für Normalen aus der Tiefe</translation>
     </message>
     <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>Metric</source>
+        <translation>Maß</translation>
+    </message>
+    <message>
         <location filename="ui/study/study_view.cpp"/>
         <source>Milliseconds</source>
         <translation>Millisekunden</translation>
@@ -10740,6 +10861,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Model along</source>
         <extracomment>tables</extracomment>
         <translation>Modell längs</translation>
+    </message>
+    <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>Model error</source>
+        <translation>Modellfehler</translation>
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
@@ -10963,6 +11089,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <location filename="ui/report/frame_report_view.cpp"/>
         <location filename="ui/study/study_dock.cpp"/>
+        <location filename="exhibits/study/study_table.h"/>
         <source>ms</source>
         <translation>ms</translation>
     </message>
@@ -11542,11 +11669,17 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Zurzeit ohne Wirkung; wirkt nur, wenn %1. Der Wert bleibt erhalten.</translation>
     </message>
     <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
         <location filename="ui/viewport/render_thread.cpp"/>
         <source>Nothing can be drawn: there is no graphics context.</source>
         <translation>Es kann nichts gezeichnet werden: Es gibt keinen Grafikkontext.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/study/study_job.cpp"/>
         <location filename="ui/study/study_dock.cpp"/>
         <location filename="ui/study/table_export.cpp"/>
         <source>Nothing can be measured: there is no graphics context.</source>
@@ -11909,10 +12042,20 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Zahl der Haare pro Quadratmeter: Niedrige Werte geben dünnes Fell, hohe dichtes.</translation>
     </message>
     <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>Number of the exhibit's views in which to measure.</source>
+        <translation>Zahl der Ansichten des Exponats, in denen gemessen wird.</translation>
+    </message>
+    <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <source>Number of the model's animation to play, in the order of its file; 0 is none. Numbers above the last one play the last one.</source>
         <extracomment>tables</extracomment>
         <translation>Nummer der Animation des Modells, die abgespielt wird, in der Reihenfolge seiner Datei; 0 ist keine. Nummern über der letzten spielen die letzte ab.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>Number of timed frames per setting and view.</source>
+        <translation>Zahl der gestoppten Bilder je Einstellung und Ansicht.</translation>
     </message>
     <message>
         <location filename="exhibits/kit/sdf_rows.h"/>
@@ -12120,6 +12263,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>ein</translation>
     </message>
     <message>
+        <location filename="exhibits/framework/table/typed_number.cpp"/>
         <location filename="exhibits/jobs/kit/job_options.cpp"/>
         <source>on or off</source>
         <translation>on oder off</translation>
@@ -12184,6 +12328,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>einer davon nennt keinen Knoten; exportieren Sie die Datei neu.</translation>
     </message>
     <message>
+        <location filename="exhibits/framework/table/typed_number.cpp"/>
         <location filename="exhibits/jobs/kit/job_options.cpp"/>
         <source>one of {1}</source>
         <translation>eines von {=1}</translation>
@@ -12537,6 +12682,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Tempo</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/study/study_job.cpp"/>
+        <source>page, charts, pictures and numbers</source>
+        <translation>Seite, Diagramme, Bilder und Zahlen</translation>
+    </message>
+    <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <source>Palette</source>
@@ -12656,8 +12806,14 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <location filename="ui/lessons/page_dialog.cpp"/>
         <location filename="ui/window/window_docks.cpp"/>
+        <location filename="exhibits/study/study_table.h"/>
         <source>Parameters</source>
         <translation>Parameter</translation>
+    </message>
+    <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>Parameters to vary: one gives a curve, two a surface, none the best settings over all of them. hall.supersamples and hall.resolutionScale are possible for every exhibit.</source>
+        <translation>Parameter, die verändert werden: einer ergibt eine Kurve, zwei eine Fläche, keiner die besten Einstellungen über alle. hall.supersamples und hall.resolutionScale gehen bei jedem Exponat.</translation>
     </message>
     <message>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
@@ -12918,6 +13074,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Bild als %1 gespeichert.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/study/study_job.cpp"/>
+        <source>Picture size</source>
+        <translation>Bildgröße</translation>
+    </message>
+    <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <source>Picture to show in the right half.</source>
         <extracomment>tables</extracomment>
@@ -12953,6 +13114,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="ui/print/source_bar.cpp"/>
+        <location filename="exhibits/study/study_table.h"/>
         <source>Pictures</source>
         <translation>Bilder</translation>
     </message>
@@ -13036,6 +13198,16 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="render/image/image_limits.cpp"/>
         <source>pixels in a row</source>
         <translation>Pixel in einer Zeile</translation>
+    </message>
+    <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>Pixels per degree</source>
+        <translation>Pixel je Grad</translation>
+    </message>
+    <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>Pixels per degree of the viewer's field of view, for the metric flip.</source>
+        <translation>Pixel je Grad des Blickfelds, für das Maß flip.</translation>
     </message>
     <message>
         <location filename="ui/print/print_numbers.cpp"/>
@@ -13131,6 +13303,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Point size</source>
         <extracomment>tables</extracomment>
         <translation>Punktgröße</translation>
+    </message>
+    <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>Points</source>
+        <translation>Punkte</translation>
     </message>
     <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
@@ -14905,6 +15082,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Durchlauf {1} von {2}</translation>
     </message>
     <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>Runs</source>
+        <translation>Durchläufe</translation>
+    </message>
+    <message>
         <location filename="ui/report/frame_report_dock.cpp"/>
         <source>Runs every pass, including those that the picture does not need. The picture stays identical; only the cost changes.</source>
         <translation>Führt jeden Pass aus, auch die, die das Bild nicht braucht. Das Bild bleibt auf das Bit gleich; nur die Kosten ändern sich.</translation>
@@ -15454,6 +15636,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Einstellung von %1</translation>
     </message>
     <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>Setting to choose: the cheapest within an error, or the best within a time.</source>
+        <translation>Einstellung, die gewählt wird: die billigste in einem Fehler oder die beste in einer Zeit.</translation>
+    </message>
+    <message>
         <location filename="exhibits/study/study.cpp"/>
         <source>setting {1}, {2}</source>
         <translation>Einstellung {1}, {2}</translation>
@@ -15469,6 +15656,12 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Einstellung, Referenz und Unterschied</translation>
     </message>
     <message>
+        <location filename="ui/study/study_dock.cpp"/>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
         <location filename="ui/print/print_export_bar.cpp"/>
         <source>Settings (*.json)</source>
         <translation>Einstellungen (*.json)</translation>
@@ -15477,6 +15670,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="ui/print/print_export_bar.cpp"/>
         <source>Settings and prints (%1)</source>
         <translation>Einstellungen und Drucke (%1)</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/study/study_job.cpp"/>
+        <source>Settings at most</source>
+        <translation>Einstellungen höchstens</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/kit/job_document.cpp"/>
@@ -15931,6 +16129,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Die aufbewahrten Studien zeigen</translation>
     </message>
     <message>
+        <location filename="ui/study/study_dock.cpp"/>
+        <source>Show the settings of studies</source>
+        <translation>Die Einstellungen von Studien zeigen</translation>
+    </message>
+    <message>
         <location filename="ui/study/kept_studies.cpp"/>
         <source>Show, rename, delete, copy, save</source>
         <translation>Zeigen, umbenennen, löschen, kopieren, speichern</translation>
@@ -15955,6 +16158,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="ui/compare/compare_actions.cpp"/>
         <source>Shows B instead of A. Holding the key B in the picture does the same.</source>
         <translation>Zeigt B statt A. Die Taste B im Bild zu halten, tut dasselbe.</translation>
+    </message>
+    <message>
+        <location filename="ui/study/study_dock.cpp"/>
+        <source>Shows everything that can be set for a study: metric, views, size, values and more.</source>
+        <translation>Zeigt alles, was für eine Studie eingestellt werden kann: Maß, Ansichten, Größe, Werte und mehr.</translation>
     </message>
     <message>
         <location filename="ui/preferences/keys_page.cpp"/>
@@ -16118,6 +16326,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="exhibits/jobs/record/record_table.h"/>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <source>Size of a frame in pixels.</source>
+        <translation>Größe eines Bildes in Pixeln.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>Size of a picture in pixels.</source>
         <translation>Größe eines Bildes in Pixeln.</translation>
     </message>
     <message>
@@ -16742,6 +16955,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/record/record_job.cpp"/>
+        <location filename="exhibits/jobs/study/study_job.cpp"/>
         <source>Stopped; nothing was written.</source>
         <translation>Abgebrochen; nichts wurde geschrieben.</translation>
     </message>
@@ -16993,26 +17207,27 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <location filename="ui/window/window_docks.cpp"/>
+        <location filename="exhibits/jobs/study/study_job.h"/>
         <source>Study</source>
         <translation>Studie</translation>
     </message>
     <message>
-        <location filename="app/study/study_options.cpp"/>
+        <location filename="exhibits/study/study_table.cpp"/>
         <source>study {1}: a parameter is the exhibit's own or the hall's, as in hall.supersamples.</source>
         <translation>study {=1}: Ein Parameter ist der des Exponats oder der Halle, wie in hall.supersamples.</translation>
     </message>
     <message>
-        <location filename="app/study/study_options.cpp"/>
+        <location filename="exhibits/study/study_table.cpp"/>
         <source>study {1}: named twice; name each parameter once.</source>
         <translation>study {=1}: zweimal genannt; nennen Sie jeden Parameter einmal.</translation>
     </message>
     <message>
-        <location filename="app/study/study_options.cpp"/>
+        <location filename="exhibits/study/study_table.cpp"/>
         <source>study {1}: {2} has it, but no value of it is more exact than another; give one of {3}</source>
         <translation>study {=1}: {=2} hat ihn, aber kein Wert davon ist genauer als ein anderer; geben Sie einen von {=3} an</translation>
     </message>
     <message>
-        <location filename="app/study/study_options.cpp"/>
+        <location filename="exhibits/study/study_table.cpp"/>
         <source>study {1}: {2} has no such parameter; give one of {3}</source>
         <translation>study {=1}: {=2} hat keinen solchen Parameter; geben Sie einen an von {=3}</translation>
     </message>
@@ -17761,6 +17976,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Die Halle</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/study/study_job.cpp"/>
         <source>the hall as a whole</source>
         <translation>der Halle als Ganzes</translation>
     </message>
@@ -20449,6 +20665,16 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Wert eines Parameters der Szene, name=wert. Zahlen stehen in SI-Einheiten.</translation>
     </message>
     <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>Values of the parameter if only one varies, separated by commas, such as 16,64,256.</source>
+        <translation>Werte des Parameters, wenn nur einer verändert wird, durch Kommas getrennt, wie 16,64,256.</translation>
+    </message>
+    <message>
         <location filename="ui/study/large_pictures.cpp"/>
         <source>Values of the pixel</source>
         <translation>Werte des Pixels</translation>
@@ -20495,6 +20721,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <source>Variation of thickness between strands: at 0 all have the coat's thickness, at 1 they range from that down to none.</source>
         <extracomment>tables</extracomment>
         <translation>Unterschiede in der Dicke der Haare: Bei 0 haben alle die Dicke des Fells, bei 1 jede von da bis nichts.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>Varied</source>
+        <translation>Verändertes</translation>
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
@@ -20573,6 +20804,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="ui/print/source_bar.cpp"/>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
         <location filename="exhibits/printing/print_table.h"/>
+        <location filename="exhibits/study/study_table.h"/>
         <source>Views</source>
         <extracomment>tables</extracomment>
         <translation>Ansichten</translation>
@@ -20581,6 +20813,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/printing/print_table.h"/>
         <source>views</source>
         <translation>Ansichten</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/study/study_job.cpp"/>
+        <source>Views at most</source>
+        <translation>Ansichten höchstens</translation>
     </message>
     <message>
         <location filename="ui/print/source_bar.cpp"/>
@@ -21257,6 +21494,7 @@ steht in assets/SOURCES.md.</translation>
         <location filename="exhibits/printing/print_table.h"/>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
+        <location filename="exhibits/study/study_table.h"/>
         <source>Width</source>
         <translation>Breite</translation>
     </message>
@@ -21454,6 +21692,11 @@ steht in assets/SOURCES.md.</translation>
         <source>Work</source>
         <extracomment>tables</extracomment>
         <translation>Werk</translation>
+    </message>
+    <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>work</source>
+        <translation>Arbeit</translation>
     </message>
     <message>
         <location filename="render/plan/frame_plan.cpp"/>
@@ -21695,11 +21938,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>ZX Spectrum</translation>
     </message>
     <message>
-        <location filename="app/study/study_options.cpp"/>
-        <source>{1} &quot;{2}&quot; is no metric{3} give one of {4}</source>
-        <translation>{=1} &quot;{=2}&quot; ist keine Metrik{3} geben Sie eine an von {=4}</translation>
-    </message>
-    <message>
         <location filename="render/text/nearest_word.cpp"/>
         <source>{1} &quot;{2}&quot;: did you mean {3}? give one of {4}</source>
         <translation>{=1} &quot;{=2}&quot;: Meinten Sie {=3}? Geben Sie eines an von {=4}</translation>
@@ -21861,7 +22099,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>{1} bewirkt nichts ohne {2}; lassen Sie es weg oder geben Sie auch das an.</translation>
     </message>
     <message>
-        <location filename="app/study/study_options.cpp"/>
+        <location filename="exhibits/study/study_table.cpp"/>
         <source>{1} has no parameter on which accuracy depends; name one of the hall, such as hall.supersamples.</source>
         <translation>{=1} hat keinen Parameter, von dem Genauigkeit abhängt; nennen Sie einen der Halle, etwa hall.supersamples.</translation>
     </message>
@@ -21989,7 +22227,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1} braucht zwei „children“: ein Array der Knoten, die es verbindet</translation>
     </message>
     <message>
-        <location filename="app/study/study_command.cpp"/>
+        <location filename="app/study/study_folder.cpp"/>
         <source>{1} Nothing was chosen; allow more, or study other parameters.</source>
         <translation>{1} Nichts wurde gewählt; erlauben Sie mehr, oder untersuchen Sie andere Parameter.</translation>
     </message>

@@ -1,8 +1,9 @@
 // Parameters added by files, on the command line: `--set`, presets and studies.
 
 #include "app/kit/picture_options.h"
-#include "app/study/study_options.h"
 #include "exhibits/framework/files/preset.h"
+#include "exhibits/study/study.h"
+#include "exhibits/study/study_table.h"
 #include "render/failure.h"
 #include "tests/exhibits/study/known_law.h"
 #include "tests/support/balls.h"
@@ -54,6 +55,22 @@ protected:
         return app::requestedPicture(museum_, options).sceneState.values[1];
     }
 
+    /// Returns a study of one parameter of the balls of the file.
+    [[nodiscard]] StudyRequest studyOf(const std::string& parameter) const
+    {
+        const StudyTable& t = studyTable();
+        ParameterValues values(t);
+        values.set(t.varied, parameter);
+        values.set(t.width, 16);
+        values.set(t.height, 9);
+        values.set(t.alone, true);
+        values.set(t.modelError, false);
+        SceneState state = museum_.initialSceneState();
+        std::vector<std::string> notes;
+        app::applySets(museum_, state, 1, {"scene=" + file()}, notes);
+        return studyRequest(values, museum_, std::move(state), 1);
+    }
+
     test::TemporaryFolder folder_;
     Museum museum_;
 };
@@ -92,15 +109,7 @@ TEST_F(MadeRows, ComeFromPresetsToo)
 
 TEST_F(MadeRows, AreStudied)
 {
-    app::StudyOptions options;
-    options.subject = "balls";
-    options.sets = {"scene=" + file()};
-    options.parameters = {"redRings"};
-    options.size = "16x9";
-    options.alone = true;
-    options.noModelError = true;
-    std::vector<std::string> notes;
-    const StudyRequest request = app::studyRequest(museum_, options, notes);
+    const StudyRequest request = studyOf("redRings");
     EXPECT_EQ(rowOf(request.sceneState, request.axes.at(0)).name, "redRings");
     test::KnownBackend backend;
     Study study(museum_, backend, request);
@@ -118,13 +127,8 @@ TEST_F(MadeRows, AreStudied)
 
 TEST_F(MadeRows, AreNamedWhereAStudyOfAnotherIsAskedFor)
 {
-    app::StudyOptions options;
-    options.subject = "balls";
-    options.sets = {"scene=" + file()};
-    options.parameters = {"redRadius"};
-    std::vector<std::string> notes;
     try {
-        static_cast<void>(app::studyRequest(museum_, options, notes));
+        static_cast<void>(studyOf("redRadius"));
         FAIL();
     } catch (const Failure& failure) {
         EXPECT_NE(std::string(failure.what()).find("give one of redRings, blueRings"), std::string::npos)

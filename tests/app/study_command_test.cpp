@@ -145,7 +145,7 @@ TEST(StudyCommand, ReplacesAStudyAndNothingElse)
     ASSERT_EQ(study(out, {"stepLimit", "--values", "16,128"}).code, 0);
     EXPECT_EQ(render::readJson(out + "/study.json").root()["parameters"][0]["name"], "stepLimit");
     const auto entries = std::filesystem::directory_iterator(std::filesystem::path(out).parent_path());
-    EXPECT_EQ(std::distance(begin(entries), end(entries)), 1) << "part or old folders stayed";
+    EXPECT_EQ(std::distance(begin(entries), end(entries)), 2) << "part or old folders stayed beside the settings";
 
     const std::string other = folder / "mine";
     std::filesystem::create_directory(other);
@@ -225,6 +225,32 @@ TEST(StudyCommand, AsSetChangesNothingAndSaysThatNothingShows)
     const render::Json json = render::readJson(out + "/study.json").root();
     EXPECT_EQ(json["situation"]["changed"].size(), 0U);
     EXPECT_EQ(json["reference"]["why"].get<std::string>().rfind("Nothing depends on relaxationFactor", 0), 0U);
+}
+
+TEST(StudyCommand, SaysWhatItWouldMeasureAndStartsFromADocument)
+{
+    const test::TemporaryFolder folder;
+    const std::string out = folder / "study";
+    const std::vector<std::string> what{"relaxationFactor", "--values", "1.2,1.8", "--set", "morph=0.4"};
+    std::vector<std::string> dry = what;
+    dry.insert(dry.end(), {"--dry-run", "--json"});
+    const Ended planned = study(out, dry);
+    ASSERT_EQ(planned.code, 0) << planned.err;
+    const render::Json plan = render::Json::parse(planned.out);
+    EXPECT_EQ(plan["facts"][0], (render::Json{{"label", "Settings"}, {"value", 2.0}}));
+    EXPECT_EQ(plan["files"][0]["path"], out);
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+
+    ASSERT_EQ(study(out, what).code, 0);
+    const std::string again = folder / "again";
+    ASSERT_EQ(test::vitrine({"study", "--like", out, "--out", again}).code, 0);
+    const render::Json first = render::readJson(out + "/study.json").root();
+    const render::Json second = render::readJson(again + "/study.json").root();
+    EXPECT_EQ(second["situation"], first["situation"]);
+    for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(second["points"][i]["error"], first["points"][i]["error"]);
+    const Ended other =
+        test::vitrine({"study", "sdf_morph", "stepLimit", "--values", "8,16,32", "--like", out, "--dry-run"});
+    EXPECT_NE(other.out.find("settings 3, views at most 2, picture size 48 × 27 px"), std::string::npos) << other.out;
 }
 
 TEST(StudyCommand, WhatIsTypedWronglyIsSaidInOneSentence)

@@ -143,7 +143,7 @@ const std::map<std::string, std::vector<std::string>> roomsOfUi{
     {"compare", {"kit", "model", "viewport", "parameters", "presets"}},
     {"explore", {"kit", "model", "viewport", "parameters", "presets"}},
     {"tree", {"kit", "model", "viewport", "parameters"}},
-    {"study", {"kit", "model", "viewport"}},
+    {"study", {"kit", "model", "viewport", "parameters", "jobs"}},
     {"gamepad", {"kit", "model", "viewport"}},
     {"lessons", {"kit", "model", "viewport", "parameters"}},
     {"print", {"kit", "model", "viewport", "parameters", "presets"}},

@@ -102,7 +102,14 @@ TextEditor::TextEditor(const ValueRef& value, QWidget* parent) : ValueEditor(val
     box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     rowLayout(this)->addWidget(box_, 1);
     const auto take = [this] {
-        if (box_->currentText() != shown_) edit(box_->currentText().toStdString(), newGesture());
+        QString typed = box_->currentText();
+        if (typed == shown_) return;
+        if (row().several) {
+            QStringList values;
+            for (const QString& each : typed.split(QLatin1Char(';'), Qt::SkipEmptyParts)) values << each.trimmed();
+            typed = values.join(QLatin1Char('\n'));
+        }
+        edit(typed.toStdString(), newGesture());
     };
     connect(box_->lineEdit(), &QLineEdit::editingFinished, this, take);
     connect(box_, &QComboBox::activated, this, take);
@@ -111,7 +118,7 @@ TextEditor::TextEditor(const ValueRef& value, QWidget* parent) : ValueEditor(val
 void TextEditor::showValue(const Value& value)
 {
     const QSignalBlocker quiet(box_);
-    shown_ = QString::fromStdString(std::get<std::string>(value));
+    shown_ = QString::fromStdString(std::get<std::string>(value)).replace(QLatin1Char('\n'), QStringLiteral("; "));
     box_->setCurrentIndex(box_->findText(shown_));
     box_->setEditText(shown_);
 }

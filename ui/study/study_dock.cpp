@@ -1,13 +1,16 @@
 #include "ui/study/study_dock.h"
 
 #include "exhibits/framework/table/expression.h"
+#include "exhibits/jobs.h"
 #include "exhibits/study/study_text.h"
 #include "render/failure.h"
 #include "render/measure/memory.h"
 #include "ui/kit/language.h"
+#include "ui/kit/message_of.h"
 #include "ui/kit/text.h"
 #include "ui/kit/time_left.h"
 #include "ui/kit/type_size.h"
+#include "ui/parameters/parameter_panel.h"
 #include "ui/study/kept_studies.h"
 #include "ui/study/study_export.h"
 #include "ui/study/study_view.h"
@@ -48,14 +51,17 @@ QLineEdit* numberField(const QString& name, const QString& start, QWidget* paren
 StudyDock::StudyDock(const Museum& museum, Renderers& renderers, History& history, RenderThread& thread,
                      StudyStore store, QWidget* parent)
     : QWidget(parent), museum_(museum), renderers_(renderers), history_(history), thread_(thread),
-      parameter_(new QComboBox(this)), go_(new QPushButton(this)), copy_(new QToolButton(this)),
-      save_(new QToolButton(this)), list_(new QToolButton(this)), progress_(new QProgressBar(this)),
-      doing_(new QLabel(this)), error_(numberField(tr("Largest error"), QStringLiteral("0.02"), this)),
+      setup_(*jobs::findJob("study"), this), parameter_(new QComboBox(this)), go_(new QPushButton(this)),
+      copy_(new QToolButton(this)), save_(new QToolButton(this)), list_(new QToolButton(this)),
+      progress_(new QProgressBar(this)), doing_(new QLabel(this)),
+      error_(numberField(tr("Largest error"), QStringLiteral("0.02"), this)),
       milliseconds_(numberField(tr("Longest time in milliseconds"), QStringLiteral("10"), this)),
       shown_(new StudyView(museum, history, this)),
-      kept_(new KeptStudies(museum.subjects(), history, std::move(store), this))
+      kept_(new KeptStudies(museum.subjects(), history, std::move(store), this)),
+      settings_(new ParameterPanel(setup_.history(), this))
 {
     setTexts();
+    settings_->showExhibit(0, QStringLiteral("study"));
     auto* all = new QVBoxLayout(this);
     all->setContentsMargins(8, 8, 8, 8);
     all->setSpacing(8);
@@ -63,6 +69,7 @@ StudyDock::StudyDock(const Museum& museum, Renderers& renderers, History& histor
     all->addLayout(choosing());
     all->addWidget(studies(), 1);
     connectParts();
+    setup_.recall();
     showIdle();
 }
 
@@ -72,6 +79,7 @@ void StudyDock::setTexts()
     // Long names of parameters must not widen the window.
     parameter_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     parameter_->setMinimumContentsLength(14);
+    parameter_->setPlaceholderText(tr("As in the settings"));
     progress_->setAccessibleName(tr("Progress"));
     go_->setAccessibleName(tr("Measure, or stop measuring"));
     growWidth(*progress_, 120);
@@ -112,8 +120,8 @@ QLayout* StudyDock::choosing()
     cheapest->setAccessibleName(tr("Find the cheapest within the error"));
     auto* best = new QPushButton(tr("Find"), this);
     best->setAccessibleName(tr("Find the best within the time"));
-    connect(cheapest, &QPushButton::clicked, this, [this] { find(true); });
-    connect(best, &QPushButton::clicked, this, [this] { find(false); });
+    connect(cheapest, &QPushButton::clicked, this, [this] { find(StudyFind::cheapest); });
+    connect(best, &QPushButton::clicked, this, [this] { find(StudyFind::best); });
     auto* choose = new QHBoxLayout;
     choose->setSpacing(8);
     for (QWidget* w : std::initializer_list<QWidget*>{new QLabel(tr("Cheapest within error"), this), error_, cheapest,
@@ -121,7 +129,13 @@ QLayout* StudyDock::choosing()
                                                       new QLabel(tr("ms"), this), best})
         choose->addWidget(w);
     choose->addStretch(1);
-    for (QToolButton* button : {copy_, save_, list_}) {
+    auto* set = new QToolButton(this);
+    set->setText(tr("Settings"));
+    set->setCheckable(true);
+    set->setAccessibleName(tr("Show the settings of studies"));
+    set->setToolTip(tr("Shows everything that can be set for a study: metric, views, size, values and more."));
+    connect(set, &QToolButton::toggled, settings_, &QWidget::setVisible);
+    for (QToolButton* button : {set, copy_, save_, list_}) {
         button->setFocusPolicy(Qt::StrongFocus);
         growHeight(*button, 26);
         choose->addWidget(button);
@@ -134,19 +148,24 @@ QWidget* StudyDock::studies()
     auto* split = new QSplitter(Qt::Horizontal, this);
     split->addWidget(kept_);
     split->addWidget(shown_);
+    split->addWidget(settings_);
     split->setStretchFactor(0, 0);
     split->setStretchFactor(1, 1);
+    split->setStretchFactor(2, 0);
     split->setChildrenCollapsible(false);
-    split->setSizes({260, 740});
+    split->setSizes({260, 740, 360});
     kept_->hide();
+    settings_->hide();
     return split;
 }
 
 void StudyDock::connectParts()
 {
-    connect(go_, &QPushButton::clicked, this, [this] { running() ? stop() : measure(); });
-    connect(error_, &QLineEdit::returnPressed, this, [this] { find(true); });
-    connect(milliseconds_, &QLineEdit::returnPressed, this, [this] { find(false); });
+    connect(go_, &QPushButton::clicked, this, [this] { running() ? stop() : measure(setup_.values()); });
+    connect(error_, &QLineEdit::returnPressed, this, [this] { find(StudyFind::cheapest); });
+    connect(milliseconds_, &QLineEdit::returnPressed, this, [this] { find(StudyFind::best); });
+    connect(parameter_, &QComboBox::activated, this, [this] { vary(parameter_->currentData().toString()); });
+    connect(&setup_, &JobSetup::changed, this, &StudyDock::showVaried);
     connect(copy_, &QToolButton::clicked, this,
             [this] { QApplication::clipboard()->setText(QString::fromUtf8(exported(QStringLiteral("csv")))); });
     connect(save_, &QToolButton::clicked, this, &StudyDock::save);
@@ -166,6 +185,11 @@ void StudyDock::connectParts()
 StudyDock::~StudyDock()
 {
     stop();
+    try {
+        setup_.remember();
+    } catch (const std::exception& failure) {
+        qWarning("%s", failure.what());  // The window is closing; nothing else depends on it.
+    }
 }
 
 StudyChart& StudyDock::chart() const
@@ -178,58 +202,61 @@ const StudyResult& StudyDock::result() const
     return shown_->result();
 }
 
-void StudyDock::setEffort(glm::ivec2 size, int runs)
-{
-    size_ = size;
-    runs_ = runs;
-}
-
 void StudyDock::setSubject(std::size_t exhibit)
 {
-    const QString before = exhibit == subject_ ? parameter_->currentText() : QString();
+    const bool isNew = !table_ || exhibit != subject_;
     subject_ = exhibit;
-    parameter_->clear();
-    parameter_->addItem(tr("All parameters together"), -1);
     table_ = history_.sceneState().values[exhibit].sharedTable();
-    const auto rows = table_->rows();
-    for (std::size_t row = 0; row < rows.size(); ++row)
-        if (rows[row].qualityReference) parameter_->addItem(said(label(rows[row])), static_cast<int>(row));
-    if (parameter_->count() > 1) parameter_->setCurrentIndex(std::max(parameter_->findText(before), 1));
-    go_->setEnabled(running() || parameter_->count() > 1);
+    parameter_->clear();
+    parameter_->addItem(tr("All parameters together"), QString());
+    std::vector<std::string> names;
+    for (const ParameterInfo& row : table_->rows()) {
+        if (!row.qualityReference) continue;
+        names.emplace_back(row.name);
+        parameter_->addItem(said(label(row)), text(row.name));
+    }
+    settings_->setOffers({{"parameters", names}});
+    showVaried();
+    if (isNew || parameter_->currentIndex() < 0) vary(parameter_->itemData(names.empty() ? 0 : 1).toString());
+    go_->setEnabled(running() || !names.empty());
 }
 
-StudyRequest StudyDock::requestFor(std::vector<StudyAxis> axes) const
+void StudyDock::vary(const QString& parameters)
 {
-    StudyRequest request;
-    request.subject = subject_;
-    request.sceneState = history_.sceneState();
-    request.axes = std::move(axes);
-    request.size = size_;
-    request.runs = runs_;
-    request.largestTile = shortTile;
-    return request;
+    const StudyTable& t = studyTable();
+    ParameterValues values = setup_.values();
+    values.set(t.varied, parameters.toStdString());
+    values.set(t.values, std::string());  // Those of another parameter.
+    if (!(values == setup_.values())) setup_.change(tr("What to measure"), values);
+    showVaried();
+}
+
+void StudyDock::showVaried()
+{
+    parameter_->setCurrentIndex(parameter_->findData(QString::fromStdString(setup_.values()[studyTable().varied])));
 }
 
 void StudyDock::ask(std::size_t exhibit, std::size_t row)
 {
     if (exhibit != subject_) setSubject(exhibit);
-    parameter_->setCurrentIndex(parameter_->findData(static_cast<int>(row)));
-    measure();
+    vary(text(table_->rows()[row].name));
+    measure(setup_.values());
 }
 
-void StudyDock::measure()
+void StudyDock::measure(const ParameterValues& values)
 {
-    const int row = parameter_->currentData().toInt();
-    if (row < 0) {
-        start(requestFor(qualityAxes(history_.sceneState(), subject_)));
-        return;
+    try {
+        StudyRequest request = studyRequest(values, museum_, history_.sceneState(), subject_);
+        request.largestTile = shortTile;
+        start(std::move(request));
+    } catch (const Failure& failure) {
+        shown_->say(messageOf(failure));
     }
-    if (auto axis = studyAxis(history_.sceneState(), subject_, static_cast<std::size_t>(row), usualPoints(1)))
-        start(requestFor({std::move(*axis)}));
 }
 
-void StudyDock::find(bool byError)
+void StudyDock::find(StudyFind wanted)
 {
+    const bool byError = wanted == StudyFind::cheapest;
     const QLineEdit* field = byError ? error_ : milliseconds_;
     const std::optional<double> limit = evaluate(field->text().trimmed().toStdString(), Unit::none);
     if (!limit || !(*limit > 0)) {
@@ -237,10 +264,13 @@ void StudyDock::find(bool byError)
                         .arg(field->text(), byError ? QStringLiteral("0.02") : QStringLiteral("10")));
         return;
     }
-    StudyRequest request = requestFor(qualityAxes(history_.sceneState(), subject_));
-    (byError ? request.maxError : request.maxMilliseconds) = *limit;
-    request.modelError = false;
-    start(std::move(request));
+    const StudyTable& t = studyTable();
+    ParameterValues values = setup_.values();
+    for (const Text& row : {t.varied, t.values}) values.set(row, std::string());
+    values.set(t.choosing, wanted);
+    values.set(byError ? t.maxError : t.maxMilliseconds, *limit);
+    values.set(t.modelError, false);
+    measure(values);
 }
 
 struct StudyDock::Work {

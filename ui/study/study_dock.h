@@ -1,7 +1,8 @@
 #pragma once
 
 #include "exhibits/study/study_store.h"
-#include "ui/model/history.h"
+#include "exhibits/study/study_table.h"
+#include "ui/jobs/job_setup.h"
 #include "ui/viewport/render_thread.h"
 
 #include <QElapsedTimer>
@@ -22,12 +23,13 @@ class QToolButton;
 namespace vitrine::ui {
 
 class KeptStudies;
+class ParameterPanel;
 class StudyChart;
 class StudyView;
 
 /// Dock for studies of accuracy and cost. Measures one parameter of the chosen exhibit, or all of them together, on the
-/// render thread. Shows points as they are measured, and applies a point that is clicked or searched for. Results are
-/// kept.
+/// render thread, with the settings of the job "study". Shows points as they are measured, and applies a point that is
+/// clicked or searched for. Results are kept.
 class StudyDock final : public QWidget {
     Q_OBJECT
 
@@ -53,8 +55,9 @@ public:
     [[nodiscard]] StudyView& view() const { return *shown_; }
     [[nodiscard]] KeptStudies& kept() const { return *kept_; }
 
-    /// Sets the size of the measured pictures in pixels, and how often each is timed.
-    void setEffort(glm::ivec2 size, int runs);
+    /// Settings of the next study.
+    [[nodiscard]] JobSetup& setup() { return setup_; }
+    [[nodiscard]] ParameterPanel& settings() const { return *settings_; }
 
 signals:
     void failed(const QString& why);
@@ -66,8 +69,10 @@ private:
     [[nodiscard]] QLayout* choosing();
     [[nodiscard]] QWidget* studies();
     void connectParts();
-    void measure();
-    void find(bool byError);
+    void vary(const QString& parameters);
+    void showVaried();
+    void measure(const ParameterValues&);
+    void find(StudyFind);
     void start(StudyRequest);
     /// Intermediate result of the running study.
     struct News {
@@ -85,7 +90,6 @@ private:
     void keepMeasured();
     void save();
     void suggestTime();
-    [[nodiscard]] StudyRequest requestFor(std::vector<StudyAxis>) const;
 
     const Museum& museum_;
     Renderers& renderers_;
@@ -97,8 +101,7 @@ private:
     bool showsRunning_ = false;
     std::shared_ptr<const Parameters> table_;  ///< Table whose parameters can be chosen; null: none yet.
     std::size_t subject_ = 0;
-    glm::ivec2 size_{320, 180};
-    int runs_ = 5;
+    JobSetup setup_;
     QElapsedTimer elapsed_;
 
     QComboBox* parameter_;
@@ -112,6 +115,7 @@ private:
     QLineEdit* milliseconds_;
     StudyView* shown_;
     KeptStudies* kept_;
+    ParameterPanel* settings_;
 };
 
 }  // namespace vitrine::ui

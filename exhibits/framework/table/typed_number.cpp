@@ -1,8 +1,10 @@
 #include "exhibits/framework/table/typed_number.h"
 
 #include "exhibits/framework/table/expression.h"
+#include "exhibits/framework/table/value_text.h"
 #include "render/failure.h"
 #include "render/files/number_text.h"
+#include "render/text/joined.h"
 
 #include <algorithm>
 #include <cctype>
@@ -91,6 +93,24 @@ std::string typeName(const NumberRange& range)
 std::string presentText(double number)
 {
     return render::shortestNumber(number);
+}
+
+std::optional<Value> optionValue(const ParameterInfo& row, const std::string& text)
+{
+    if (row.isNumeric())
+        if (const auto plain = evaluate(text, Unit::none)) return *plain;
+    return parseValue(row, text);
+}
+
+std::string whatItTakes(const ParameterInfo& row, const std::string& typed)
+{
+    if (row.kind == Kind::choice) return "one of " + joined(row.choices);
+    if (row.kind == Kind::toggle) return "on or off";
+    if (row.kind == Kind::color) return "#rrggbb or r,g,b";
+    if (row.kind == Kind::direction) return "x,y,z";
+    const bool isPlain = typed.empty() || evaluate(typed, Unit::none);
+    if (!isPlain) return rangeText(rangeOf(row, row.unit));
+    return rangeText(rangeOf(row)) + behindNumber(info(row.unit).storedSymbol);
 }
 
 }  // namespace vitrine

@@ -45,6 +45,12 @@ void refuseDecimalComma(const std::string& option, const std::string& typed);
 /// Returns a unit as it follows a number: " mm", "°".
 [[nodiscard]] std::string behindNumber(std::string_view symbol);
 
+/// Parses a value of the command line. A number without a unit is in SI units. Returns nullopt if the text is invalid.
+[[nodiscard]] std::optional<Value> optionValue(const ParameterInfo&, const std::string& text);
+/// Returns the text that follows "give ": "a number from 0 to 1", "one of none, hard". Numbers are in SI units if
+/// `typed` is a plain number, else in the parameter's displayed unit.
+[[nodiscard]] std::string whatItTakes(const ParameterInfo&, const std::string& typed = {});
+
 /// Returns an option's range for help texts: "NUMBER", "1..64".
 [[nodiscard]] std::string typeName(const NumberRange&);
 /// Returns an option's present value for help texts.

@@ -30,11 +30,17 @@ std::vector<std::string> commandOf(const Job& job, const JobOrder& order)
              sceneWords(*scene.museum, scene.state, scene.frame, job.usesCamera(order.values, scene)))
             words.push_back(std::move(word));
     } else if (scene.museum) {
-        const ParameterValues& values = scene.state.values[scene.subject];
-        for (std::size_t i = 0; i < values.rows().size(); ++i)
-            if (!values.isInitial(i))
-                words.push_back("--set=" + std::string(values.rows()[i].name) + '=' +
-                                settingText(values.rows()[i], values.row(i)));
+        const bool any = job.needs().anySettings;
+        if (any) words.insert(words.begin() + 1, std::string(scene.museum->subject(scene.subject).name()));
+        for (std::size_t subject = 0; subject < scene.state.values.size(); ++subject) {
+            if (!any && subject != scene.subject) continue;
+            const ParameterValues& values = scene.state.values[subject];
+            const std::string of = any ? std::string(scene.museum->subject(subject).name()) + '.' : "";
+            for (std::size_t i = 0; i < values.rows().size(); ++i)
+                if (!values.isInitial(i))
+                    words.push_back("--set=" + of + std::string(values.rows()[i].name) + '=' +
+                                    settingText(values.rows()[i], values.row(i)));
+        }
     }
     words.push_back("--out=" + order.out.string());
     return words;

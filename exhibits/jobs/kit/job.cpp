@@ -23,6 +23,7 @@ std::string valueText(const Fact& fact)
 std::string refusedExtension(const Job& job, const std::filesystem::path& out)
 {
     const std::vector<std::string_view> extensions = job.needs().extensions;
+    if (extensions.empty()) return {};
     const std::string given = render::lowerExtension(out);
     const render::PictureFileFormat* format = render::formatNamed(out);
     const auto is = [&](std::string_view extension) {

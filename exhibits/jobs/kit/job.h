@@ -3,6 +3,7 @@
 #include "exhibits/framework/scene/frame_request.h"
 #include "exhibits/framework/table/parameters.h"
 #include "exhibits/museum/museum.h"
+#include "render/files/strict_json.h"
 #include "render/plan/render_backend.h"
 
 #include <exception>
@@ -12,10 +13,22 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
+namespace vitrine {
+class StudyParts;
+}
+
 namespace vitrine::jobs {
+
+/// A parameter of a subject, by its index in the table.
+struct SceneRow {
+    std::size_t subject = 0, row = 0;
+
+    bool operator==(const SceneRow&) const = default;
+};
 
 /// Scene that a job works on: the museum and everything that is set in it.
 struct JobScene {
@@ -24,6 +37,8 @@ struct JobScene {
     std::size_t subject = 0;  ///< In `Museum::subjects`.
     FrameRequest frame = {};
     int samples = 0;  ///< Samples per pixel of the picture whose settings were taken; 0: unknown.
+    /// Parameters that were set one by one, which a job with `JobNeeds::anySettings` does not change.
+    std::vector<SceneRow> pinned = {};
 };
 
 /// Inputs of a job besides its parameters, and the formats that it writes.
@@ -32,12 +47,17 @@ struct JobNeeds {
     std::string_view subject = {};
     /// True if the job shows any exhibit or the hall, with all options of a scene.
     bool anyScene = false;
-    /// Extensions of the output, the usual one first: "png".
-    std::vector<std::string_view> extensions;
+    /// Whether the job takes the settings of any exhibit or of the hall, and has views of its own.
+    bool anySettings = false;
+    /// Extensions of the output, the usual one first: "png". Empty: the output is a folder.
+    std::vector<std::string_view> extensions = {};
     bool inWindow = false;  ///< Whether the window offers it.
     bool inParts = false;   ///< Whether several processes can share it.
+    bool answers = false;   ///< Whether the service answers what was made (`JobRun::answer`) in place of writing it.
 
-    [[nodiscard]] bool hasScene() const { return anyScene || !subject.empty(); }
+    [[nodiscard]] bool hasScene() const { return anyScene || anySettings || !subject.empty(); }
+    /// Whether it works on an exhibit that people choose.
+    [[nodiscard]] bool choosesSubject() const { return anyScene || anySettings; }
 };
 
 /// A measured or computed property of a job's output: "Frames 12", "Volume 0.523 m³".
@@ -111,6 +131,8 @@ public:
     /// Moves all files to their destinations at once. On failure throws Failure and leaves all old files unchanged. Any
     /// thread.
     virtual void publish() = 0;
+    /// Returns what the finished job made, for the service.
+    [[nodiscard]] virtual render::Json answer() const { return {}; }
 };
 
 /// Files and other inputs that the values name, as read. Immutable.
@@ -127,6 +149,8 @@ struct JobShare {
     std::function<bool(int)> makes = {};  ///< Whether it makes item k (from 0). Empty: all.
     /// Pattern of the items that the parts made ("folder/%06d.png"). If set, they are read and not made.
     std::filesystem::path from = {};
+    /// The same for items that are measures. Null: there are none.
+    StudyParts* measures = nullptr;
 };
 
 /// Everything that a job needs in order to start.
@@ -138,6 +162,10 @@ struct JobOrder {
     BackendMaker backend = {};
     JobShare share = {};
     int largestTile = 2048;  ///< Largest side of what is drawn in one step, in pixels.
+    /// Describes the machine that draws. Called after the backend was made.
+    std::function<render::Json()> machine = {};
+    /// Writes the folder of a job whose pages and charts are made by the program. Empty: the job writes all files.
+    std::function<void(const JobRun&)> writeFolder = {};
 };
 
 /// A job: turns a scene or files into files. The command line, the dialog, the settings document and the schema are
@@ -165,6 +193,13 @@ public:
     [[nodiscard]] virtual std::unique_ptr<JobRun> start(JobOrder) const = 0;
     /// Returns whether the camera of the scene has an effect. For jobs with `JobNeeds::anyScene`.
     [[nodiscard]] virtual bool usesCamera(const ParameterValues&, const JobScene&) const { return true; }
+    /// Returns options that have no effect here, each with what it has none on: {"--points", "a study of --values"}.
+    /// They are refused where they are typed.
+    [[nodiscard]] virtual std::vector<std::pair<const char*, const char*>> idleOptions(const ParameterValues&,
+                                                                                       const JobScene&) const
+    {
+        return {};
+    }
     /// Returns the pattern of the files that a part makes instead of `out`: "%06d.png". Empty: a part makes its items
     /// of `out` itself, and there is nothing to merge.
     [[nodiscard]] virtual std::string partItems(const std::filesystem::path&) const { return {}; }
@@ -176,7 +211,7 @@ public:
 };
 
 /// Returns the reason why the job cannot write a file with this extension: "a.gif: give a name that ends in .png or
-/// .tif." Empty if it can.
+/// .tif." Empty if it can, and for a job that writes a folder.
 [[nodiscard]] std::string refusedExtension(const Job&, const std::filesystem::path& out);
 
 }  // namespace vitrine::jobs

@@ -31,7 +31,7 @@ inline constexpr int jobDocumentVersion = 1;
 struct JobDocument {
     ParameterValues values;
     SceneState scene = {};    ///< Without values for a job without a scene.
-    std::string chosen = {};  ///< Exhibit that is shown, of a job with `JobNeeds::anyScene`.
+    std::string chosen = {};  ///< Exhibit that is shown, of a job that chooses one.
     /// How the scene is shown, for jobs that use a scene.
     std::optional<PictureRecord> taken = {};
     std::filesystem::path out = {};  ///< Beside the document.

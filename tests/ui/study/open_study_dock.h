@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tests/ui/study/known_gallery.h"
+#include "tests/ui/study/small_studies.h"
 
 #include "ui/model/history.h"
 #include "ui/study/study_dock.h"
@@ -26,6 +27,7 @@ protected:
     {
         home_ = std::make_unique<QTemporaryDir>();
         QVERIFY(home_->isValid());
+        qputenv("XDG_STATE_HOME", home_->path().toLocal8Bit());
         open();
     }
     void open()
@@ -35,7 +37,7 @@ protected:
         thread_ = std::make_unique<ui::RenderThread>(*gallery_);
         dock_ =
             std::make_unique<ui::StudyDock>(gallery_->museum, *gallery_, *history_, *thread_, storeIn(home_->path()));
-        dock_->setEffort({16, 9}, 3);
+        setEffort(*dock_, {16, 9}, 3);
         dock_->setSubject(1);
         dock_->resize(1100, 360);
         dock_->show();

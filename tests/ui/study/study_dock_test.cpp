@@ -2,9 +2,12 @@
 
 #include "tests/ui/point_at.h"
 #include "tests/ui/study/known_gallery.h"
+#include "tests/ui/study/small_studies.h"
 #include "tests/ui/ui_main.h"
 
 #include "ui/kit/theme.h"
+#include "ui/parameters/parameter_panel.h"
+#include "ui/parameters/parameter_row.h"
 #include "ui/study/study_chart.h"
 #include "ui/study/study_dock.h"
 #include "ui/study/study_pictures.h"
@@ -51,6 +54,16 @@ private:
         QSignalSpy finished(dock_.get(), &StudyDock::finished);
         QVERIFY(finished.wait(test::patience));
     }
+    void clickMeasure()
+    {
+        for (QPushButton* each : dock_->findChildren<QPushButton*>())
+            if (each->accessibleName() == QLatin1String("Measure, or stop measuring")) each->click();
+    }
+    void measureAsSet()
+    {
+        clickMeasure();
+        finish();
+    }
     /// Slows the next studies down, so that the test sees them under way.
     void measureSlowly() { gallery_->frame = std::chrono::milliseconds(5); }
     void clickOn(std::size_t point)
@@ -63,12 +76,13 @@ private slots:
     void init()
     {
         home_ = std::make_unique<QTemporaryDir>();
+        qputenv("XDG_STATE_HOME", home_->path().toLocal8Bit());
         gallery_ = std::make_unique<test::KnownGallery>();
         history_ = std::make_unique<History>(gallery_->museum.initialSceneState());
         thread_ = std::make_unique<RenderThread>(*gallery_);
         dock_ =
             std::make_unique<StudyDock>(gallery_->museum, *gallery_, *history_, *thread_, test::storeIn(home_->path()));
-        dock_->setEffort({16, 9}, 3);
+        test::setEffort(*dock_, {16, 9}, 3);
         dock_->setSubject(1);
         dock_->resize(1000, 320);
         dock_->show();
@@ -200,6 +214,69 @@ private slots:
         const auto* combo = dock_->findChildren<QComboBox*>().front();
         QCOMPARE(combo->count(), 1 + 4);
         QCOMPARE(combo->findText(QStringLiteral("Hue")), -1);
+    }
+
+    void theSettingsChooseMetricViewsSizeAndValues()
+    {
+        const StudyTable& t = studyTable();
+        const auto& metrics = studyMetrics();
+        ParameterValues values = dock_->setup().values();
+        values.set(t.varied, std::string("steps"));
+        values.set(t.values, std::string("2,32"));
+        values.set(t.metric, static_cast<int>(std::find(metrics.begin(), metrics.end(), "max") - metrics.begin()));
+        values.set(t.views, 2);
+        values.set(t.width, 24);
+        dock_->setup().change(QString(), values);
+        measureAsSet();
+        const StudyResult& result = dock_->result();
+        QCOMPARE(result.views.size(), std::size_t{2});
+        QCOMPARE(result.references.front().width, 24);
+        QCOMPARE(result.points.size(), std::size_t{2});
+        for (const StudyPoint& point : result.points) {
+            double largest = 0;
+            for (const StudyShot& shot : point.shots) largest = std::max(largest, shot.errors.at(render::Metric::max));
+            QCOMPARE(point.error, largest);
+        }
+    }
+
+    void theRowsOfTheJobAreThePanelsAndTwoParametersAreASurface()
+    {
+        for (const ParameterInfo& parameter : studyTable().rows()) QVERIFY(dock_->settings().row(parameter.name));
+        auto* box = dock_->settings().row("parameters")->findChild<QComboBox*>();
+        QCOMPARE(box->count(), 4);
+        box->setEditText(QStringLiteral("method; shortcut"));
+        emit box->lineEdit()->editingFinished();
+        QCOMPARE(dock_->setup().values()[studyTable().varied], std::string("method\nshortcut"));
+        QCOMPARE(box->currentText(), QString("method; shortcut"));
+        QCOMPARE(dock_->findChildren<QComboBox*>().front()->currentIndex(), -1);
+        measureAsSet();
+        QCOMPARE(dock_->result().points.size(), std::size_t{6});
+    }
+
+    void theSettingsAreRememberedButNotWhatIsMeasured()
+    {
+        const StudyTable& t = studyTable();
+        ParameterValues values = dock_->setup().values();
+        values.set(t.views, 5);
+        values.set(t.varied, std::string("rays"));
+        dock_->setup().change(QString(), values);
+        dock_.reset();
+        dock_ =
+            std::make_unique<StudyDock>(gallery_->museum, *gallery_, *history_, *thread_, test::storeIn(home_->path()));
+        dock_->setSubject(1);
+        QCOMPARE(dock_->setup().values()[t.views], 5);
+        QCOMPARE(dock_->setup().values()[t.varied], std::string("steps"));
+    }
+
+    void whatCannotBeStudiedIsSaid()
+    {
+        ParameterValues values = dock_->setup().values();
+        values.set(studyTable().values, std::string("2,soup"));
+        dock_->setup().change(QString(), values);
+        clickMeasure();
+        QVERIFY(!dock_->running());
+        const auto labels = dock_->view().findChildren<QLabel*>();
+        QVERIFY(std::any_of(labels.begin(), labels.end(), [](QLabel* each) { return each->text().contains("soup"); }));
     }
 
     void hoveringShowsAPointsPictureAndTheWipeFollowsThePointer()

@@ -1,5 +1,6 @@
 // A thousand steps of ordinary use on the real window: the resources at step 1000 are those at step 200.
 //   VITRINE_MEMORY_STEPS=300   number of steps, at least 300
+#include "tests/ui/study/small_studies.h"
 #include "tests/ui/ui_main.h"
 
 #include "exhibits/exhibits.h"
@@ -113,7 +114,7 @@ class MemoryTest : public QObject {
     void measure()
     {
         StudyDock& study = window_->docks().study();
-        study.setEffort({16, 9}, 1);
+        vitrine::test::setEffort(study, {16, 9}, 1);
         QSignalSpy finished(&study, &StudyDock::finished);
         study.ask(exhibit_, *window_->museum().subject(exhibit_).parameters().find("hitTolerance"));
         QTRY_VERIFY(finished.count() == 1);

@@ -1,3 +1,4 @@
+#include "tests/ui/study/small_studies.h"
 #include "tests/ui/ui_main.h"
 
 #include "exhibits/exhibits.h"
@@ -290,7 +291,7 @@ private slots:
         window_->visit(exhibit_);
         const QImage before = pictureAtRest();
         StudyDock& study = window_->docks().study();
-        study.setEffort({64, 36}, 2);
+        vitrine::test::setEffort(study, {64, 36}, 2);
         window_->findChild<QDockWidget*>("study")->show();
         QSignalSpy finished(&study, &StudyDock::finished);
         const auto row = window_->museum().subject(exhibit_).parameters().find("hitTolerance");

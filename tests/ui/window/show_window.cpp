@@ -3,6 +3,7 @@
 // "explore" its pad and nine variations, "lessons" a step of each lesson and the pages, "documents" only the two
 // pictures of the README files, dark. Otherwise a gallery of one color is shown, with every kind of parameter.
 #include "tests/ui/painted_gallery.h"
+#include "tests/ui/study/small_studies.h"
 
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/scene/capabilities.h"
@@ -243,7 +244,7 @@ int main(int argc, char** argv)
             window.visit(1);
             window.findChild<QDockWidget*>(QStringLiteral("study"))->show();
             window.findChild<QDockWidget*>(QStringLiteral("study"))->raise();
-            window.docks().study().setEffort({240, 135}, 3);
+            test::setEffort(window.docks().study(), {240, 135}, 3);
             QEventLoop until;
             QObject::connect(&window.docks().study(), &ui::StudyDock::finished, &until, &QEventLoop::quit);
             window.docks().study().ask(1, *window.museum().subject(1).parameters().find("hitTolerance"));
