@@ -80,7 +80,8 @@ TEST_F(CompareStudies, OneChartOneTableOnePage)
     EXPECT_EQ(render::readImage(out_ + "/chart.png").width, 1440);
     EXPECT_NE(test::bytesOf(out_ + "/chart.svg").find("<svg"), std::string::npos);
     const std::string page = test::bytesOf(out_ + "/index.html");
-    for (const char* part : {"<svg", "tolerance", "steps", "field evaluations per pixel", "error at this cost"})
+    for (const char* part :
+         {"<svg", "tolerance", "steps", "field evaluations per pixel", "Error of the other study at this cost"})
         EXPECT_NE(page.find(part), std::string::npos) << part;
     EXPECT_NE(test::bytesOf(out_ + "/study-comparison.csv").find("\ntolerance,"), std::string::npos);
 
