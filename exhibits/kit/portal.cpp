@@ -88,9 +88,16 @@ std::optional<glm::ivec2> portalColumns(const Portal& portal, const glm::dmat4& 
         glm::ivec2(0), glm::ivec2(view.raster.drawn().x));
 }
 
+render::Camera closeView(double halfHeight, double behind)
+{
+    const double fovY = glm::radians(50.0);
+    const double away = halfHeight / (openingInView * std::tan(0.5 * fovY));
+    return {{0, 0, away - behind}, {0, 0, -behind}, fovY};
+}
+
 render::Camera portalView(const Portal& portal)
 {
-    return {{0, 0, 1.9 * portal.halfSize.y + 0.03}, {0, 0, -portal.behind}, 0.872665};
+    return closeView(portal.halfSize.y, portal.behind);
 }
 
 render::Pass portalPass(std::string name, std::string reason, const ParameterValues& values, std::string fragment,

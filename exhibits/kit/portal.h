@@ -26,7 +26,13 @@ struct Portal {
 
 /// Returns the flat bounds of the opening in exhibit space.
 [[nodiscard]] render::Box portalBounds(const Portal&);
-/// Returns a camera straight in front of it with the frame in the picture; field of view 50°.
+/// Share of the picture's height that an opening takes in its best view. In a picture of 16:9, an opening of 3:2 then
+/// takes three quarters of the area, and the rest shows a little of the frame.
+inline constexpr double openingInView = 0.945;
+
+/// Returns a camera straight in front of a rectangle, from which it takes `openingInView` of the picture's height;
+/// field of view 50°. `behind`: distance of the rectangle behind the frame's mouth; both in meters.
+[[nodiscard]] render::Camera closeView(double halfHeight, double behind);
 [[nodiscard]] render::Camera portalView(const Portal&);
 
 /// Returns the columns of a tile in which one side of a divided picture may be visible, as in `Pass::columns`. The

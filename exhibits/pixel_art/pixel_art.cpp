@@ -101,7 +101,7 @@ render::Box PixelArt::bounds(const ParameterValues&) const
 
 render::Camera PixelArt::bestView(const ParameterValues&) const
 {
-    return portalView(Portal{});
+    return closeView(screenHalf.y, screenBehind);
 }
 
 double PixelArt::nextChange(const ParameterValues& values, double time) const

@@ -186,7 +186,7 @@ render::Camera sceneView(double fovY)
 {
     const Portal portal;
     const double toEye = eyeToOpening(fovY);
-    const double fits = 2 * std::atan(1.12 * portal.halfSize.y / toEye);
+    const double fits = 2 * std::atan(portal.halfSize.y / (openingInView * toEye));
     return {{0, 0, toEye - portal.behind}, {0, 0, -portal.behind}, fits};
 }
 

@@ -98,5 +98,25 @@ TEST(Capabilities, AreWhatAnExhibitHasAndNothingElse)
     EXPECT_TRUE(glow.findSkipped("bare/glow"));
 }
 
+/// The part of a picture of 16:9 that a rectangle takes in the exhibit's best view; 0 if it does not fit.
+double partOfTheView(const Exhibit& exhibit, const glm::dvec2& half, double z)
+{
+    const render::Camera camera = exhibit.bestView(exhibit.parameters().initial());
+    const double reach = (camera.eye.z - z) * std::tan(0.5 * camera.fovY);
+    const double high = half.y / reach, wide = half.x / (reach * 16 / 9);
+    return high > 1 || wide > 1 ? 0 : high * wide;
+}
+
+TEST(BestViews, ShowTheWorkAndLittleOfItsFrame)
+{
+    for (const char* name : {"noise", "paper_lanterns", "sdf_scenes"}) {
+        const Exhibit& exhibit = museum().exhibit(*museum().find(name));
+        const render::Box box = exhibit.bounds(exhibit.parameters().initial());
+        EXPECT_GE(partOfTheView(exhibit, 0.5 * glm::dvec2(box.high - box.low), box.low.z), 0.75) << name;
+    }
+    // The opening of the pixel art is larger than its screen.
+    EXPECT_GE(partOfTheView(museum().exhibit(*museum().find("pixel_art")), {1.12, 0.63}, -0.545), 0.75);
+}
+
 }  // namespace
 }  // namespace vitrine
