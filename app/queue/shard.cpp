@@ -2,6 +2,7 @@
 
 #include "render/failure.h"
 #include "render/files/shell_word.h"
+#include "render/text/joined.h"
 
 #include <CLI/CLI.hpp>
 
@@ -58,9 +59,7 @@ std::vector<std::string> commandOfAllParts()
 
 std::string shellText(const std::vector<std::string>& words)
 {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : " ") + render::shellWord(word);
-    return text;
+    return joined(words, " ", render::shellWord);
 }
 
 }  // namespace vitrine::app

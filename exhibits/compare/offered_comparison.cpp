@@ -2,6 +2,7 @@
 
 #include "exhibits/framework/scene/subject.h"
 #include "render/failure.h"
+#include "render/text/joined.h"
 
 namespace vitrine {
 
@@ -13,11 +14,10 @@ std::vector<OfferedComparison> offeredComparisons(const Subject& subject)
 
 OfferedComparison offeredComparison(const Subject& subject, std::string_view name)
 {
-    std::string names;
-    for (const OfferedComparison& offered : offeredComparisons(subject)) {
+    const std::vector<OfferedComparison> all = offeredComparisons(subject);
+    for (const OfferedComparison& offered : all)
         if (offered.name == name) return offered;
-        (names += names.empty() ? "" : ", ") += offered.name;
-    }
+    const std::string names = joined(all, ", ", &OfferedComparison::name);
     const std::string who(subject.name());
     throw Failure(Blame::usage, names.empty() ? who + " offers no comparisons; name two settings."
                                               : who + " offers no comparison \"" + std::string(name) +

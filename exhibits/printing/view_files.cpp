@@ -5,9 +5,11 @@
 #include "render/files/extension.h"
 #include "render/files/number_text.h"
 #include "render/image/image_limits.h"
+#include "render/text/joined.h"
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace vitrine::printing {
 namespace {
@@ -18,9 +20,8 @@ namespace fs = std::filesystem;
 std::string leftOutNote(const fs::path& folder, const std::vector<fs::path>& files)
 {
     constexpr std::size_t mostNamed = 5;
-    std::string list;
-    for (std::size_t i = 0; i < std::min(files.size(), mostNamed); ++i)
-        list += (i == 0 ? "" : ", ") + files[i].filename().string();
+    std::string list = joined(std::span(files).first(std::min(files.size(), mostNamed)), ", ",
+                              [](const fs::path& file) { return file.filename().string(); });
     if (files.size() > mostNamed) list += ", and " + std::to_string(files.size() - mostNamed) + " more";
     return "Left out of the folder " + folder.string() + ", because these files are no " + render::readFormats() +
            " pictures: " + list + ".";

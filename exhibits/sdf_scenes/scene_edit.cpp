@@ -3,6 +3,7 @@
 #include "exhibits/sdf_scenes/record_kinds.h"
 #include "render/failure.h"
 #include "render/files/number_text.h"
+#include "render/text/joined.h"
 
 #include <algorithm>
 #include <set>
@@ -33,11 +34,9 @@ bool takesOne(const NodeKind& kind)
 /// Returns an operation of this kind with these children, as JSON.
 std::string operationText(const NodeKind& kind, const std::vector<std::string>& children)
 {
-    std::string text = "{\"kind\": " + quoted(std::string(kind.name)) + ", ";
+    const std::string text = "{\"kind\": " + quoted(std::string(kind.name)) + ", ";
     if (takesOne(kind)) return text + "\"child\": " + children.front() + "}";
-    text += "\"children\": [";
-    for (std::size_t i = 0; i < children.size(); ++i) text += (i == 0 ? "" : ", ") + children[i];
-    return text + "]}";
+    return text + "\"children\": [" + joined(children) + "]}";
 }
 
 /// Returns a number of a field as written in files, in its unit.
