@@ -19,10 +19,11 @@ struct CrepuscularRaysTable final : Parameters {
         choice("technique", RayTechnique::volume, {"none", "screen space", "volume", "both"},
                "Technique that makes the beams: blurring the bright sky across the picture (screen space), or ray "
                "marching the sun's shadows through dusty air (volume).",
-               quality(RayTechnique::volume));
+               quality(RayTechnique::volume), essential());
     Choice<RayView> view = choice("view", RayView::picture, {"picture", "mask", "light alone"},
                                   "Picture to show: the finished one, the mask with its occluders black, or only the "
-                                  "added light without the hall.");
+                                  "added light without the hall.",
+                                  essential());
 
     const Condition screenSpace =
         when(technique, {RayTechnique::screen, RayTechnique::both}) or when(view, RayView::mask);
@@ -74,7 +75,7 @@ struct CrepuscularRaysTable final : Parameters {
     Real airDensity =
         real("airDensity", 0.007, perMeter, Range{0, 10}.soft(0, 0.05),
              "Density of the dust near the floor, as the share of light that a meter of it removes: 0 is clear air.",
-             volume);
+             volume, essential());
     Real densityFalloff = real("densityFalloff", 0.03, perMeter, Range{0, 10}.soft(0, 0.5),
                                "Rate at which the dust thins with height: 0 is even, high keeps it near the floor.",
                                volume and whenAbove(airDensity, 0));
@@ -85,7 +86,7 @@ struct CrepuscularRaysTable final : Parameters {
     Real beamStrength =
         real("beamStrength", 2.6, none, Range{0, 100}.soft(0, 4),
              "Strength of the sunlight that the dust scatters: 1 is physical for the air density, 0 shows no beams.",
-             volume and whenAbove(airDensity, 0));
+             volume and whenAbove(airDensity, 0), essential());
     Real ambient =
         real("ambient", 0.35, none, Range{0, 100}.soft(0, 2),
              "Strength of the hall's ambient light that the dust scatters: 1 is physical, at 0 the dust only darkens.",
@@ -98,7 +99,7 @@ struct CrepuscularRaysTable final : Parameters {
         real("densityNoise", 0.35, none, {0, 1}, "Unevenness of the dust: 0 is even air, high gathers it in drifts.",
              volume and whenAbove(airDensity, 0) and whenAbove(beamStrength, 0));
 
-    Group accuracy = foldedGroup("Accuracy");
+    Group accuracy = group("Accuracy");
     // Measured at 1280 x 720: for an RMSE of 0.002 the loop needs 105 fetches per pixel, three passes need 20, and the
     // polar sum needs 3.3.
     Choice<RayMethod> method = choice("method", RayMethod::polar, {"loop", "three passes", "polar sum"},
@@ -116,11 +117,11 @@ struct CrepuscularRaysTable final : Parameters {
     Count volumeSteps =
         count("volumeSteps", 16, {1, 1024, logarithmic},
               "Number of steps in which a ray crosses the beams of the volume: few are noisy, many cost more.",
-              quality(1024), volume and whenAbove(airDensity, 0) and whenAbove(beamStrength, 0));
+              quality(1024), volume and whenAbove(airDensity, 0) and whenAbove(beamStrength, 0), essential());
     Choice<RayResolution> resolution =
         choice("resolution", RayResolution::half, {"full", "half", "quarter"},
                "Resolution at which the beams are computed; lower ones are upsampled with regard to depth.",
-               exactAt(RayResolution::full), anyBeams);
+               exactAt(RayResolution::full), anyBeams, essential());
     StudiedRows studied{
         *this,
         {{.name = "samples", .settles = "The polar grid has at most 4096 cells a side: four for each of 1024 samples."},

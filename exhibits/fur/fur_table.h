@@ -28,7 +28,7 @@ struct CoatRows {
 struct FurTable final : Parameters {
     /// Indexed by FurBodyIndex: ballLength, ... rollLength, ... ringLength, ...
     std::vector<CoatRows> coats =
-        groups("coats", coatElements, [this](std::size_t body) { return coat(coatInitials[body]); });
+        groups("coats", coatElements, [this](std::size_t body) { return coat(body, coatInitials[body]); });
     Group ring = group("Coat of the ring");
     File ringModel =
         file("ringModel",
@@ -51,8 +51,9 @@ struct FurTable final : Parameters {
                      "Strength of the combing to one side: 0 leaves strands upright, high lays them flat.");
     Real disorder = real("disorder", 0.22, none, Range{0, 10}.soft(0, 2),
                          "Strength of random swirls in the coat: 0 is even, high is tousled.");
-    Real clump = real("clump", 0.75, none, {0, 0.95},
-                      "Gathering of strands into tufts towards their tips: 0 is freshly brushed, high looks wet.");
+    Real clump =
+        real("clump", 0.75, none, {0, 0.95},
+             "Gathering of strands into tufts towards their tips: 0 is freshly brushed, high looks wet.", essential());
     Real clumpSize = real("clumpSize", 10.0, none, Range{1, 50}.soft(2, 20),
                           "Number of strands along one side of a tuft: low makes fine tufts, high makes broad ones.",
                           whenAbove(clump, 0) || whenLaterAbove("curl", 0));
@@ -73,7 +74,8 @@ struct FurTable final : Parameters {
              "Darkening of the side of the coat that faces away from the room's light: 0 lights all sides alike.");
     Real selfShadow =
         real("selfShadow", 0.8, none, Range{0, 10}.soft(0, 3),
-             "Absorption of sunlight on its way into the coat: 0 casts no shadow on the fur, high darkens it quickly.");
+             "Absorption of sunlight on its way into the coat: 0 casts no shadow on the fur, high darkens it quickly.",
+             essential());
     Real sheen = real("sheen", 0.5, none, Range{0, 4}.soft(0, 2), "Gloss along the strands: 0 is wool, high is silk.");
     Real rimLight =
         real("rimLight", 1.0, none, Range{0, 8}.soft(0, 3),
@@ -112,10 +114,10 @@ struct FurTable final : Parameters {
         toggle("growing", false, "Whether the ball grows and shrinks all the time; otherwise only during a jump.",
                whenLater("byHand", 0) && whenAbove(growth, 0) && whenAbove(growthRate, 0));
 
-    Group motion = foldedGroup("Motion of the fur");
+    Group motion = group("Motion of the fur");
     Real frequency = real("frequency", 2.2, hertz, Range{0, 1000}.soft(0.3, 12),
                           "Stiffness of the fur as the frequency at which it swings: low sways, high snaps back.",
-                          whenLater("byHand", 0));
+                          whenLater("byHand", 0), essential());
     Real damping =
         real("damping", 0.3, none, Range{0, 100}.soft(0, 2),
              "Damping of the swinging fur: 0 never stops, 1 stops without overshooting.", whenLater("byHand", 0));
@@ -159,14 +161,14 @@ struct FurTable final : Parameters {
         real("handRotation", 0.0, degree, Range{degrees(-180), degrees(180)},
              "Rotation of the tips about the axis towards the entrance, when set by hand.", when(byHand));
 
-    Group accuracy = foldedGroup("Accuracy");
+    Group accuracy = group("Accuracy");
     // Measured at 640 x 360: with 10 shells, 5 % of the outline are wrong with marching between them and 33 % without.
     // With 64 shells without marching, drawn from inside out, 12.7 times as many samples pass as with the initial
     // values, for the same error.
     Count shellCount =
         count("shellCount", 16, {1, 256, logarithmic},
               "Number of layers (shells) drawn from tip to skin: few show gaps, many are more accurate and cost more.",
-              quality(256));
+              quality(256), essential());
     Count samplesBetween = count(
         "samplesBetween", 16, {1, 32},
         "Largest number of cells of the strand lattice that a ray tests between two shells where it grazes the coat.",
@@ -175,7 +177,7 @@ struct FurTable final : Parameters {
         choice("silhouette", FurSilhouette::march, {"none", "fins", "by angle", "march"},
                "Method that fills the gaps between shells seen from the side: nothing, fins along the edges, more "
                "shells at oblique angles, or ray marching between the shells.",
-               quality(FurSilhouette::march));
+               quality(FurSilhouette::march), essential());
     Choice<FurOrder> drawOrder = choice("drawOrder", FurOrder::outerFirst, {"outer first", "inner first"},
                                         "Order in which shells are drawn: outer shells first hide the inner ones early "
                                         "and save work. The picture is the same.",
@@ -223,11 +225,12 @@ private:
         {0.075, 0.6, 42000, 0.0042, {0.10, 0.006, 0.016}, {0.78, 0.16, 0.20}},
     }};
 
-    CoatRows coat(const CoatInitial& initial)
+    CoatRows coat(std::size_t body, const CoatInitial& initial)
     {
         CoatRows rows{};
-        rows.length = real("length", initial.length, meter, Range{0, 1}.soft(0, 0.4),
-                           "Length of the longest strands of this coat: 0 leaves the bare skin.");
+        rows.length =
+            real("length", initial.length, meter, Range{0, 1}.soft(0, 0.4),
+                 "Length of the longest strands of this coat: 0 leaves the bare skin.", essential(body == furBall));
         rows.uniformity = real("uniformity", initial.uniformity, none, {0, 1},
                                "Length of the shortest strands as a share of the longest: at 0 they have no length, at "
                                "1 all are equally long, like a lawn.",

@@ -37,7 +37,7 @@ inline constexpr std::string_view hallSummary =
 struct HallTable final : Parameters {
     Group picture = group("Picture");
     Real exposure = real("exposure", 0.0, stop, Range{-16, 16}.soft(-4, 4),
-                         "Brightness of the whole picture: each stop doubles it.");
+                         "Brightness of the whole picture: each stop doubles it.", essential());
 
     Count supersamples = count(
         "supersamples", 16, Range{1, 1024, logarithmic}.soft(1, 64),
@@ -70,13 +70,13 @@ struct HallTable final : Parameters {
     Real sunElevation =
         real("sunElevation", degrees(19), degree, Range{degrees(2), degrees(88)}.soft(degrees(8), degrees(50)),
              "Height of the sun above the horizon: low reaches far into the hall, high lights the window's foot.",
-             when(sunBy, SunBy::angles));
+             when(sunBy, SunBy::angles), essential());
     Real sunAzimuth =
         real("sunAzimuth", degrees(-3), degree, Range{degrees(-180), degrees(180)}.soft(degrees(-45), degrees(45)),
              "Horizontal direction of the sun, seen through the window: negative is to the left.",
              when(sunBy, SunBy::angles));
     Real sunStrength = real("sunStrength", 3.6, none, Range{0, 1000}.soft(0, 30),
-                            "Strength of the sunlight relative to the sky: 0 is an overcast day.");
+                            "Strength of the sunlight relative to the sky: 0 is an overcast day.", essential());
     Real sunTemperature = real("sunTemperature", 4700, kelvin, Range{1000, 20000}.soft(2000, 8000),
                                "Color temperature of the sunlight: low is the red of evening, high is bluish.",
                                when(sunBy, SunBy::angles) && whenAbove(sunStrength, 0));
@@ -88,7 +88,7 @@ struct HallTable final : Parameters {
         choice("shadowFilter", ShadowFilter::tent5, {"hard", "tent 3x3", "tent 5x5", "sun's disk"},
                "Filter of the shadow edges: hard, a fixed number of texels (tent), or as wide as the sun's disk makes "
                "them at that distance.",
-               quality(ShadowFilter::disk), when(sunShadows));
+               quality(ShadowFilter::disk), when(sunShadows), essential());
     Real sunDisk = real(
         "sunDisk", degrees(0.53), degree, Range{degrees(0.005), degrees(12)}.soft(degrees(0.1), degrees(1.7)),
         "Angular diameter of the sun for the disk filter: large softens shadows. The real sun has about half a degree.",
@@ -104,7 +104,7 @@ struct HallTable final : Parameters {
 
     Group sky = group("Sky");
     Real skyStrength = real("skyStrength", 2.3, none, Range{0, 1000}.soft(0, 4),
-                            "Strength of the sky's light through window and oculus: 0 is a black sky.");
+                            "Strength of the sky's light through window and oculus: 0 is a black sky.", essential());
     Real skyTemperature = real("skyTemperature", 9500, kelvin, Range{1000, 25000}.soft(5000, 20000),
                                "Color temperature of the sky's light: high is bluer.", whenAbove(skyStrength, 0));
     Toggle bakedLight =
@@ -150,7 +150,7 @@ struct HallTable final : Parameters {
         choice("floorMirror", FloorMirror::shapes, {"probe", "shapes"},
                "Reflections of the polished floor: the soft reflection probe alone, or with ray-traced shapes of the "
                "window, its bars and everything on the floor.",
-               quality(FloorMirror::shapes), when(reflectionProbe));
+               quality(FloorMirror::shapes), when(reflectionProbe), essential());
 
     // Penumbrae are visible on the floor.
     StudiedRows studied{*this, {{.name = "diskSamples", .views = {"along the floor", "best view"}}}};

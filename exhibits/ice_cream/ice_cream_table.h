@@ -66,7 +66,8 @@ struct IceCreamRows : virtual Parameters {
         {"foot",        "collar",     "bowl",           "rings",           "bars",        "smooth wafer",  "one cone",
          "round edges", "repeated",   "joined",         "twisted",         "upper layer", "smooth layers", "candies",
          "colors",      "highlights", "shadow k h / t", "improved shadow", "occlusion",   "fog",           "finished"},
-        "Stage of the build-up, in the order of the reference's slides; each stage includes all before it.");
+        "Stage of the build-up, in the order of the reference's slides; each stage includes all before it.",
+        essential());
     Toggle buildUp = toggle("buildUp", false, "Whether the ice cream is built up stage by stage, again and again.");
     Real stageTime = real("stageTime", 1.5, second, Range{0.05, 60, logarithmic}.soft(0.2, 10),
                           "Time for which each stage is shown.", when(buildUp));
@@ -118,7 +119,7 @@ struct IceCreamRows : virtual Parameters {
 
     /// Indexed by layer: lowerLobes, ... upperLobes, ...
     std::vector<CreamRows> layers =
-        groups("layers", layerElements, [this](std::size_t i) { return layer(layerInitials[i]); });
+        groups("layers", layerElements, [this](std::size_t i) { return layer(i, layerInitials[i]); });
     Group joints = group("Fillets of the cream");
     Real layerBlend = real("layerBlend", 0.05, meter, Range{0, 0.5}.soft(0, 0.15),
                            "Width of the fillet between the two layers of cream; 0 joins them sharply.");
@@ -130,8 +131,8 @@ struct IceCreamRows : virtual Parameters {
         groups("candies", candyElements, [this](std::size_t i) { return candy(candyInitials[i]); });
 
     Group sprinkling = group("Sprinkles");
-    Count sprinkles =
-        count("sprinkles", 0, Range{0, 5000}.soft(0, 1500), "Number of sprinkles on the cream, placed at random.");
+    Count sprinkles = count("sprinkles", 0, Range{0, 5000}.soft(0, 1500),
+                            "Number of sprinkles on the cream, placed at random.", essential());
     Count sprinkleSeed =
         count("sprinkleSeed", 1, {1, 9999}, "Seed of the sprinkles' places: each number places them elsewhere.",
               whenLaterAbove("sprinkles", 0));
@@ -173,7 +174,8 @@ struct IceCreamRows : virtual Parameters {
     Group ownLight = group("Light");
     Choice<IceCreamLighting> lighting = choice(
         "lighting", IceCreamLighting::hall, {"hall", "reference"},
-        "Lighting of the ice cream: by the hall around it, or by the sun, ambient light and fog of the reference.");
+        "Lighting of the ice cream: by the hall around it, or by the sun, ambient light and fog of the reference.",
+        essential());
     Real lamp =
         real("lamp", 1.1, none, Range{0, 100}.soft(0, 8),
              "Strength of the lamp in front of the niche: 0 switches it off.", when(lighting, IceCreamLighting::hall));
@@ -258,7 +260,7 @@ private:
         {0.32, 1.32, -0.2, blue, 10, 1, 0.06},
     }};
 
-    CreamRows layer(const CreamInitial& initial)
+    CreamRows layer(std::size_t which, const CreamInitial& initial)
     {
         CreamRows rows{};
         rows.lobes = count("lobes", initial.lobes, {3, 12}, "Number of cones around the axis of this layer.");
@@ -279,7 +281,7 @@ private:
         rows.yaw = real("yaw", initial.yaw, degree, Range{degrees(-180), degrees(180)},
                         "Sideways rotation of the cones, by which they lean past the axis.");
         rows.twist = real("twist", initial.twist, perMeter, Range{-30, 30}.soft(-12, 12),
-                          "Twist of the layer, in radians per meter of height: 0 is straight.");
+                          "Twist of the layer, in radians per meter of height: 0 is straight.", essential(which == 1));
         rows.blend = real("blend", 0.01, meter, Range{0, 0.3}.soft(0, 0.08),
                           "Width of the fillet between neighboring cones: wide makes soft folds.");
         rows.color = color("color", {0.8388, 0.8468, 0.6939}, "Color of this layer.");

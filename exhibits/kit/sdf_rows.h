@@ -24,10 +24,11 @@ struct SdfMaterialRows : virtual Parameters {
     Group surface = group("Material");
     Choice<SdfMaterial> material =
         choice("material", SdfMaterial::opaque, {"opaque", "glass"},
-               "Material of the object: opaque reflects, glass also refracts at every surface.");
+               "Material of the object: opaque reflects, glass also refracts at every surface.", essential());
     Color baseColor =
         color("baseColor", {0.95, 0.93, 0.88}, "Color of the glaze, of the metal, or of 10 cm of the glass.");
-    Real roughness = real("roughness", 0.06, none, {0, 1}, "Roughness of the surface: 0 is a mirror, 1 is chalk.");
+    Real roughness =
+        real("roughness", 0.06, none, {0, 1}, "Roughness of the surface: 0 is a mirror, 1 is chalk.", essential());
     Real metalness =
         real("metalness", 1.0, none, {0, 1}, "Share of metal: 0 is a glaze over a colored body, 1 is bare metal.",
              when(material, SdfMaterial::opaque) || whenLater("shownAs", static_cast<double>(SdfShown::mesh)));
@@ -69,7 +70,7 @@ public:
         choice("shadowMethod", SdfShadow::signedDistance, {"none", "hard", "classic", "improved", "signed", "area"},
                "Method with which the object shades itself from the sun: none, one ray (hard), three estimates of soft "
                "shadows from one ray, or many rays (area).",
-               quality(SdfShadow::area), whenShaded());
+               quality(SdfShadow::area), whenShaded(), essential());
     Count shadowRays = count("shadowRays", 16, {1, 256, logarithmic},
                              "Number of rays over the sun's disk, for the area method: few are noisy, many cost more.",
                              quality(256), when(shadowMethod, SdfShadow::area));
@@ -78,7 +79,7 @@ public:
              "Angular diameter of the sun: wide gives soft shadows. The real sun has half a degree.",
              when(shadowMethod, {SdfShadow::classic, SdfShadow::improved, SdfShadow::signedDistance, SdfShadow::area}));
 
-    Group accuracy = foldedGroup("Accuracy");
+    Group accuracy = group("Accuracy");
     Real hitTolerance = real(
         "hitTolerance", 1.0, none, Range{0.001, 64, logarithmic}.soft(0.05, 16),
         "Distance at which a ray counts as a hit, in half pixels at that depth: low is accurate, high saves steps.",
@@ -126,7 +127,7 @@ public:
     Choice<SdfHeatMap> heatMap = choice(
         "heatMap", SdfHeatMap::none, {"none", "steps", "evaluations", "normals", "distance"},
         "Quantity by which the object is colored: the steps or evaluations that it cost, its normals, or its distance.",
-        whenMarched());
+        whenMarched(), essential());
     Real heatScale = real("heatScale", 64, none, Range{1, 4096, logarithmic}.soft(4, 512),
                           "Count that the heat map shows in white: low brings out small costs, high large ones.",
                           when(heatMap, {SdfHeatMap::steps, SdfHeatMap::evaluations}));

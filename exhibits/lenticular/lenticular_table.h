@@ -25,9 +25,9 @@ struct LenticularTable final : Parameters {
                           endings(render::readEndings()));
     Choice<CardFace> face =
         choice("face", CardFace::front, {"front", "back"}, "Print that the card shows while it does not scroll.");
-    Count views =
-        count("views", 16, Range{1, 256}.soft(1, 32),
-              "Number of views under each lens, chosen evenly from those of the print; never more than it has.");
+    Count views = count(
+        "views", 16, Range{1, 256}.soft(1, 32),
+        "Number of views under each lens, chosen evenly from those of the print; never more than it has.", essential());
     Toggle scroll =
         toggle("scroll", true, "Whether the card scrolls from one print to the other and back, like a billboard.");
     Real period =
@@ -45,11 +45,12 @@ struct LenticularTable final : Parameters {
                 "40-3d", "40-flip", "50-3d",  "50-flip",  "60-3d",  "60-flip",  "62-3d",       "62-flip",
                 "75-3d", "75-flip", "100-3d", "100-flip", "161-3d", "161-flip", "75-measured", "custom"},
                "Lenticular sheet: lenses per inch and viewing zone, 30 degrees (3d) or 50 (flip). Custom uses the "
-               "parameters below.");
+               "parameters below.",
+               essential());
     Count slices = count("slices", 0, Range{0, 8000}.soft(0, 1000),
                          "Number of lenses across the card; the shape of the sheet is scaled to fit. 0 follows from "
                          "the LPI of the sheet.",
-                         reads(0, "auto"));
+                         reads(0, "auto"), essential());
     Choice<CardAxis> axis = choice("axis", CardAxis::vertical, {"vertical", "horizontal"},
                                    "Direction of the lenses: vertical lenses change when you move sideways, horizontal "
                                    "ones when you move up or down.");
@@ -75,7 +76,7 @@ struct LenticularTable final : Parameters {
         choice("model", CardModel::exact, {"linear", "paraxial", "exact"},
                "Model that finds the strip seen at a view angle: proportional to its tangent as in the reference "
                "(linear), first-order optics (paraxial), or Snell's law at the lens (exact).",
-               exactAt(CardModel::exact));
+               exactAt(CardModel::exact), essential());
     Real magnification = real("magnification", 1, none, {0, 2},
                               "Size of the spot that a lens shows, relative to the model: 0 is one point of a strip, "
                               "above 1 neighboring strips bleed in.");
@@ -98,7 +99,8 @@ struct LenticularTable final : Parameters {
              when(dispersion));
     Choice<CardEyes> eyes = choice("eyes", CardEyes::off, {"off", "left", "right", "anaglyph"},
                                    "Eyes for which the card is drawn: off (the camera), one eye, or both as an "
-                                   "anaglyph, the left one in red and the right one in cyan.");
+                                   "anaglyph, the left one in red and the right one in cyan.",
+                                   essential());
     Real eyeDistance = real("eyeDistance", 0.063, meter, Range{0, 0.5}.soft(0.04, 0.1), "Distance between the eyes.",
                             whenNot(eyes, CardEyes::off));
 
@@ -112,8 +114,9 @@ struct LenticularTable final : Parameters {
                                        quality(CardStrips::flat));
     Toggle reverse =
         toggle("reverse", false, "Whether the views are printed in reverse order: depth turns inside out.");
-    Real inkSpread = real("inkSpread", 0.000012, micrometer, Range{0, 0.005}.soft(0, 0.0001),
-                          "Standard deviation of the ink's blur: high mixes neighboring views (crosstalk).");
+    Real inkSpread =
+        real("inkSpread", 0.000012, micrometer, Range{0, 0.005}.soft(0, 0.0001),
+             "Standard deviation of the ink's blur: high mixes neighboring views (crosstalk).", essential());
     Real pitchError = real("pitchError", 0, none, Range{-0.2, 0.2}.soft(-0.01, 0.01),
                            "Error of the pitch of the strips: 0.01 is one percent too wide.");
     Real phase = real("phase", 0, none, {-1, 1}, "Shift of the strips under the lenses, in lens widths.");

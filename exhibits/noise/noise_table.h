@@ -19,14 +19,17 @@ struct NoiseTable final : Parameters {
     Group show = group("Display");
     Choice<NoiseWork> work = choice("work", NoiseWork::sea, {"field", "fractal sum", "sea", "clouds"},
                                     "Work to show: blobs of one octave (field), of many octaves (fractal sum), a sea "
-                                    "of waves, or a sky of clouds, all made of noise.");
+                                    "of waves, or a sky of clouds, all made of noise.",
+                                    essential());
     Choice<NoiseLook> look =
         choice("look", NoiseLook::physical, {"physically based", "reference"},
                "Shading of the work: physically based, or by the simpler formulas of the reference.");
-    Toggle animate = toggle("animate", false, "Whether time runs: the field drifts, waves roll, clouds sail.");
+    Toggle animate =
+        toggle("animate", false, "Whether time runs: the field drifts, waves roll, clouds sail.", essential());
     Real moment = real("moment", 0, second, Range{-1e6, 1e6}.soft(0, 60),
                        "Time that is shown, or at which the animation starts.");
-    Count seed = count("seed", 1, {0, 9999}, "Seed of the noise: each number gives another field, sea and sky.");
+    Count seed =
+        count("seed", 1, {0, 9999}, "Seed of the noise: each number gives another field, sea and sky.", essential());
 
     const Condition inField = when(work, {NoiseWork::field, NoiseWork::fractal});
     const Condition inFractal = when(work, NoiseWork::fractal);
@@ -75,7 +78,7 @@ struct NoiseTable final : Parameters {
                "Source of the sun's direction: angles of the work's own, or the hall's sun.", physical);
     Real sunElevation =
         real("sunElevation", degrees(9), degree, Range{degrees(-5), degrees(90)}.soft(0, degrees(70)),
-             "Height of the work's own sun above the horizon.", physical and when(sunBy, NoiseSun::own));
+             "Height of the work's own sun above the horizon.", physical and when(sunBy, NoiseSun::own), essential());
     Real sunAzimuth =
         real("sunAzimuth", degrees(14), degree, Range{degrees(-180), degrees(180)},
              "Horizontal direction of the work's own sun, seen through the frame: negative is to the left.",
@@ -89,7 +92,7 @@ struct NoiseTable final : Parameters {
     Real windSpeed =
         real("windSpeed", 7.5, none, Range{0.5, 25}.soft(2, 16),
              "Wind speed ten meters above the water, in meters per second: high makes longer and higher waves.",
-             physical and (inSea or (inClouds and moving)));
+             physical and (inSea or (inClouds and moving)), essential());
     Real windDirection = real("windDirection", degrees(-150), degree, Range{degrees(-180), degrees(180)},
                               "Direction in which the wind blows, from straight ahead: negative is to the left.",
                               physical and (inSea or (inClouds and moving)));
@@ -129,12 +132,12 @@ struct NoiseTable final : Parameters {
                               "further one makes them whiter.",
                               quality(8), inClouds and physical);
 
-    Group accuracy = foldedGroup("Accuracy");
+    Group accuracy = group("Accuracy");
     Choice<NoiseMarch> march =
         choice("march", NoiseMarch::bounded, {"reference", "bounded"},
                "Step lengths of the rays: as in the reference (half the field's value, the height above the water, "
                "equal steps through clouds), or as far as bounds of the slope allow.",
-               quality(NoiseMarch::bounded), physical);
+               quality(NoiseMarch::bounded), physical, essential());
     Real boundShare = real("boundShare", 0.45, none, {0.1, 1},
                            "Share of the slope and curvature bounds that sets the step length: 1 misses nothing, less "
                            "is quicker but may miss details.",

@@ -42,7 +42,8 @@ struct PaperLanternsTable final : Parameters {
     Group many = group("Lanterns");
     Count lanterns = count("lanterns", 30000, {1, 1000000, logarithmic},
                            "Number of grid cells for lanterns, in a square whose corner is at the frame: low is a few, "
-                           "high reaches to the horizon.");
+                           "high reaches to the horizon.",
+                           essential());
     Real crowding = real("crowding", 0.8, none, {0, 1},
                          "Share of the cells that hold a lantern: 0 is an empty lake, 1 fills every cell.");
     const Condition afloat = whenAbove(crowding, 0);
@@ -66,8 +67,8 @@ struct PaperLanternsTable final : Parameters {
     Group candle = group("Candles");
     Toggle candles = toggle("candles", true, "Whether the candles burn.", inPicture);
     const Condition lit = when(candles) and inPicture;
-    Real candleStrength =
-        real("candleStrength", 1, none, Range{0, 20}.soft(0, 4), "Strength of the flames' light: 0 gives none.", lit);
+    Real candleStrength = real("candleStrength", 1, none, Range{0, 20}.soft(0, 4),
+                               "Strength of the flames' light: 0 gives none.", lit, essential());
     Color candleColor = color("candleColor", {1, 0.4, 0.09}, "Color of the flames' light.", lit);
     Real flameHeight =
         real("flameHeight", 0.55, meter, Range{0.1, 5}.soft(0.2, 1.6), "Height of the flame above the base.", lit);
@@ -92,7 +93,7 @@ struct PaperLanternsTable final : Parameters {
              "Variation of color between the papers: at 0 all are alike, at 1 they are as varied as at a festival.",
              physical and afloat);
 
-    Group shape = foldedGroup("Shape");
+    Group shape = group("Shape");
     Real paperRadius = real("paperRadius", 0.75, meter, Range{0.1, 3}.soft(0.3, 1.2), "Radius of the paper tube.");
     Real paperHeight = real("paperHeight", 2, meter, Range{0.2, 8}.soft(0.6, 4),
                             "Height of the upper edge of the paper above the middle of the base.");
@@ -110,7 +111,7 @@ struct PaperLanternsTable final : Parameters {
 
     Group water = group("Water");
     Real waveHeight = real("waveHeight", 0.45, none, Range{0, 8}.soft(0, 3),
-                           "Height of the five waves, relative to the reference: 0 is flat water.");
+                           "Height of the five waves, relative to the reference: 0 is flat water.", essential());
     Choice<LakeSpeed> waveSpeed =
         choice("waveSpeed", LakeSpeed::dispersion, {"reference", "as gravity makes them"},
                "Speed of the waves: as in the reference, one rhythm for all; or by gravity, with long waves slow and "
@@ -129,7 +130,7 @@ struct PaperLanternsTable final : Parameters {
 
     Group sky = group("Moon and sky");
     Real moon = real("moon", 0.5, none, Range{0, 20}.soft(0, 3),
-                     "Strength of the moonlight: 0 is a night without a moon.", inPicture);
+                     "Strength of the moonlight: 0 is a night without a moon.", inPicture, essential());
     const Condition moonlit = inPicture and whenAbove(moon, 0);
     Real moonElevation =
         real("moonElevation", degrees(13), degree, Range{degrees(-10), degrees(90)}.soft(0, degrees(60)),
@@ -156,15 +157,15 @@ struct PaperLanternsTable final : Parameters {
     Real fogHeight = real("fogHeight", 6, meter, Range{0.1, 1000, logarithmic}.soft(1, 60),
                           "Height over which the fog thins out.", physical and whenAbove(fog, 0));
 
-    Group accuracy = foldedGroup("Accuracy");
+    Group accuracy = group("Accuracy");
     Choice<LakeRepetition> repetition =
         choice("repetition", LakeRepetition::cellWall, {"own cell", "2 x 2 cells", "3 x 3 cells", "to the cell's wall"},
                "Cells whose lanterns a step of a ray tests: only its own, 2 x 2 or 3 x 3 cells (lanterns that reach "
                "farther are cut off), or one cell after the other along the ray, which is exact.",
-               exactAt(LakeRepetition::cellWall), afloat);
+               exactAt(LakeRepetition::cellWall), afloat, essential());
     Count bounces =
         count("bounces", 1, {0, 3}, "Number of times that the water may reflect a ray: 0 shows no reflections.",
-              quality(3), physical);
+              quality(3), physical, essential());
     Count waterSteps =
         count("waterSteps", 20, {1, 256, logarithmic}, "Largest number of steps in which a ray finds the water.",
               quality(256), whenAbove(waveHeight, 0));

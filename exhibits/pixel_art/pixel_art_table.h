@@ -74,7 +74,7 @@ struct PixelArtTable final : Parameters {
     Choice<PixelResolution> resolution =
         choice("resolution", PixelResolution::r240,
                {"240 x 135", "320 x 180", "480 x 270", "640 x 360", "960 x 540", "1920 x 1080"},
-               "Resolution of the small picture in pixels.");
+               "Resolution of the small picture in pixels.", essential());
     Choice<PixelUpscale> upscale = choice("upscale", PixelUpscale::sharp, {"integer", "sharp"},
                                           "Enlargement of the small picture: each texel by a whole number of pixels, "
                                           "or to any size with borders smoothed over one pixel (sharp).");
@@ -89,7 +89,7 @@ struct PixelArtTable final : Parameters {
                                       "Method for normals: drawn ones (true), or reconstructed from depth by fixed "
                                       "neighbors (3, 4), nearer ones (5), those in line with a texel (9, 9 plus), a "
                                       "parabola, or a vote of the texels around, which thin objects need.",
-                                      exactAt(NormalsBy::trueNormals));
+                                      exactAt(NormalsBy::trueNormals), essential());
     Choice<NormalsBy> rightMethod =
         choice("rightMethod", NormalsBy::trueNormals,
                {"true", "3 tap", "4 tap", "5 tap", "9 tap", "9 plus tap", "parabola", "vote"},
@@ -134,7 +134,7 @@ struct PixelArtTable final : Parameters {
     Toggle shadows = toggle("shadows", true, "Whether objects cast shadows.", finished);
     Count bands =
         count("bands", 4, {1, 8}, "Number of tones from shade to light, as in hand-drawn pixel art; 1 shades smoothly.",
-              finished);
+              finished, essential());
     Color sunLight = color("sunLight", {1.0, 0.86, 0.60}, "Color of the sunlight.", finished);
     Color shadeLight =
         color("shadeLight", {0.30, 0.36, 0.55}, "Color of the sky's light, which fills shadows from above.", finished);
@@ -152,8 +152,9 @@ struct PixelArtTable final : Parameters {
                                   "Strength of the light lines on edges that face the camera: 0 draws none.", finished);
     Color highlightColor = color("highlightColor", {1, 0.95, 0.8}, "Color of the light lines.",
                                  finished and whenAbove(highlightStrength, 0));
-    Real outlineStrength = real("outlineStrength", 0.75, none, {0, 1},
-                                "Strength of the dark lines on the borders of near objects: 0 draws none.", finished);
+    Real outlineStrength =
+        real("outlineStrength", 0.75, none, {0, 1},
+             "Strength of the dark lines on the borders of near objects: 0 draws none.", finished, essential());
     Color outlineColor = color("outlineColor", {0.012, 0.010, 0.03}, "Color of the dark lines.",
                                finished and whenAbove(outlineStrength, 0));
     const Condition adaptiveEdges = when(edges, EdgeLook::adaptive);
@@ -177,16 +178,17 @@ struct PixelArtTable final : Parameters {
         {"none", "isle", "Game Boy", "NES", "C64", "EGA", "ZX Spectrum", "MSX", "PICO-8", "one bit", "golden hour"},
         "Palette that limits the colors: none, made for the isle, of an old machine, or of a picture of the hall "
         "(golden hour).",
-        finished);
+        finished, essential());
     File palettePicture = file("palettePicture", "Path of a picture whose main colors replace the palette.",
                                endings(render::readEndings()));
     const Condition ofPicture = when(palette, PaletteName::goldenHour) or whenGiven(palettePicture);
     const Condition limited = finished and (whenNot(palette, PaletteName::none) or whenGiven(palettePicture));
     Count paletteColors =
         count("paletteColors", 24, {2, 64}, "Number of colors taken from the picture.", finished and ofPicture);
-    Choice<Dither> dither = choice(
-        "dither", Dither::none, {"none", "ordered", "blue noise", "error diffusion"},
-        "Dithering method for colors between those of the palette: ordered, blue noise, or error diffusion.", limited);
+    Choice<Dither> dither =
+        choice("dither", Dither::none, {"none", "ordered", "blue noise", "error diffusion"},
+               "Dithering method for colors between those of the palette: ordered, blue noise, or error diffusion.",
+               limited, essential());
     Real ditherStrength =
         real("ditherStrength", 0.6, none, {0, 1},
              "Strength of the dithering: at 1 average colors are kept, less leaves calm areas.",

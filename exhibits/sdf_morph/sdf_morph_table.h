@@ -8,7 +8,8 @@ namespace vitrine {
 /// Parameters of the melting torus-mug. Lengths are in meters, in its own space.
 struct TorusMugRows : virtual Parameters {
     Group shape = group("Shape");
-    Real morph = real("morph", 0.62, none, {0, 1}, "Shape between torus and mug: 0 is the torus, 1 is the mug.");
+    Real morph =
+        real("morph", 0.62, none, {0, 1}, "Shape between torus and mug: 0 is the torus, 1 is the mug.", essential());
     Real majorRadius = real("majorRadius", 0.35, meter, Range{0.01, 10}.soft(0.1, 0.6),
                             "Radius of the torus, from its center to the middle of the tube.");
     Real minorRadius =
@@ -27,7 +28,8 @@ struct TorusMugRows : virtual Parameters {
                       "Width of the fillet where the handle meets the cup; 0 joins them hard.");
 
     Group motion = group("Motion");
-    Toggle animate = toggle("animate", false, "Whether the shape melts back and forth, starting from the morph above.");
+    Toggle animate =
+        toggle("animate", false, "Whether the shape melts back and forth, starting from the morph above.", essential());
     Real speed = real("speed", 0.08, hertz, Range{0, 10}.soft(0, 0.5), "Frequency of the melting, to the mug and back.",
                       when(animate));
 };

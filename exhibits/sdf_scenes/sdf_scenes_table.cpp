@@ -25,7 +25,7 @@ SdfScenesTable::SdfScenesTable(std::shared_ptr<const scenes::ShownScene> of) : s
     group(shown->scene->name.empty() ? "Scene parameters" : shown->scene->name);
     for (const scenes::SceneParameter& p : shown->scene->parameters()) {
         const std::string help = p.help.empty() ? "Parameter of this scene." : p.help;
-        ofScene.push_back(real(freeName(*this, p.name), p.initial, p.unit, Range{p.low, p.high}, help));
+        ofScene.push_back(real(freeName(*this, p.name), p.initial, p.unit, Range{p.low, p.high}, help, essential()));
     }
 }
 

@@ -26,13 +26,14 @@ struct SdfScenesTable final : Parameters {
     Group show = group("Display");
     File scene =
         file("scene", "Path of a scene of shapes (JSON); its format is described in assets/scenes/scene.schema.json.",
-             endings("json"), givesRows(), shippedIn("scenes"));
+             endings("json"), givesRows(), shippedIn("scenes"), essential());
     File document = this->Parameters::document(
         "document", scene,
         "The edited scene (JSON) with all changes that are not in its file yet. Resetting it discards them.");
     Choice<SceneLook> look = choice("look", SceneLook::scene, {"as the scene says", "physically based", "reference"},
                                     "Shading of the scene: as set in its file, physically based (metal, glaze and "
-                                    "glass), or by Phong's formulas as in the reference.");
+                                    "glass), or by Phong's formulas as in the reference.",
+                                    essential());
     Toggle animate = toggle("animate", false, "Whether time runs; it shows only in scenes in which something moves.");
     Real moment = real("moment", 0, second, Range{-1e6, 1e6}.soft(0, 20),
                        "Time that is shown, or at which the animation starts.");
@@ -44,15 +45,15 @@ struct SdfScenesTable final : Parameters {
     Group light = group("Light");
     Real brightness = real("brightness", 1, none, Range{0.01, 100, logarithmic}.soft(0.1, 10),
                            "Brightness of the whole picture, as a factor: 1 leaves it as it is.");
-    Count bounces =
-        count("bounces", 4, {0, 4},
-              "Largest number of reflections along a ray: 0 shows none. A scene may limit it further.", quality(4));
+    Count bounces = count("bounces", 4, {0, 4},
+                          "Largest number of reflections along a ray: 0 shows none. A scene may limit it further.",
+                          quality(4), essential());
     Choice<SceneShadow> shadowMethod =
         choice("shadowMethod", SceneShadow::look,
                {"as the look has it", "none", "hard", "classic", "improved", "signed", "area"},
                "Method of the shadows between shapes: the one that belongs to the look, none, one ray (hard), three "
                "estimates of soft shadows from one ray, or many rays (area).",
-               quality(SceneShadow::area));
+               quality(SceneShadow::area), essential());
     Count shadowRays =
         count("shadowRays", 16, {1, 64, logarithmic},
               "Number of rays over each light, for the area method: few are noisy, many cost more.", quality(64),
@@ -70,7 +71,7 @@ struct SdfScenesTable final : Parameters {
         choice("occlusionMethod", SceneOcclusion::look, {"as the look has it", "none", "5 taps", "hemisphere", "cones"},
                "Method of ambient occlusion: the one that belongs to the look, none, 5 taps along the normal, rays "
                "over the hemisphere, or cones.",
-               quality(SceneOcclusion::hemisphere));
+               quality(SceneOcclusion::hemisphere), essential());
     Count occlusionRays = count(
         "occlusionRays", 32, {1, 512, logarithmic},
         "Number of rays over the hemisphere, denser along the normal: few are noisy, many cost more.", quality(512),
@@ -86,7 +87,7 @@ struct SdfScenesTable final : Parameters {
                  rightIs("rightOcclusionMethod", SceneOcclusion::cones) ||
                  (rightIs("rightOcclusionMethod", SceneOcclusion::look) && whenNot(look, SceneLook::reference)));
 
-    Group accuracy = foldedGroup("Accuracy");
+    Group accuracy = group("Accuracy");
     Real hitTolerance = real(
         "hitTolerance", 1, none, Range{0.001, 64, logarithmic}.soft(0.05, 16),
         "Distance at which a ray counts as a hit, in half pixels at that depth: low is accurate, high saves steps.",
@@ -98,7 +99,7 @@ struct SdfScenesTable final : Parameters {
              "Step of the finite differences for normals: too small suffers from rounding, too large rounds creases.",
              quality(0.0005));
 
-    Group halves = foldedGroup("Split view");
+    Group halves = group("Split view");
     Toggle split =
         toggle("split", false, "Whether the picture is split into two halves; the right one has its own parameters.");
     Real divider = real("divider", 0.5, none, {0, 1},
@@ -124,7 +125,8 @@ struct SdfScenesTable final : Parameters {
     Choice<SceneHeatMap> heatMap =
         choice("heatMap", SceneHeatMap::none, {"none", "steps", "evaluations", "normals", "shapes"},
                "Quantity by which the scene is colored: the steps, evaluations or shape evaluations that it cost, or "
-               "its normals.");
+               "its normals.",
+               essential());
     Real heatScale = real("heatScale", 64, none, Range{1, 4096, logarithmic}.soft(8, 512),
                           "Count that the heat map shows in white: low brings out small costs, high large ones.",
                           when(heatMap, {SceneHeatMap::steps, SceneHeatMap::evaluations, SceneHeatMap::shapes}));

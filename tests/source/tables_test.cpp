@@ -1,6 +1,7 @@
 // Rules about parameter tables and the data derived from them.
 
 #include "exhibits/exhibits.h"
+#include "exhibits/framework/table/acting.h"
 #include "exhibits/framework/table/derive.h"
 #include "exhibits/hall/hall_table.h"
 #include "exhibits/kit/sdf_rows.h"
@@ -110,6 +111,26 @@ TEST(Tables, EveryExhibitSaysWhatItsAccuracyIs)
                 << exhibit << '.' << row.name
                 << ": no study can check its reference: let its scale be logarithmic, or say exactAt";
         }
+    }
+}
+
+// A panel opens with them: one that does nothing yet would waste its place.
+TEST(Tables, EveryExhibitAndTheHallNameSixEssentialsOfLookAndTechnique)
+{
+    for (const auto& [exhibit, table] : tables()) {
+        const ParameterValues initial = table->initial();
+        int essentials = 0, techniques = 0;
+        for (std::size_t i = 0; i < initial.rows().size(); ++i) {
+            const ParameterInfo& row = initial.rows()[i];
+            if (!row.essential) continue;
+            ++essentials;
+            if (row.qualityReference) ++techniques;
+            EXPECT_TRUE(acts(initial, i)) << exhibit << '.' << row.name << " has no effect at first";
+            EXPECT_NE(row.kind, Kind::text) << exhibit << '.' << row.name << " is a text";
+        }
+        EXPECT_EQ(essentials, 6) << exhibit;
+        EXPECT_GE(techniques, 1) << exhibit << ": name a parameter of accuracy, too";
+        EXPECT_LT(techniques, essentials) << exhibit << ": name a parameter of the look, too";
     }
 }
 

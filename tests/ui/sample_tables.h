@@ -6,7 +6,7 @@ namespace vitrine::test {
 
 enum class Method { forward, tetrahedron, central };
 
-/// Table with parameters that have an effect only sometimes, words for numbers, and groups that start folded.
+/// Table with parameters that have an effect only sometimes, and words for numbers.
 struct IdleTable final : Parameters {
     Group sun = group("Sun");
     Choice<Method> sunBy =
@@ -14,8 +14,26 @@ struct IdleTable final : Parameters {
     Real height = real("sunHeight", 0.5, none, {0, 1}, "Above the horizon.", when(sunBy, Method::forward));
     Real hourOfDay = real("hourOfDay", 16.1, hour, {0, 24}, "Of the day.", when(sunBy, Method::tetrahedron));
     Real gap = real("convergence", 0, meter, {0, 10}, "Where the views meet.", reads(0, "auto"));
-    Group accuracy = foldedGroup("Accuracy");
+    Group accuracy = group("Accuracy");
     Count steps = count("steps", 8, {1, 64}, "Of the march.");
+};
+
+enum class Beams { volume, screen };
+
+/// Table with essential parameters, and at first a group without any effect.
+struct EssentialTable final : Parameters {
+    Group show = group("Display");
+    Choice<Beams> technique =
+        choice("technique", Beams::volume, {"volume", "screen space"}, "How beams are made.", essential());
+    Real angle = real("angle", 0, none, {0, 1}, "Angle of the view.");
+    Group rays = group("Screen space");
+    Real decay = real("decay", 0.5, none, {0, 1}, "Decay of the rays.", when(technique, Beams::screen));
+    Real weight = real("weight", 0.5, none, {0, 1}, "Weight of the rays.", when(technique, Beams::screen));
+    Group air = group("Air");
+    Real density = real("airDensity", 0.5, none, {0, 1}, "Density of the dust.", essential());
+    Real falloff = real("airFalloff", 0.5, none, {0, 1}, "Falloff of the dust with height.");
+    Group color = group("Color");
+    Real tint = real("tint", 0.5, none, {0, 1}, "Color of the dust.", essential());
 };
 
 /// Table with one parameter of every kind, unit style and scale.

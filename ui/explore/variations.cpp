@@ -2,6 +2,7 @@
 
 #include "exhibits/framework/table/random_values.h"
 #include "ui/model/workbench.h"
+#include "ui/parameters/panel_choices.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/viewport/viewport.h"
 
@@ -23,7 +24,7 @@ Variations::Variations(Workbench& workbench, const ParameterPanel& panel, QObjec
     : QObject(parent), workbench_(workbench), panel_(panel)
 {
     connect(&workbench.history(), &History::changesSettled, this, &Variations::changed);
-    connect(&panel, &ParameterPanel::locksChanged, this, &Variations::changed);
+    connect(&panel.choices(), &PanelChoices::changed, this, &Variations::changed);
     // Requests copy the viewport's, so they wait for its first picture.
     connect(&workbench.viewport(), &Viewport::drawn, this, [this] {
         if (waiting_) order();
@@ -61,7 +62,7 @@ void Variations::drawAnew()
     clear();
     exhibit_ = workbench_.shown();
     base_ = shownValues();
-    locked_ = panel_.lockedRows();
+    locked_ = panel_.choices().list(PanelChoice::locked);
     for (int i = 0; i < count; ++i)
         made_.at(static_cast<std::size_t>(i)) = variation(
             *base_, seedOf(i), [this](std::size_t row) { return panel_.isLocked(row); }, strength_);
@@ -142,7 +143,7 @@ std::optional<int> Variations::onShow() const
 bool Variations::stale() const
 {
     if (!made()) return false;
-    return panel_.lockedRows() != locked_ || (!(*base_ == shownValues()) && !onShow());
+    return panel_.choices().list(PanelChoice::locked) != locked_ || (!(*base_ == shownValues()) && !onShow());
 }
 
 void Variations::pick(int i)

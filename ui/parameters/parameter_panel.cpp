@@ -2,37 +2,31 @@
 
 #include "exhibits/framework/table/acting.h"
 #include "exhibits/framework/table/random_values.h"
-#include "exhibits/framework/time/animation.h"
 #include "ui/kit/idle_undo.h"
 #include "ui/kit/language.h"
-#include "ui/kit/menu_text.h"
 #include "ui/kit/text.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/type_size.h"
-#include "ui/model/other_settings.h"
 #include "ui/parameters/group_edits.h"
-#include "ui/parameters/motion_dialog.h"
 #include "ui/parameters/number_field.h"
+#include "ui/parameters/panel_choices.h"
+#include "ui/parameters/parameter_menus.h"
 #include "ui/parameters/parameter_row.h"
 #include "ui/parameters/parameter_section.h"
-#include "ui/parameters/shown_text.h"
 #include "ui/parameters/value_slider.h"
 #include "ui/parameters/way_to_act.h"
 
 #include <QAbstractButton>
 #include <QApplication>
-#include <QClipboard>
 #include <QComboBox>
 #include <QContextMenuEvent>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
-#include <QMenu>
 #include <QMetaMethod>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QToolButton>
-#include <QToolTip>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -40,7 +34,8 @@
 namespace vitrine::ui {
 ParameterPanel::ParameterPanel(History& history, QWidget* parent)
     : QWidget(parent), history_(history), filter_(new QLineEdit(this)), onlyChanged_(new QToolButton(this)),
-      elsewhere_(new QToolButton(this)), scroll_(new QScrollArea(this)), nothing_(new QLabel(this))
+      elsewhere_(new QToolButton(this)), scroll_(new QScrollArea(this)), nothing_(new QLabel(this)),
+      choices_(new PanelChoices(this)), menus_(new ParameterMenus(history, *this, *choices_))
 {
     filter_->setPlaceholderText(tr("Find a parameter"));
     filter_->setAccessibleName(tr("Find a parameter"));
@@ -94,6 +89,10 @@ ParameterPanel::ParameterPanel(History& history, QWidget* parent)
         emit filtered();
     });
     connect(onlyChanged_, &QToolButton::toggled, this, &ParameterPanel::applyFilter);
+    connect(choices_, &PanelChoices::changed, this, &ParameterPanel::showChoice);
+    connect(menus_, &ParameterMenus::accuracyAsked, this, &ParameterPanel::accuracyAsked);
+    connect(menus_, &ParameterMenus::groupsChanged, this, &ParameterPanel::showGroups);
+    connect(menus_, &ParameterMenus::foldingAsked, this, &ParameterPanel::foldAll);
     watch();
 }
 
@@ -118,26 +117,37 @@ void ParameterPanel::showAll()
 {
     if (name_.isEmpty()) return;  // Nothing is shown yet.
     // A file that was read again gives a new table, usually with the same parameters; their controls are then kept.
-    const bool sameTable = table_ && table_->hasRowsOf(values().table());
-    const bool onlyRows = table_ && !sameTable;  // Of the same exhibit: a file gave others.
-    const std::string focused = onlyRows ? focusedRow() : std::string();
-    const int scrolled = onlyRows ? scroll_->verticalScrollBar()->value() : 0;
-    if (!sameTable) {
-        table_ = values().sharedTable();
+    if (table_ && table_->hasRowsOf(values().table())) {
+        showValues();
+    } else if (table_) {
+        rearrange();  // Of the same exhibit: a file gave others.
+    } else {
         rebuild();
     }
+}
+
+void ParameterPanel::showValues()
+{
     for (std::size_t i = 0; i < rows_.size(); ++i) showValue(i);
     showWhatActs();
     for (ParameterSection* section : sections_) section->refresh();
-    // With the filter for changed parameters, a parameter that was just reset stays visible until the filter is applied
-    // again.
-    if (!sameTable) applyFilter();
-    if (!onlyRows) return;
+}
+
+void ParameterPanel::rearrange()
+{
+    const std::string focused = focusedRow();
+    const int scrolled = scroll_->verticalScrollBar()->value();
+    rebuild();
+    placeRows();
+    if (const ParameterRow* before = row(focused)) focusIn(*before);
+    scroll_->verticalScrollBar()->setValue(scrolled);
+}
+
+void ParameterPanel::placeRows()
+{
     // The layout is activated first, because new rows have no position yet, and the scroll bar no range.
     content_->layout()->activate();
     content_->resize(scroll_->viewport()->width(), content_->sizeHint().height());
-    focusRow(focused);
-    scroll_->verticalScrollBar()->setValue(scrolled);
 }
 
 void ParameterPanel::showRow(std::size_t row)
@@ -145,7 +155,7 @@ void ParameterPanel::showRow(std::size_t row)
     if (rows_.empty()) return;
     showValue(row);
     showWhatActs();
-    sectionOf_[row]->refresh();
+    sections_[groupShowing(row)]->refresh();
 }
 
 void ParameterPanel::showValue(std::size_t row)
@@ -153,12 +163,12 @@ void ParameterPanel::showValue(std::size_t row)
     const ParameterInfo& info = values().rows()[row];
     const Motion* motion = values().motion(row);
     rows_[row]->setMotion(motion ? said(describe(info, *motion)) : QString());
-    rows_[row]->showValue(motion ? valueOf(info, *motion, moment_) : values().row(row));
+    rows_[row]->showValue(motion ? valueOf(info, *motion, menus_->moment()) : values().row(row));
 }
 
 void ParameterPanel::showMoment(const MotionMoment& moment)
 {
-    moment_ = moment;
+    menus_->setMoment(moment);
     if (values().motions().empty()) return;
     for (std::size_t i = 0; i < rows_.size(); ++i)
         if (values().motion(i)) showValue(i);
@@ -168,22 +178,31 @@ void ParameterPanel::showWhatActs()
 {
     for (std::size_t i = 0; i < rows_.size(); ++i)
         rows_[i]->setIdle(acts(values(), i) ? QString() : QString::fromStdString(actsWhen(values(), i)));
+    for (std::size_t i = 0; i < groups_.size(); ++i) {
+        if (!groups_[i].foldedAtFirst) continue;
+        const std::optional<IdleGroup> idle = idleGroup(values(), groups_[i].rows);
+        if (!idle) {
+            sections_[i]->setIdle({}, {});
+            continue;
+        }
+        sections_[i]->setIdle(QString::fromStdString(actsWhen(values(), idle->row)),
+                              changesText(values(), idle->changes));
+    }
 }
 
 void ParameterPanel::rebuild()
 {
-    rows_.clear();
+    table_ = values().sharedTable();
+    rows_.assign(table_->rows().size(), nullptr);
     sections_.clear();
-    sectionOf_.clear();
-    foldedAtFirst_.clear();
+    groups_ = panelGroups(table_->rows(), [this](std::size_t row) { return isPinned(row); });
     content_ = new QWidget;
     auto* layout = new QVBoxLayout(content_);
     layout->setContentsMargins(0, 0, 4, 8);
     layout->setSpacing(0);
-    for (std::size_t i = 0; i < values().rows().size(); ++i) {
-        const ParameterInfo& info = values().rows()[i];
-        if (i == 0 || info.group != values().rows()[i - 1].group) addSection(info);
-        addRow(i);
+    for (std::size_t i = 0; i < groups_.size(); ++i) {
+        addSection(i);
+        for (const std::size_t row : groups_[i].rows) addRow(row);
     }
     layout->addStretch(1);
     showLocks();
@@ -193,6 +212,8 @@ void ParameterPanel::rebuild()
     content_->installEventFilter(this);
     makeRoom();
     orderTabs();
+    showValues();
+    applyFilter();
 }
 
 void ParameterPanel::makeRoom()
@@ -202,35 +223,70 @@ void ParameterPanel::makeRoom()
     setMinimumWidth(std::max(leastWidth, needed));
 }
 
-void ParameterPanel::addSection(const ParameterInfo& first)
+QString ParameterPanel::titleOf(const PanelGroup& group) const
 {
-    auto* section = new ParameterSection(said(first.group), content_);
+    switch (group.kind) {
+    case PanelGroup::Kind::essentials: return tr("Essentials");
+    case PanelGroup::Kind::pinned: return tr("Pinned");
+    case PanelGroup::Kind::table: break;
+    }
+    return said(group.title);
+}
+
+void ParameterPanel::addSection(std::size_t i)
+{
+    const PanelGroup& group = groups_[i];
+    auto* section = new ParameterSection(titleOf(group), content_);
+    const QString key = keyOf(group);
     connect(section, &ParameterSection::menuAsked, this,
-            [this, section](const QPoint& at) { openGroupMenu(section, at); });
-    const QString key = name_ + QLatin1Char('/') + section->title();
-    foldedAtFirst_.push_back(first.groupFolded);
-    section->setFolded(folded_.contains(key) != first.groupFolded);
-    connect(section, &ParameterSection::foldedByVisitor, this, [this, key, atFirst = first.groupFolded](bool folded) {
-        if (folded != atFirst)
-            folded_.insert(key);
-        else
-            folded_.remove(key);
+            [this, i](const QPoint& at) { menus_->openGroup(groups_[i], sections_[i]->title(), at); });
+    connect(section, &ParameterSection::foldedByVisitor, this, [this, key, atFirst = group.foldedAtFirst](bool folded) {
+        choices_->set(PanelChoice::toggled, {key}, folded != atFirst);
     });
+    connect(section, &ParameterSection::actAsked, this, [this, i] {
+        if (const std::optional<IdleGroup> idle = idleGroup(values(), groups_[i].rows)) menus_->make(idle->changes);
+    });
+    section->setFolded(choices_->has(PanelChoice::toggled, key) != group.foldedAtFirst);
     sections_.push_back(section);
     content_->layout()->addWidget(section);
 }
 
 void ParameterPanel::addRow(std::size_t i)
 {
-    auto* row = new ParameterRow(ValueRef(edits(), i), sections_.back());
-    row->setGaugeShown(gauges_);
+    const bool ownHeading = groups_[sections_.size() - 1].kind == PanelGroup::Kind::table;
+    auto* row = new ParameterRow(ValueRef(menus_->edits(), i), sections_.back(),
+                                 ownHeading ? ParameterRow::Label::underHeading : ParameterRow::Label::whole);
+    row->setGaugeShown(menus_->gaugesShown());
     sections_.back()->add(row);
-    rows_.push_back(row);
-    sectionOf_.push_back(sections_.back());
+    rows_[i] = row;
     connect(row, &ParameterRow::accuracyAsked, this, [this, i] { emit accuracyAsked(i); });
-    connect(row, &ParameterRow::wayAsked, this, [this, i](const QPoint& at) { openWay(i, at); });
+    connect(row, &ParameterRow::wayAsked, this, [this, i](const QPoint& at) { menus_->openWay(i, at); });
     row->installEventFilter(this);
     for (QWidget* child : row->findChildren<QWidget*>()) child->installEventFilter(this);
+}
+
+std::size_t ParameterPanel::groupShowing(std::size_t row) const
+{
+    const auto shown = std::find_if(groups_.begin(), groups_.end(), [row](const PanelGroup& group) {
+        return std::find(group.rows.begin(), group.rows.end(), row) != group.rows.end();
+    });
+    return static_cast<std::size_t>(shown - groups_.begin());
+}
+
+std::vector<std::size_t> ParameterPanel::groupOf(std::size_t row) const
+{
+    for (const PanelGroup& group : groups_)
+        if (group.kind == PanelGroup::Kind::table &&
+            std::find(group.members.begin(), group.members.end(), row) != group.members.end())
+            return group.members;
+    return {row};  // All of its group are shown further up.
+}
+
+std::vector<std::size_t> ParameterPanel::inOrder() const
+{
+    std::vector<std::size_t> rows;
+    for (const PanelGroup& group : groups_) rows.insert(rows.end(), group.rows.begin(), group.rows.end());
+    return rows;
 }
 
 void ParameterPanel::orderTabs()
@@ -270,19 +326,14 @@ bool ParameterPanel::focusIn(const ParameterRow& row)
 
 void ParameterPanel::focusFirst()
 {
-    for (const ParameterRow* row : rows_)
-        if (row->isVisible() && focusIn(*row)) return;
+    for (const std::size_t row : inOrder())
+        if (rows_[row]->isVisible() && focusIn(*rows_[row])) return;
 }
 
 std::string ParameterPanel::focusedRow() const
 {
     const std::optional<std::size_t> row = rowAt(QApplication::focusWidget());
     return row ? std::string(table_->rows()[*row].name) : std::string();
-}
-
-void ParameterPanel::focusRow(std::string_view name)
-{
-    if (const ParameterRow* found = row(name)) focusIn(*found);
 }
 
 QString ParameterPanel::filterText() const
@@ -329,23 +380,47 @@ void ParameterPanel::setWanted(const std::function<bool(const ParameterInfo&)>& 
 
 void ParameterPanel::setGaugesShown(bool shown)
 {
-    gauges_ = shown;
+    menus_->setGaugesShown(shown);
     for (ParameterRow* row : rows_) row->setGaugeShown(shown);
 }
 
-QStringList ParameterPanel::foldedGroups() const
+void ParameterPanel::showChoice(PanelChoice choice)
 {
-    QStringList all(folded_.begin(), folded_.end());
-    all.sort();
-    return all;
+    if (!table_) return;
+    switch (choice) {
+    case PanelChoice::toggled:
+        for (std::size_t i = 0; i < groups_.size(); ++i)
+            sections_[i]->setFolded(choices_->has(choice, keyOf(groups_[i])) != groups_[i].foldedAtFirst);
+        break;
+    case PanelChoice::locked: showLocks(); break;
+    case PanelChoice::pinned: rearrange(); break;
+    }
 }
 
-void ParameterPanel::setFoldedGroups(const QStringList& groups)
+void ParameterPanel::foldAll(bool folded)
 {
-    folded_ = QSet<QString>(groups.begin(), groups.end());
-    for (std::size_t i = 0; i < sections_.size(); ++i)
-        sections_[i]->setFolded(folded_.contains(name_ + QLatin1Char('/') + sections_[i]->title()) !=
-                                foldedAtFirst_[i]);
+    QStringList closed, open;
+    for (const PanelGroup& group : groups_)
+        if (group.kind == PanelGroup::Kind::table) (group.foldedAtFirst ? closed : open) << keyOf(group);
+    choices_->set(PanelChoice::toggled, closed, !folded);
+    choices_->set(PanelChoice::toggled, open, folded);
+}
+
+bool ParameterPanel::reveal(std::string_view name)
+{
+    const std::optional<std::size_t> row = table_ ? table_->find(name) : std::nullopt;
+    if (!row || !rows_[*row]->wanted()) return false;
+    onlyChanged_->setChecked(false);
+    filter_->clear();
+    const PanelGroup& group = groups_[groupShowing(*row)];
+    choices_->set(PanelChoice::toggled, {keyOf(group)}, group.foldedAtFirst);
+    placeRows();
+    return focusIn(*rows_[*row]);
+}
+
+void ParameterPanel::pinFocused()
+{
+    if (const std::optional<std::size_t> row = rowAt(QApplication::focusWidget())) menus_->togglePin(*row);
 }
 
 void ParameterPanel::find(const QString& words)
@@ -402,7 +477,7 @@ bool ParameterPanel::eventFilter(QObject* object, QEvent* event)
     if (object == content_ && event->type() == QEvent::LayoutRequest) makeRoom();
     if (event->type() == QEvent::ContextMenu) {
         if (const auto i = rowAt(object)) {
-            openMenu(*i, static_cast<QContextMenuEvent*>(event)->globalPos());
+            menus_->openRow(*i, static_cast<QContextMenuEvent*>(event)->globalPos());
             return true;
         }
     }
@@ -415,24 +490,30 @@ QString ParameterPanel::keyOf(std::size_t row) const
     return name_ + QLatin1Char('/') + text(values().rows()[row].name);
 }
 
+QString ParameterPanel::keyOf(const PanelGroup& group) const
+{
+    return name_ + QLatin1Char('/') + text(group.title);
+}
+
+bool ParameterPanel::isLocked(std::size_t row) const
+{
+    return choices_->has(PanelChoice::locked, keyOf(row));
+}
+
+bool ParameterPanel::isPinned(std::size_t row) const
+{
+    return choices_->has(PanelChoice::pinned, keyOf(row));
+}
+
+bool ParameterPanel::mayPin(std::size_t row) const
+{
+    return !groups_.empty() && groups_.front().kind == PanelGroup::Kind::essentials && !values().rows()[row].essential;
+}
+
 void ParameterPanel::showLocks()
 {
     for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i]->setLocked(isLocked(i));
     showGroups();
-}
-
-QStringList ParameterPanel::lockedRows() const
-{
-    QStringList all(locked_.begin(), locked_.end());
-    all.sort();
-    return all;
-}
-
-void ParameterPanel::setLockedRows(const QStringList& rows)
-{
-    locked_ = QSet<QString>(rows.begin(), rows.end());
-    showLocks();
-    emit locksChanged();
 }
 
 void ParameterPanel::vary()
@@ -442,238 +523,15 @@ void ParameterPanel::vary()
     history_.change(tr("Randomize parameters, seed %1").arg(seed_), next);
 }
 
-namespace {
-
-QString rowLabel(const ParameterInfo& row)
-{
-    return said(label(row));
-}
-
-}  // namespace
-
-void ParameterPanel::openMenu(std::size_t row, const QPoint& at)
-{
-    auto* menu = new QMenu(this);
-    menu->setAttribute(Qt::WA_DeleteOnClose);
-    const ParameterInfo& info = values().rows()[row];
-    QAction* reset =
-        menu->addAction(tr("Reset to %1").arg(shownText(info, info.initial)), rows_[row], &ParameterRow::reset);
-    reset->setEnabled(!values().isInitial(row) || values().motion(row));
-    addWayTo(*menu, row);
-    menu->addSeparator();
-    if (gauges_ && info.qualityReference)
-        menu->addAction(tr("What does accuracy cost?"), this, [this, row] { emit accuracyAsked(row); });
-    menu->addAction(tr("Copy value"), this, [this, row] { copy(row); });
-    menu->addAction(tr("Paste"), this, [this, row] { paste(row); });
-    menu->addAction(tr("Copy all as JSON"), this, [this] { copyAll(); });
-    menu->addAction(tr("Paste all"), this, [this, row] { pasteAll(row); });
-    addMotionTo(*menu, row);
-    addOtherTo(*menu, row);
-    addLocksTo(*menu, row);
-    menu->popup(at);
-}
-
-void ParameterPanel::openWay(std::size_t row, const QPoint& at)
-{
-    auto* menu = new QMenu(this);
-    menu->setAttribute(Qt::WA_DeleteOnClose);
-    menu->addAction(menuText(rows_[row]->whyIdle()))->setEnabled(false);
-    addWayTo(*menu, row);
-    menu->popup(at);
-}
-
-void ParameterPanel::addWayTo(QMenu& menu, std::size_t row)
-{
-    const std::optional<RowChanges> changes = changesToAct(values(), row);
-    if (!changes || changes->empty()) return;
-    QStringList parts;
-    for (const auto& [other, value] : *changes) {
-        const ParameterInfo& info = values().rows()[other];
-        parts << tr("“%1”: %2").arg(rowLabel(info), shownText(info, value));
-    }
-    const QString words = tr("Set %1").arg(parts.join(QStringLiteral("; ")));
-    menu.addAction(menuText(words), this, [this, words, changes = *changes] {
-        SceneState next = history_.sceneState();
-        for (const auto& [other, value] : changes) next.values[exhibit_].setRow(other, value);
-        history_.change(words, next);
-    });
-}
-
-void ParameterPanel::addMotionTo(QMenu& menu, std::size_t row)
-{
-    const ParameterInfo& info = values().rows()[row];
-    menu.addSeparator();
-    const std::string_view why = whyUnmoved(info);
-    QAction* animate = menu.addAction(tr("Animate…"), this, [this, row] {
-        (new MotionDialog(history_, exhibit_, edits().rowsWith(row), this))->openOver(*rows_[row]);
-    });
-    animate->setEnabled(why.empty());
-    animate->setToolTip(said(why));
-    menu.setToolTipsVisible(true);
-    const Motion* motion = values().motion(row);
-    if (!motion) return;
-    const QString name = rowLabel(info).toLower();
-    const Motion next = motion->heldAt ? resumed(*motion, moment_) : held(*motion, moment_);
-    const Value now = valueOf(info, *motion, moment_);
-    menu.addAction(
-        motion->heldAt ? tr("Move on") : tr("Hold"), this,
-        [this, row, next, base = values().row(row),
-         words = (motion->heldAt ? tr("Move %1 on") : tr("Hold %1")).arg(name)] { setMotion(row, words, next, base); });
-    menu.addAction(tr("Stop here"), this,
-                   [this, row, now, words = tr("Stop %1").arg(name)] { setMotion(row, words, std::nullopt, now); });
-}
-
-void ParameterPanel::setMotion(std::size_t row, const QString& words, const std::optional<Motion>& motion,
-                               const Value& base)
-{
-    edits().setMotion(row, words, motion, base);
-}
-
-void ParameterPanel::addLocksTo(QMenu& menu, std::size_t row)
-{
-    const std::vector<std::size_t> group = rowsOf(sectionOf_[row]);
-    const bool all = allLocked(group);
-    menu.addSeparator();
-    menu.addAction(isLocked(row) ? tr("Unlock") : tr("Exclude from randomizing"), this,
-                   [this, row] { lock({row}, !isLocked(row)); });
-    menu.addAction(all ? tr("Unlock the group") : tr("Lock the group"), this,
-                   [this, group, all] { lock(group, !all); });
-}
-
-void ParameterPanel::lock(const std::vector<std::size_t>& rows, bool locked)
-{
-    for (const std::size_t row : rows) {
-        if (locked)
-            locked_.insert(keyOf(row));
-        else
-            locked_.remove(keyOf(row));
-    }
-    showLocks();
-    emit locksChanged();
-}
-
-void ParameterPanel::addOtherTo(QMenu& menu, std::size_t row)
-{
-    if (!other_ || !other_->held()) return;
-    const ParameterInfo& info = values().rows()[row];
-    const ParameterValues& others = other_->sceneState().values[exhibit_];
-    const std::optional<std::size_t> twin = others.table().find(info.name);
-    if (!twin || others.rows()[*twin].kind != info.kind) return;
-    menu.addSeparator();
-    const std::string name(info.name);
-    QAction* take = menu.addAction(menuText(tr("Copy from B: %1").arg(shownText(info, others.row(*twin)))), this,
-                                   [this, name] { other_->take(exhibit_, name); });
-    QAction* give = menu.addAction(tr("Copy to B"), this, [this, name] { other_->give(exhibit_, name); });
-    for (QAction* action : {take, give}) action->setEnabled(!(others.row(*twin) == values().row(row)));
-}
-
-void ParameterPanel::copy(std::size_t row) const
-{
-    QApplication::clipboard()->setText(exactText(values().rows()[row], values().row(row)));
-}
-
-void ParameterPanel::paste(std::size_t row)
-{
-    QString problem;
-    const std::optional<Value> value =
-        typedValue(values().rows()[row], QApplication::clipboard()->text().trimmed(), &problem);
-    if (value) edits().hold(row, *value, newGesture(), tr("Paste %1").arg(rowLabel(values().rows()[row]).toLower()));
-    if (!problem.isEmpty()) tell(row, problem);
-}
-
-void ParameterPanel::pasteAll(std::size_t row)
-{
-    QString problem;
-    const std::optional<ParameterValues> pasted =
-        allFromJson(values().table(), name_, QApplication::clipboard()->text(), &problem);
-    if (!problem.isEmpty()) tell(row, problem);
-    if (!pasted) return;
-    SceneState next = history_.sceneState();
-    next.values[exhibit_] = *pasted;
-    history_.change(tr("Paste all values"), next, newGesture());
-}
-
-void ParameterPanel::tell(std::size_t row, const QString& words)
-{
-    QToolTip::showText(rows_[row]->mapToGlobal(QPoint(16, rows_[row]->height())), words, rows_[row]);
-}
-
-void ParameterPanel::copyAll() const
-{
-    QApplication::clipboard()->setText(allAsJson(values(), name_));
-}
-
-GroupEdits& ParameterPanel::edits()
-{
-    GroupEdits*& made = edits_[exhibit_];
-    if (!made) {
-        made = new GroupEdits(history_, exhibit_, this);
-        connect(made, &GroupEdits::changed, this, &ParameterPanel::showGroups);
-    }
-    return *made;
-}
-
-std::vector<std::size_t> ParameterPanel::rowsOf(const ParameterSection* section) const
-{
-    std::vector<std::size_t> rows;
-    for (std::size_t i = 0; i < sectionOf_.size(); ++i)
-        if (sectionOf_[i] == section) rows.push_back(i);
-    return rows;
-}
-
-void ParameterPanel::openGroupMenu(ParameterSection* section, const QPoint& at)
-{
-    const std::vector<std::size_t> rows = rowsOf(section);
-    if (rows.empty()) return;
-    auto* menu = new QMenu(this);
-    menu->setAttribute(Qt::WA_DeleteOnClose);
-    menu->setAccessibleName(tr("Menu of %1").arg(section->title()));
-    const bool locked = allLocked(rows);
-    menu->addAction(locked ? tr("Unlock the group") : tr("Lock the group"), this,
-                    [this, rows, locked] { lock(rows, !locked); });
-    addArrayTo(*menu, values().rows()[rows.front()]);
-    menu->popup(at);
-}
-
-void ParameterPanel::addArrayTo(QMenu& menu, const ParameterInfo& first)
-{
-    GroupEdits& edit = edits();
-    const std::string array(first.array);
-    const std::size_t here = first.element;
-    const std::vector<GroupEdits::Group> groups = edit.groupsOf(array);
-    if (groups.size() < 2) return;
-    menu.addSeparator();
-    QAction* together = menu.addAction(tr("Edit all %n together", nullptr, static_cast<int>(groups.size())));
-    together->setCheckable(true);
-    together->setChecked(edit.together(array));
-    connect(together, &QAction::triggered, this, [&edit, array](bool on) { edit.setTogether(array, on); });
-    QAction* give =
-        menu.addAction(tr("Copy to the others"), this, [&edit, array, here] { edit.copyToOthers(array, here); });
-    give->setEnabled(std::any_of(groups.begin(), groups.end(), [&](const GroupEdits::Group& group) {
-        return group.element != here && !edit.alike(array, here, group.element);
-    }));
-    for (const GroupEdits::Group& group : groups) {
-        if (group.element == here) continue;
-        QAction* take = menu.addAction(menuText(tr("Copy from %1").arg(said(group.heading))), this,
-                                       [&edit, array, from = group.element, here] { edit.copy(array, from, here); });
-        take->setEnabled(!edit.alike(array, group.element, here));
-    }
-}
-
-bool ParameterPanel::allLocked(const std::vector<std::size_t>& rows) const
-{
-    return std::all_of(rows.begin(), rows.end(), [this](std::size_t row) { return isLocked(row); });
-}
-
 void ParameterPanel::showGroups()
 {
-    for (ParameterSection* section : sections_) {
-        const std::vector<std::size_t> rows = rowsOf(section);
-        if (rows.empty()) continue;
-        const std::string_view array = values().rows()[rows.front()].array;
-        const bool together = !array.empty() && edits().together(array);
-        section->setTogether(together ? static_cast<int>(edits().groupsOf(array).size()) : 0);
-        section->setLocked(allLocked(rows));
+    for (std::size_t i = 0; i < groups_.size(); ++i) {
+        const PanelGroup& group = groups_[i];
+        const std::string_view array = values().rows()[group.members.front()].array;
+        const bool together =
+            group.kind == PanelGroup::Kind::table && !array.empty() && menus_->edits().together(array);
+        sections_[i]->setTogether(together ? static_cast<int>(menus_->edits().groupsOf(array).size()) : 0);
+        sections_[i]->setLocked(menus_->allLocked(group.members));
     }
 }
 
@@ -690,12 +548,11 @@ void type(QWidget& control, int key, bool again)
 void ParameterPanel::stepRow(int step)
 {
     const std::optional<std::size_t> now = rowAt(QApplication::focusWidget());
-    const auto count = static_cast<std::ptrdiff_t>(rows_.size());
-    std::ptrdiff_t next = now ? static_cast<std::ptrdiff_t>(*now) + step : 0;
-    for (; next >= 0 && next<count; next += step> 0 || !now ? 1 : -1) {
-        const ParameterRow& row = *rows_[static_cast<std::size_t>(next)];
-        if (row.isVisible() && focusIn(row)) return;
-    }
+    std::vector<std::size_t> rows = inOrder();
+    if (now && step < 0) std::reverse(rows.begin(), rows.end());
+    auto next = now ? std::find(rows.begin(), rows.end(), *now) + 1 : rows.begin();
+    for (; next != rows.end(); ++next)
+        if (rows_[*next]->isVisible() && focusIn(*rows_[*next])) return;
 }
 
 void ParameterPanel::nudge(int step, bool again)

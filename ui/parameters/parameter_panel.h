@@ -1,8 +1,8 @@
 #pragma once
 
 #include "ui/model/history.h"
+#include "ui/parameters/panel_groups.h"
 
-#include <QSet>
 #include <QWidget>
 
 #include <cstdint>
@@ -12,20 +12,18 @@
 #include <optional>
 #include <vector>
 
-class QCheckBox;
 class QLabel;
 class QLineEdit;
-class QMenu;
 class QScrollArea;
 class QToolButton;
-class QVBoxLayout;
 
 namespace vitrine::ui {
 
-class GroupEdits;
-class OtherSettings;
+class PanelChoices;
+class ParameterMenus;
 class ParameterRow;
 class ParameterSection;
+enum class PanelChoice : std::uint8_t;
 
 /// Panel with the parameters of one exhibit. All controls are derived from its parameter table and set values in the
 /// history. If a value changes, only its own row is updated.
@@ -36,10 +34,11 @@ public:
     /// The history must outlive it.
     explicit ParameterPanel(History&, QWidget* parent = nullptr);
 
-    /// Shows the values of this exhibit. `name` is the key of its folded groups, and of copied values.
+    /// Shows the values of this exhibit. `name` is the key of its choices, and of copied values.
     void showExhibit(std::size_t exhibit, const QString& name);
     /// Returns the exhibit whose values are shown.
     [[nodiscard]] std::size_t exhibit() const { return exhibit_; }
+    [[nodiscard]] const QString& name() const { return name_; }
     [[nodiscard]] const ParameterValues& values() const { return history_.sceneState().values[exhibit_]; }
     [[nodiscard]] ParameterRow* row(std::string_view name) const;
     /// Sets the values that text parameters offer, by the parameter's name.
@@ -57,23 +56,25 @@ public:
     void offerElsewhere(const QString& what);
     /// Shows gauge buttons. Connect `accuracyAsked` first, because they only emit that signal.
     void setGaugesShown(bool);
-    /// Sets the settings B, for the commands that copy rows from and to B; must outlive the panel. Null: none.
-    void setOther(OtherSettings* other) { other_ = other; }
-
-    /// Groups, as "exhibit/group", that the visitor has folded, or unfolded if they are folded by default. Stored with
-    /// the window's layout.
-    [[nodiscard]] QStringList foldedGroups() const;
-    void setFoldedGroups(const QStringList&);
+    /// Groups that the visitor folded or unfolded, and parameters that are locked or pinned.
+    [[nodiscard]] PanelChoices& choices() const { return *choices_; }
+    [[nodiscard]] ParameterMenus& menus() const { return *menus_; }
 
     /// Sets the time of the last picture, for animated parameters: their rows show the values at that time.
     void showMoment(const MotionMoment&);
 
-    /// Parameters, as "exhibit/row", that keep their values when the others are varied. Stored with the window's
-    /// layout.
-    [[nodiscard]] QStringList lockedRows() const;
-    void setLockedRows(const QStringList&);
-    /// Returns whether a parameter of the shown table is locked.
-    [[nodiscard]] bool isLocked(std::size_t row) const { return locked_.contains(keyOf(row)); }
+    // Of parameters of the shown table:
+    [[nodiscard]] QString keyOf(std::size_t row) const;
+    [[nodiscard]] bool isLocked(std::size_t row) const;
+    [[nodiscard]] bool isPinned(std::size_t row) const;
+    /// Returns false for essential parameters, and for tables without any.
+    [[nodiscard]] bool mayPin(std::size_t row) const;
+    /// Returns all parameters of the parameter's group in the table.
+    [[nodiscard]] std::vector<std::size_t> groupOf(std::size_t row) const;
+    /// Unfolds the parameter's group and gives the parameter the focus. Returns false if it is not shown.
+    bool reveal(std::string_view name);
+    /// Pins the parameter with the focus, or unpins it.
+    void pinFocused();
     /// Sets all parameters of the exhibit that are not locked to random values, with the next seed (`variation`). One
     /// undo step.
     void vary();
@@ -87,8 +88,6 @@ public slots:
 signals:
     /// Emitted when the gauge of a quality parameter is pressed, which asks what its accuracy costs.
     void accuracyAsked(std::size_t row);
-    /// Emitted when parameters were locked or unlocked against varying.
-    void locksChanged();
     /// Emitted when the words of the filter changed.
     void filtered();
     void elsewhereAsked();
@@ -99,54 +98,39 @@ protected:
     bool eventFilter(QObject*, QEvent*) override;
 
 private:
+    /// Makes all controls anew for the present table and pins.
     void rebuild();
+    /// The same, and keeps focus and scroll position.
+    void rearrange();
+    void placeRows();
     void addRow(std::size_t row);
-    void addSection(const ParameterInfo&);
+    void addSection(std::size_t group);
+    [[nodiscard]] QString titleOf(const PanelGroup&) const;
+    [[nodiscard]] QString keyOf(const PanelGroup&) const;
+    /// Returns the index of the group under whose heading the parameter is shown.
+    [[nodiscard]] std::size_t groupShowing(std::size_t row) const;
+    /// Returns the parameters in the order in which they are shown.
+    [[nodiscard]] std::vector<std::size_t> inOrder() const;
     /// Watches the shown exhibit only.
     void watch();
     void showRow(std::size_t row);
     void showAll();
+    void showValues();
+    void showValue(std::size_t row);
     void showWhatActs();
+    void showChoice(PanelChoice);
+    void foldAll(bool folded);
     void applyFilter();
     void focusFirst();
     void orderTabs();
     /// Returns the row with the focus; empty: none.
     [[nodiscard]] std::string focusedRow() const;
-    void focusRow(std::string_view name);
-    void openMenu(std::size_t row, const QPoint& at);
-    /// Opens the menu of a parameter without effect: the reason, and changes that would give it an effect.
-    void openWay(std::size_t row, const QPoint& at);
-    /// Adds a command that gives the parameter an effect, if other parameters can do that.
-    void addWayTo(QMenu&, std::size_t row);
-    void openGroupMenu(ParameterSection*, const QPoint& at);
-    /// Adds the commands of a group that belongs to an array of groups.
-    void addArrayTo(QMenu&, const ParameterInfo& first);
-    [[nodiscard]] std::vector<std::size_t> rowsOf(const ParameterSection*) const;
-    [[nodiscard]] bool allLocked(const std::vector<std::size_t>& rows) const;
     /// Updates the marks of headings: locked, edited together.
     void showGroups();
-    /// Returns the edits of the shown exhibit, through which rows set values.
-    [[nodiscard]] GroupEdits& edits();
-    /// Adds the commands that copy the row from and to B, if there is a B.
-    void addOtherTo(QMenu&, std::size_t row);
-    /// Adds the commands that animate the row, hold it and stop it.
-    void addMotionTo(QMenu&, std::size_t row);
-    void setMotion(std::size_t row, const QString& text, const std::optional<Motion>&, const Value&);
-    void showValue(std::size_t row);
-    /// Adds the commands that lock the row and its group.
-    void addLocksTo(QMenu&, std::size_t row);
-    [[nodiscard]] QString keyOf(std::size_t row) const;
-    void lock(const std::vector<std::size_t>& rows, bool locked);
     static constexpr int leastWidth = 320;  ///< Pixels.
     /// Makes the panel as wide as its rows need with the current font.
     void makeRoom();
     void showLocks();
-    void copy(std::size_t row) const;
-    void paste(std::size_t row);
-    void copyAll() const;
-    void pasteAll(std::size_t row);
-    /// Shows a message about pasted values at this row.
-    void tell(std::size_t row, const QString& words);
     /// Focuses the first focusable control of a row. Returns whether there is one.
     static bool focusIn(const ParameterRow&);
     [[nodiscard]] std::optional<std::size_t> rowAt(QObject*) const;
@@ -157,22 +141,17 @@ private:
     QToolButton* elsewhere_;
     QScrollArea* scroll_;
     QLabel* nothing_;
+    PanelChoices* choices_;
+    ParameterMenus* menus_;
     QWidget* content_ = nullptr;
-    std::vector<ParameterRow*> rows_;
-    std::vector<ParameterSection*> sections_;
-    std::vector<ParameterSection*> sectionOf_;  // By row.
-    std::vector<bool> foldedAtFirst_;           // By section.
-    std::shared_ptr<const Parameters> table_;   // Whose rows are built; null: none yet.
+    std::vector<PanelGroup> groups_;
+    std::vector<ParameterSection*> sections_;  // By group.
+    std::vector<ParameterRow*> rows_;          // By row of the table.
+    std::shared_ptr<const Parameters> table_;  // Whose rows are built; null: none yet.
     std::size_t exhibit_ = 0;
     QMetaObject::Connection watched_;
     QString name_;
-    QSet<QString> folded_;
-    bool gauges_ = false;
-    OtherSettings* other_ = nullptr;
-    QSet<QString> locked_;
-    MotionMoment moment_;
-    std::uint64_t seed_ = 0;                    // Of the last variation.
-    std::map<std::size_t, GroupEdits*> edits_;  // By exhibit, each made when first shown.
+    std::uint64_t seed_ = 0;  // Of the last variation.
 };
 
 }  // namespace vitrine::ui

@@ -199,10 +199,11 @@ void IdleMark::paintEvent(QPaintEvent*)
     painter.drawText(rect(), Qt::AlignCenter, QStringLiteral("?"));
 }
 
-ParameterRow::ParameterRow(const ValueRef& value, QWidget* parent)
+ParameterRow::ParameterRow(const ValueRef& value, QWidget* parent, Label words)
     : QWidget(parent), value_(value), editor_(makeEditor(value, this)),
-      label_(new RowLabel(said(labelInGroup(value.info())), editor_, this)), naming_(new QWidget(this)),
-      dot_(new ResetDot(this))
+      label_(
+          new RowLabel(said(words == Label::whole ? label(value.info()) : labelInGroup(value.info())), editor_, this)),
+      naming_(new QWidget(this)), dot_(new ResetDot(this))
 {
     const ParameterInfo& row = info();
     const QString name = said(label(row));
@@ -314,7 +315,8 @@ void ParameterRow::alignEditors()
 int ParameterRow::widthForLabel(const ParameterInfo& row, const QWidget& panel)
 {
     const int gauge = row.qualityReference ? grown(gaugeWidth, panel) + betweenParts : 0;
-    const int naming = panel.fontMetrics().horizontalAdvance(said(labelInGroup(row))) + 1 + gauge;
+    const int naming =
+        panel.fontMetrics().horizontalAdvance(said(row.essential ? label(row) : labelInGroup(row))) + 1 + gauge;
     if (naming <= grown(roomyLabel, panel)) return naming + grown(editorRoom, panel);
     return (std::min(naming, grown(widestLabel, panel)) * 100 + labelShare - 1) / labelShare;
 }

@@ -5,6 +5,8 @@
 #include <QAbstractButton>
 #include <QLabel>
 
+#include <cstdint>
+
 namespace vitrine::ui {
 
 /// Label with the name of a parameter; dragging it changes a number.
@@ -82,7 +84,10 @@ public:
     /// Returns the width at which a row shows this parameter's label whole, in pixels.
     [[nodiscard]] static int widthForLabel(const ParameterInfo&, const QWidget& panel);
 
-    ParameterRow(const ValueRef&, QWidget* parent);
+    /// Label of a parameter: whole, or without the word that the heading of its group has.
+    enum class Label : std::uint8_t { whole, underHeading };
+
+    ParameterRow(const ValueRef&, QWidget* parent, Label = Label::underHeading);
 
     [[nodiscard]] const ParameterInfo& info() const { return editor_->row(); }
     void showValue(const Value&);

@@ -1,12 +1,15 @@
 #include "ui/parameters/parameter_section.h"
 
+#include "ui/kit/menu_text.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/type_size.h"
 #include "ui/parameters/parameter_row.h"
 #include "ui/parameters/row_marks.h"
 
 #include <QContextMenuEvent>
+#include <QLabel>
 #include <QPainter>
+#include <QPushButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -39,9 +42,17 @@ void SectionHeading::setTogether(int groups)
     describe();
 }
 
+void SectionHeading::setIdle(const QString& why)
+{
+    if (whyIdle_ == why) return;
+    whyIdle_ = why;
+    describe();
+}
+
 void SectionHeading::describe()
 {
     QStringList now;
+    if (!whyIdle_.isEmpty()) now << whyIdle_;
     if (locked_) now << tr("All its parameters are excluded from randomizing.");
     if (together_ > 0) now << tr("Edited together: a change here changes all %n groups.", nullptr, together_);
     setAccessibleDescription(now.join(QLatin1Char(' ')));
@@ -193,6 +204,40 @@ void ParameterSection::setTogether(int groups)
     update();
 }
 
+void ParameterSection::addNotice()
+{
+    notice_ = new QWidget(this);
+    reason_ = new QLabel(notice_);
+    reason_->setTextFormat(Qt::PlainText);
+    reason_->setWordWrap(true);
+    reason_->setForegroundRole(QPalette::PlaceholderText);
+    act_ = new QPushButton(notice_);
+    act_->setFocusPolicy(Qt::StrongFocus);
+    connect(act_, &QPushButton::clicked, this, &ParameterSection::actAsked);
+    auto* lines = new QVBoxLayout(notice_);
+    lines->setContentsMargins(22, 0, 8, 6);
+    lines->setSpacing(4);
+    lines->addWidget(reason_);
+    lines->addWidget(act_, 0, Qt::AlignLeft);
+    static_cast<QVBoxLayout*>(layout())->insertWidget(1, notice_);
+}
+
+void ParameterSection::setIdle(const QString& when, const QString& command)
+{
+    if (!heading_ || (when == when_ && (!act_ || command == act_->toolTip()))) return;
+    const bool before = !when_.isEmpty();
+    when_ = when;
+    if (!notice_) addNotice();
+    const QString why = when.isEmpty() ? QString() : tr("No effect now; only used when %1.").arg(when);
+    reason_->setText(why);
+    heading_->setIdle(why);
+    act_->setText(menuText(command));
+    act_->setToolTip(command);
+    act_->setAccessibleName(tr("%1: %2").arg(title_, command));
+    act_->setVisible(!command.isEmpty());
+    if (before == when.isEmpty()) layOut();
+}
+
 void ParameterSection::paintEvent(QPaintEvent*)
 {
     if (!together_) return;
@@ -208,6 +253,7 @@ void ParameterSection::layOut()
         any = any || matches;
         row->setVisible(matches && (filtering || !folded()));
     }
+    if (notice_) notice_->setVisible(!when_.isEmpty() && !filtering);
     setVisible(any);
     refresh();
 }

@@ -5,6 +5,9 @@
 
 #include <vector>
 
+class QLabel;
+class QPushButton;
+
 namespace vitrine::ui {
 
 class ParameterRow;
@@ -20,6 +23,8 @@ public:
     void setLocked(bool);
     /// Shows the number of groups that are edited together; 0: edited alone.
     void setTogether(int groups);
+    /// Says why the group has no effect; empty: it has one.
+    void setIdle(const QString& why);
 
 signals:
     /// Asks for a menu at this screen position: by a right click, the Menu key, or a click on the dots at its end.
@@ -40,6 +45,7 @@ private:
     bool marked_ = false;
     bool locked_ = false;
     int together_ = 0;
+    QString whyIdle_;
 };
 
 /// Rows of one group of parameters. Rows before the first group have no heading and cannot be folded.
@@ -61,9 +67,14 @@ public:
     void setLocked(bool locked);
     /// Marks the group as edited together with others. `groups`: their number; 0: edited alone.
     void setTogether(int groups);
+    /// Shows below the heading why no parameter of the group has an effect, and a button that gives it one. `when`: the
+    /// condition for an effect; empty: it has one. `command`: the text of the button; empty: no button.
+    void setIdle(const QString& when, const QString& command);
 
 signals:
     void foldedByVisitor(bool folded);
+    /// Emitted by the button that gives the group an effect.
+    void actAsked();
     /// Asks for the group's menu at this screen position.
     void menuAsked(const QPoint& at);
 
@@ -72,9 +83,14 @@ protected:
 
 private:
     void layOut();
+    void addNotice();
 
     QString title_;
     SectionHeading* heading_ = nullptr;
+    QWidget* notice_ = nullptr;  ///< Made when the group first has no effect.
+    QLabel* reason_ = nullptr;
+    QPushButton* act_ = nullptr;
+    QString when_;
     std::vector<ParameterRow*> rows_;
     QString words_;
     bool onlyChanged_ = false;

@@ -16,6 +16,7 @@
 #include "ui/kit/tab_order.h"
 #include "ui/lessons/lesson_bar.h"
 #include "ui/lessons/lesson_desk.h"
+#include "ui/parameters/parameter_menus.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/presets/preset_list.h"
 #include "ui/presets/preset_shelf.h"
@@ -171,7 +172,7 @@ void MainWindow::connectParts()
     connect(&docks_->study(), &StudyDock::failed, this,
             [this](const QString& why) { setProblems(QStringLiteral("study"), {why}); });
     connect(&docks_->study(), &StudyDock::finished, this, [this] { setProblems(QStringLiteral("study"), {}); });
-    panel().setOther(&comparison_->other());
+    panel().menus().setOther(&comparison_->other());
     connect(comparison_, &CompareDesk::reportChanged, &docks_->frameReport(), &FrameReportDock::noteOther);
     connect(messages_, &MessageStrip::said, &docks_->log(), &LogView::add);
 }

@@ -8,6 +8,7 @@
 #include "ui/kit/message_of.h"
 #include "ui/kit/text.h"
 #include "ui/kit/window_place.h"
+#include "ui/parameters/panel_choices.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/presets/scene_text.h"
 #include "ui/viewport/viewport.h"
@@ -20,6 +21,7 @@
 #include <QSettings>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace vitrine::ui {
@@ -29,6 +31,10 @@ constexpr int oldestUnwritten = 2000;  // Milliseconds from a change to its writ
 constexpr int settledAfter = 60000;
 constexpr int mostTimesRestored = 3;
 constexpr int layoutVersion = 1;
+
+/// What the visitor chose in the parameter panel, by the keys of the settings.
+constexpr std::array<std::pair<PanelChoice, const char*>, 3> keptChoices{
+    {{PanelChoice::toggled, "toggledGroups"}, {PanelChoice::locked, "locked"}, {PanelChoice::pinned, "pinned"}}};
 
 QString settingsPath(const std::filesystem::path& folder)
 {
@@ -249,8 +255,8 @@ void SessionKeeper::saveLayout() const
     QSettings settings(iniPath(settingsPath(folder_)), QSettings::IniFormat);
     settings.setValue(QStringLiteral("geometry"), window_.saveGeometry());
     if (!window_.bare()) settings.setValue(QStringLiteral("docks"), window_.saveState(layoutVersion));
-    settings.setValue(QStringLiteral("folded"), window_.panel().foldedGroups());
-    settings.setValue(QStringLiteral("locked"), window_.panel().lockedRows());
+    for (const auto& [choice, key] : keptChoices)
+        settings.setValue(QLatin1String(key), window_.panel().choices().list(choice));
     settings.setValue(QStringLiteral("chosen"), text(window_.museum().subject(window_.chosen()).name()));
 }
 
@@ -259,8 +265,8 @@ void SessionKeeper::restoreLayout()
     QSettings settings(iniPath(settingsPath(folder_)), QSettings::IniFormat);
     restorePlace(window_, settings.value(QStringLiteral("geometry")).toByteArray(), journal_.othersRunning());
     window_.restoreState(settings.value(QStringLiteral("docks")).toByteArray(), layoutVersion);
-    window_.panel().setLockedRows(settings.value(QStringLiteral("locked")).toStringList());
-    window_.panel().setFoldedGroups(settings.value(QStringLiteral("folded")).toStringList());
+    for (const auto& [choice, key] : keptChoices)
+        window_.panel().choices().setList(choice, settings.value(QLatin1String(key)).toStringList());
     const std::string chosen = settings.value(QStringLiteral("chosen")).toString().toStdString();
     if (const auto found = window_.museum().find(chosen)) window_.choose(*found);
 }

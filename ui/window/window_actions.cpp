@@ -291,6 +291,9 @@ void WindowActions::addEditMenu(Maker& make, MainWindow& window)
     make.separator();
     make.add(tr("&Find a parameter"), {QKeySequence(Qt::CTRL | Qt::Key_F)},
              tr("Moves the focus to the filter above the parameters."), [&window] { window.findParameter(); });
+    make.add(tr("P&in or unpin the parameter"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D)},
+             tr("Shows the parameter with the focus under the essential ones, or puts it back to its group."),
+             [&window] { window.panel().pinFocused(); });
     make.add(tr("Reset &all parameters"), {},
              tr("Resets all parameters in the panel to their initial values. Can be undone."),
              [&window] { resetShown(window); });

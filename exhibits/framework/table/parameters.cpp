@@ -163,14 +163,6 @@ ParameterValues Parameters::initial() const
 Parameters::Group Parameters::group(std::string_view title)
 {
     group_ = owned(title);
-    groupFolded_ = false;
-    return {group_};
-}
-
-Parameters::Group Parameters::foldedGroup(std::string_view title)
-{
-    group_ = owned(title);
-    groupFolded_ = true;
     return {group_};
 }
 
@@ -222,7 +214,6 @@ std::uint16_t Parameters::appendRow(ParameterInfo row)
     for (std::string_view* text : {&row.given.option, &row.given.tuple}) *text = owned(*text);
     for (Implication& implied : row.given.implies) implied.parameter = owned(implied.parameter);
     if (row.actsWhen) own(*row.actsWhen);
-    row.groupFolded = groupFolded_;
 
     assert(isRowName(row.name));
     assert(!find(row.name) && "two rows share a name");

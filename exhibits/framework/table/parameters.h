@@ -102,7 +102,6 @@ struct ParameterInfo {
     std::optional<Condition> actsWhen = {};  ///< When it changes anything that can be seen; nothing: always.
     std::string_view called = {};            ///< Its label where `name` does not read as one.
     std::vector<Word> words = {};            ///< For a real or a count; values may lie outside of `range`.
-    bool groupFolded = false;                ///< Whether the panel shows its group folded at first.
     std::string_view endings = {};           ///< For Kind::file: what a dialog offers, "glb gltf"; empty: everything.
     bool givesRows = false;                  ///< For Kind::file and text: what it names or is gives further rows.
     std::string_view shipped = {};           ///< For Kind::file: a folder of assets with files that a bare name means.
@@ -111,6 +110,7 @@ struct ParameterInfo {
     std::string_view elementRow = {};        ///< Its name within each of these groups: "length" of "ballLength".
     std::string_view documentOf = {};        ///< For Kind::text: the file row that it stands in for or belongs to.
     bool several = false;                    ///< For Kind::file and text: each line is a value of its own.
+    bool essential = false;                  ///< One of the six with which the panel of an exhibit opens.
     GivenAs given = {};
 
     /// Returns whether its values are numbers with intermediate values: a real or a count.
@@ -234,6 +234,12 @@ protected:
     struct GivesRows {};
     /// For a file parameter: its file adds parameters to the table (`TableFromFiles::tableFor`).
     [[nodiscard]] static GivesRows givesRows() { return {}; }
+    struct Essential {
+        bool is;
+    };
+    /// Marks one of the six parameters that make an exhibit what it is: the panel opens with them, and the others are
+    /// folded by group. `is`: false for a parameter of an array whose other groups have the mark.
+    [[nodiscard]] static Essential essential(bool is = true) { return {is}; }
     struct Called {
         std::string_view text;
     };
@@ -324,8 +330,6 @@ protected:
 
     /// Declares the heading of the parameters that follow.
     Group group(std::string_view title);
-    /// The same for a group that the panel shows folded at first.
-    Group foldedGroup(std::string_view title);
 
     /// Declares groups with the same parameters, one for each element. Within `make(i)`, the name "length" becomes
     /// "ballLength". Returns what `make` returns, in the order of the elements.
@@ -420,6 +424,7 @@ private:
     static void say(ParameterInfo& row, const Endings& endings) { row.endings = endings.text; }
     static void say(ParameterInfo& row, const GivesRows&) { row.givesRows = true; }
     static void say(ParameterInfo& row, const Shipped& shipped) { row.shipped = shipped.folder; }
+    static void say(ParameterInfo& row, const Essential& essential) { row.essential = essential.is; }
     static void say(ParameterInfo& row, const Called& called) { row.called = called.text; }
     static void say(ParameterInfo& row, const Word& word) { row.words.push_back(word); }
     static void say(ParameterInfo& row, const Option& option)
@@ -454,7 +459,6 @@ private:
     std::set<std::string, std::less<>> texts_;  ///< Nodes keep their place.
     std::vector<ParameterInfo> rows_;
     std::string_view group_;
-    bool groupFolded_ = false;
     std::string_view array_;
     std::size_t element_ = 0;
     std::string_view elementName_;
@@ -469,7 +473,6 @@ public:
     using Parameters::direction;
     using Parameters::Element;
     using Parameters::file;
-    using Parameters::foldedGroup;
     using Parameters::givesRows;
     using Parameters::group;
     using Parameters::groups;

@@ -6,6 +6,7 @@
 #include "ui/explore/explore_dock.h"
 #include "ui/explore/variation_grid.h"
 #include "ui/explore/variations.h"
+#include "ui/parameters/panel_choices.h"
 #include "ui/presets/preset_shelf.h"
 #include "ui/window/window_docks.h"
 
@@ -229,9 +230,9 @@ private slots:
                      !(nine().values(i).row(gallery_->table().tilt.row) == values().row(gallery_->table().tilt.row));
         }
         QVERIFY2(others, "a control: rows of other groups vary");
-        QVERIFY(window_->panel().lockedRows().contains("sdf_morph/roughness"));
+        QVERIFY(window_->panel().choices().list(PanelChoice::locked).contains("sdf_morph/roughness"));
         fromHeadingMenu("Surface", "Unlock the group");
-        QVERIFY(window_->panel().lockedRows().isEmpty());
+        QVERIFY(window_->panel().choices().list(PanelChoice::locked).isEmpty());
     }
 
     void seedAndStrengthSayWhichAndHowFar()

@@ -24,6 +24,7 @@ class OpenPanel : public QObject {
 protected:
     const SampleTable table_{};
     const IdleTable idle_{};
+    const EssentialTable essentials_{};
     std::unique_ptr<ui::History> history_;
     std::unique_ptr<ui::ParameterPanel> panel_;
 
@@ -56,6 +57,7 @@ protected:
         }
     }
     void showIdleTable() { history_->restart(SceneState{{idle_.initial()}, {}}); }
+    void showEssentialTable() { history_->restart(SceneState{{essentials_.initial()}, {}}); }
     static void prepare()
     {
         std::setlocale(LC_NUMERIC, "C");

@@ -1,13 +1,18 @@
 #include "tests/ui/parameters/open_panel.h"
 #include "tests/ui/ui_main.h"
 
+#include "ui/kit/text.h"
+#include "ui/parameters/panel_choices.h"
+#include "ui/parameters/parameter_menus.h"
 #include "ui/parameters/parameter_section.h"
 #include "ui/parameters/screen_color.h"
 
 #include <QClipboard>
 #include <QComboBox>
 #include <QHash>
+#include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QSet>
 #include <QSignalSpy>
 #include <QToolButton>
@@ -45,6 +50,35 @@ private:
 /// The panel as a whole: its content, its layout, and the effect of changes.
 class ParameterPanelTest : public test::OpenPanel {
     Q_OBJECT
+
+private:
+    [[nodiscard]] SectionHeading* heading(const QString& title) const
+    {
+        for (auto* each : panel_->findChildren<SectionHeading*>())
+            if (each->text() == title && each->isVisible()) return each;
+        return nullptr;
+    }
+    [[nodiscard]] QStringList headings() const
+    {
+        QStringList titles;
+        for (const auto* each : panel_->findChildren<SectionHeading*>())
+            if (each->isVisible()) titles << each->text();
+        return titles;
+    }
+    /// Returns the names of the visible parameters, from the top.
+    [[nodiscard]] QStringList visibleRows() const
+    {
+        QStringList names;
+        for (const auto* row : panel_->findChildren<ParameterRow*>())
+            if (row->isVisible()) names << text(row->info().name);
+        return names;
+    }
+    /// Gives another panel what the visitor chose in this one, as the window does over the settings.
+    void keepChoices(ParameterPanel& other) const
+    {
+        for (const PanelChoice choice : {PanelChoice::toggled, PanelChoice::locked, PanelChoice::pinned})
+            other.choices().setList(choice, panel_->choices().list(choice));
+    }
 
 private slots:
     void initTestCase() { prepare(); }
@@ -138,7 +172,7 @@ private slots:
     void allRowsAreVariedAtOnceButForLockedOnes()
     {
         choose("roughness", "Exclude from randomizing");
-        QCOMPARE(panel_->lockedRows(), QStringList{"sample/roughness"});
+        QCOMPARE(panel_->choices().list(PanelChoice::locked), QStringList{"sample/roughness"});
         const int count = history_->stack().count();
         const ParameterValues before = values();
         panel_->vary();
@@ -162,7 +196,7 @@ private slots:
         QVERIFY(!(values().row(table_.base.row) == before.row(table_.base.row)));
         choose("morph", "Unlock the group");
         choose("roughness", "Unlock");
-        QVERIFY(panel_->lockedRows().isEmpty());
+        QVERIFY(panel_->choices().list(PanelChoice::locked).isEmpty());
         panel_->vary();
         QVERIFY(!(values().row(table_.roughness.row) == before.row(table_.roughness.row)));
     }
@@ -171,9 +205,9 @@ private slots:
     {
         auto* heading = panel_->findChildren<SectionHeading*>().at(1);
         QTest::mouseClick(heading, Qt::LeftButton);
-        QCOMPARE(panel_->foldedGroups(), QStringList{"sample/Surface"});
+        QCOMPARE(panel_->choices().list(PanelChoice::toggled), QStringList{"sample/Surface"});
         ParameterPanel other(*history_);
-        other.setFoldedGroups(panel_->foldedGroups());
+        keepChoices(other);
         other.showExhibit(0, "sample");
         other.show();
         QVERIFY(!other.row("roughness")->isVisible());
@@ -281,18 +315,94 @@ private slots:
         QVERIFY(panel_->row("sunHeight")->toolTip().contains(QStringLiteral("Range: 0 to 1")));
     }
 
-    void groupsThatStartFoldedAreRememberedWhenOpened()
+    void essentialsComeFirstAndTheOthersAreFoldedByGroup()
     {
-        showIdleTable();
-        QVERIFY(!panel_->row("steps")->isVisible());
-        QVERIFY(panel_->foldedGroups().isEmpty());
-        QTest::mouseClick(panel_->findChildren<SectionHeading*>().at(1), Qt::LeftButton);
-        QVERIFY(panel_->row("steps")->isVisible());
+        showEssentialTable();
+        // The group "Color" is left out: its only parameter is essential.
+        QCOMPARE(headings(), QStringList({"Essentials", "Display", "Screen space", "Air"}));
+        QCOMPARE(visibleRows(), QStringList({"technique", "airDensity", "tint"}));
+        const auto label = [&](const char* row) { return panel_->row(row)->findChild<RowLabel*>()->text(); };
+        QCOMPARE(label("airDensity"), QStringLiteral("Air density"));
+        QCOMPARE(label("airFalloff"), QStringLiteral("Falloff"));
+        QVERIFY(panel_->choices().list(PanelChoice::toggled).isEmpty());
+
+        QTest::mouseClick(heading("Air"), Qt::LeftButton);
+        QVERIFY(panel_->row("airFalloff")->isVisible());
         ParameterPanel other(*history_);
-        other.setFoldedGroups(panel_->foldedGroups());
+        keepChoices(other);
         other.showExhibit(0, "sample");
         other.show();
-        QVERIFY(other.row("steps")->isVisible());
+        QVERIFY2(other.row("airFalloff")->isVisible() && !other.row("angle")->isVisible(), "remembered");
+    }
+
+    void aGroupWithoutEffectSaysSoOnceAndItsButtonGivesItOne()
+    {
+        showEssentialTable();
+        const auto said = [&] {
+            QStringList words;
+            for (const QLabel* line : panel_->findChildren<QLabel*>())
+                if (line->isVisible() && line->text().contains(QStringLiteral("only used when"))) words << line->text();
+            return words;
+        };
+        QCOMPARE(said(), QStringList{"No effect now; only used when “Technique” is screen space."});
+        QVERIFY(heading("Screen space")->accessibleDescription().startsWith(QStringLiteral("No effect now")));
+        QPushButton* act = nullptr;
+        for (auto* button : panel_->findChildren<QPushButton*>())
+            if (button->isVisible()) act = button;
+        QVERIFY(act);
+        QCOMPARE(act->text(), QStringLiteral("Set “Technique” to screen space"));
+        act->setFocus();
+        QTest::keyClick(act, Qt::Key_Space);
+        QVERIFY(said().isEmpty());
+        QCOMPARE(history_->stack().count(), 1);
+        QVERIFY(!panel_->row("decay")->idle());
+        history_->stack().undo();
+        QCOMPARE(said().size(), 1);
+    }
+
+    void pinnedRowsAreShownUnderTheEssentialsAndAreRemembered()
+    {
+        showEssentialTable();
+        QVERIFY(panel_->reveal("airFalloff"));
+        QVERIFY(panel_->row("airFalloff")->isAncestorOf(QApplication::focusWidget()));
+        panel_->pinFocused();
+        QCOMPARE(headings(), QStringList({"Essentials", "Pinned", "Display", "Screen space"}));
+        QCOMPARE(visibleRows(), QStringList({"technique", "airDensity", "tint", "airFalloff"}));
+        QVERIFY2(panel_->row("airFalloff")->isAncestorOf(QApplication::focusWidget()), "the focus stays");
+        type("airFalloff", "0.75");
+        QCOMPARE(std::get<double>(panel_->values().row(*essentials_.find("airFalloff"))), 0.75);
+
+        ParameterPanel other(*history_);
+        keepChoices(other);
+        other.showExhibit(0, "sample");
+        other.show();
+        QVERIFY(other.row("airFalloff")->isVisible());
+        // An essential parameter needs no pin, and a table without essentials has none.
+        QVERIFY(!panel_->mayPin(*essentials_.find("tint")));
+        choose("airFalloff", "Unpin");
+        QCOMPARE(headings(), QStringList({"Essentials", "Display", "Screen space", "Air"}));
+        open();
+        QVERIFY(!panel_->mayPin(0));
+    }
+
+    void aParameterIsShownWhereverItIs()
+    {
+        showEssentialTable();
+        panel_->findChild<QToolButton*>("", Qt::FindDirectChildrenOnly)->click();  // Only changed ones.
+        QVERIFY(visibleRows().isEmpty());
+        QVERIFY(panel_->reveal("weight"));
+        QVERIFY(panel_->row("weight")->isVisible());
+        QVERIFY(panel_->row("weight")->isAncestorOf(QApplication::focusWidget()));
+        QVERIFY(!panel_->reveal("noSuchParameter"));
+    }
+
+    void allGroupsAreFoldedAndUnfoldedAtOnce()
+    {
+        showEssentialTable();
+        emit panel_->menus().foldingAsked(false);
+        QCOMPARE(visibleRows().size(), static_cast<qsizetype>(essentials_.rows().size()));
+        emit panel_->menus().foldingAsked(true);
+        QCOMPARE(visibleRows(), QStringList({"technique", "airDensity", "tint"}));
     }
 
     void pastingNonsenseSaysSoAndPasteAllIsTheCounterpartOfCopyAll()

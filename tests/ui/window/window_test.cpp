@@ -8,6 +8,7 @@
 #include "ui/kit/tile_delegate.h"
 #include "ui/parameters/color_picker.h"
 #include "ui/parameters/number_field.h"
+#include "ui/parameters/panel_choices.h"
 #include "ui/presets/preset_shelf.h"
 #include "ui/report/frame_report_view.h"
 #include "ui/window/file_opener.h"
@@ -161,10 +162,12 @@ private slots:
     void lockedRowsComeBackAndAreLeftOutWhenTheOthersAreVaried()
     {
         window_->choose(1);
-        window_->panel().setLockedRows({"sdf_morph/roughness"});
+        window_->panel().choices().set(PanelChoice::locked, {"sdf_morph/roughness"}, true);
+        window_->panel().choices().set(PanelChoice::pinned, {"fur/comb"}, true);
         closeWindow();
         openWindow();
-        QCOMPARE(window_->panel().lockedRows(), QStringList{"sdf_morph/roughness"});
+        QCOMPARE(window_->panel().choices().list(PanelChoice::locked), QStringList{"sdf_morph/roughness"});
+        QCOMPARE(window_->panel().choices().list(PanelChoice::pinned), QStringList{"fur/comb"});
         window_->choose(1);
         const auto morph = [this] { return window_->history().sceneState().values[1][gallery_->table().morph]; };
         const double before = morph();
