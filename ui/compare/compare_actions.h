@@ -16,7 +16,7 @@ namespace vitrine::ui {
 
 class CompareDesk;
 
-/// Commands of the comparison. The menu, the command palette and the bar are made from them.
+/// Commands of the comparison. The menu, the search and the bar are made from them.
 class CompareActions final : public QObject {
     Q_OBJECT
 

@@ -178,7 +178,7 @@ void CompareDesk::letGo()
 
 std::vector<std::pair<QString, QString>> CompareDesk::presets() const
 {
-    return shelf_.choices();
+    return shelf_.choices(workbench_.shown());
 }
 
 const QUndoStack& CompareDesk::steps() const

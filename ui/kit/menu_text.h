@@ -11,6 +11,18 @@ namespace vitrine::ui {
     return words.replace(u'&', QStringLiteral("&&"));
 }
 
+/// Returns the name of a command without the marks of menus: "Export picture" for "Export &picture…".
+[[nodiscard]] inline QString nameText(const QAction& action)
+{
+    return action.text().remove(QLatin1Char('&')).remove(QStringLiteral("…"));
+}
+
+/// Returns all shortcuts of a command.
+[[nodiscard]] inline QString keysText(const QAction& action)
+{
+    return QKeySequence::listToString(action.shortcuts(), QKeySequence::NativeText).replace(u';', u',');
+}
+
 /// Returns a button's tooltip: the action's tooltip, with its first shortcut in brackets.
 [[nodiscard]] inline QString tipWithKey(const QAction& action)
 {

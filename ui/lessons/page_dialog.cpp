@@ -121,11 +121,16 @@ PageDialog::PageDialog(QWidget* window, FindParameters find)
     browser_->setFocus();
 }
 
-void PageDialog::showPage(const QString& name)
+QString PageDialog::pathOf(const QString& name)
 {
     const QString file = QLatin1Char('/') + name + QStringLiteral(".html");
     const QString own = pageFolder() + QLatin1Char('/') + spokenLanguage() + file;
-    browser_->setSource(QUrl::fromLocalFile(QFileInfo::exists(own) ? own : pageFolder() + file));
+    return QFileInfo::exists(own) ? own : pageFolder() + file;
+}
+
+void PageDialog::showPage(const QString& name)
+{
+    browser_->setSource(QUrl::fromLocalFile(pathOf(name)));
 }
 
 void PageDialog::follow(const QUrl& link)

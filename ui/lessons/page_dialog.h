@@ -25,6 +25,8 @@ public:
 
     PageDialog(QWidget* window, FindParameters);
 
+    /// Returns the path of the page of this name in the present language, or in English if there is none.
+    [[nodiscard]] static QString pathOf(const QString& name);
     /// Shows the page of the subject of this name.
     void showPage(const QString& name);
     [[nodiscard]] QTextBrowser& browser() const { return *browser_; }

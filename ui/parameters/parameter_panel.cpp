@@ -2,7 +2,7 @@
 
 #include "exhibits/framework/table/acting.h"
 #include "exhibits/framework/table/random_values.h"
-#include "ui/kit/idle_undo.h"
+#include "exhibits/framework/time/animation.h"
 #include "ui/kit/language.h"
 #include "ui/kit/text.h"
 #include "ui/kit/theme.h"
@@ -22,8 +22,6 @@
 #include <QContextMenuEvent>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QLineEdit>
-#include <QMetaMethod>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QToolButton>
@@ -33,33 +31,16 @@
 
 namespace vitrine::ui {
 ParameterPanel::ParameterPanel(History& history, QWidget* parent)
-    : QWidget(parent), history_(history), filter_(new QLineEdit(this)), onlyChanged_(new QToolButton(this)),
-      elsewhere_(new QToolButton(this)), scroll_(new QScrollArea(this)), nothing_(new QLabel(this)),
-      choices_(new PanelChoices(this)), menus_(new ParameterMenus(history, *this, *choices_))
+    : QWidget(parent), history_(history), onlyChanged_(new QToolButton(this)), scroll_(new QScrollArea(this)),
+      nothing_(new QLabel(tr("All parameters have their initial values."), this)), choices_(new PanelChoices(this)),
+      menus_(new ParameterMenus(history, *this, *choices_))
 {
-    filter_->setPlaceholderText(tr("Find a parameter"));
-    filter_->setAccessibleName(tr("Find a parameter"));
-    filter_->setToolTip(
-        tr("Shows only parameters whose name, group, help or choices contain these words. Enter goes to the first, "
-           "Esc clears, Esc again leaves."));
-    filter_->setProperty(IdleUndo::searches, true);
-    filter_->setClearButtonEnabled(true);
-    growHeight(*filter_, 26);
-    filter_->setTextMargins(4, 0, 4, 0);
-    filter_->installEventFilter(this);
     onlyChanged_->setText(tr("Changed"));
     onlyChanged_->setAccessibleName(tr("Only changed"));
     onlyChanged_->setToolTip(tr("Shows only parameters whose value is not the initial one."));
     onlyChanged_->setCheckable(true);
     growHeight(*onlyChanged_, 26);
     onlyChanged_->setFocusPolicy(Qt::StrongFocus);
-    elsewhere_->setAccessibleName(tr("Matches in the other tab"));
-    elsewhere_->setToolTip(tr("Goes to the tab that has these parameters."));
-    elsewhere_->setFocusPolicy(Qt::StrongFocus);
-    elsewhere_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    growHeight(*elsewhere_, 26);
-    elsewhere_->hide();
-    connect(elsewhere_, &QToolButton::clicked, this, &ParameterPanel::elsewhereAsked);
     nothing_->setTextFormat(Qt::PlainText);
     nothing_->setWordWrap(true);
     nothing_->setMargin(16);
@@ -73,22 +54,17 @@ ParameterPanel::ParameterPanel(History& history, QWidget* parent)
     auto* top = new QHBoxLayout;
     top->setContentsMargins(8, 8, 8, 8);
     top->setSpacing(8);
-    top->addWidget(filter_, 1);
+    top->addStretch(1);
     top->addWidget(onlyChanged_);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addLayout(top);
-    layout->addWidget(elsewhere_);
     layout->addWidget(nothing_);
     layout->addWidget(scroll_, 1);
     setMinimumWidth(leastWidth);
 
-    connect(filter_, &QLineEdit::textChanged, this, [this] {
-        applyFilter();
-        emit filtered();
-    });
-    connect(onlyChanged_, &QToolButton::toggled, this, &ParameterPanel::applyFilter);
+    connect(onlyChanged_, &QToolButton::toggled, this, &ParameterPanel::showOnlyWanted);
     connect(choices_, &PanelChoices::changed, this, &ParameterPanel::showChoice);
     connect(menus_, &ParameterMenus::accuracyAsked, this, &ParameterPanel::accuracyAsked);
     connect(menus_, &ParameterMenus::groupsChanged, this, &ParameterPanel::showGroups);
@@ -213,7 +189,7 @@ void ParameterPanel::rebuild()
     makeRoom();
     orderTabs();
     showValues();
-    applyFilter();
+    showOnlyWanted();
 }
 
 void ParameterPanel::makeRoom()
@@ -291,10 +267,8 @@ std::vector<std::size_t> ParameterPanel::inOrder() const
 
 void ParameterPanel::orderTabs()
 {
-    // Tab leads from the filter to the rows in their order. By default, Qt would put new widgets at the end.
-    QWidget* before = elsewhere_;
-    setTabOrder(filter_, onlyChanged_);
-    setTabOrder(onlyChanged_, elsewhere_);
+    // Tab leads to the rows in their order. By default, Qt would put new widgets at the end.
+    QWidget* before = onlyChanged_;
     QList<QWidget*> stops;
     qsizetype firstOfRow = 0, marks = 0;
     for (QWidget* child : content_->findChildren<QWidget*>()) {
@@ -324,32 +298,10 @@ bool ParameterPanel::focusIn(const ParameterRow& row)
     return false;
 }
 
-void ParameterPanel::focusFirst()
-{
-    for (const std::size_t row : inOrder())
-        if (rows_[row]->isVisible() && focusIn(*rows_[row])) return;
-}
-
 std::string ParameterPanel::focusedRow() const
 {
     const std::optional<std::size_t> row = rowAt(QApplication::focusWidget());
     return row ? std::string(table_->rows()[*row].name) : std::string();
-}
-
-QString ParameterPanel::filterText() const
-{
-    return filter_->text();
-}
-
-void ParameterPanel::clearFilter()
-{
-    filter_->clear();
-}
-
-void ParameterPanel::offerElsewhere(const QString& what)
-{
-    elsewhere_->setText(fontMetrics().elidedText(what, Qt::ElideRight, std::max(width() - 32, 200)));
-    elsewhere_->setVisible(!what.isEmpty());
 }
 
 ParameterRow* ParameterPanel::row(std::string_view name) const
@@ -375,7 +327,7 @@ void ParameterPanel::setWanted(const std::function<bool(const ParameterInfo&)>& 
         changed = changed || now != row->wanted();
         row->setWanted(now);
     }
-    if (changed) applyFilter();
+    if (changed) showOnlyWanted();
 }
 
 void ParameterPanel::setGaugesShown(bool shown)
@@ -411,7 +363,6 @@ bool ParameterPanel::reveal(std::string_view name)
     const std::optional<std::size_t> row = table_ ? table_->find(name) : std::nullopt;
     if (!row || !rows_[*row]->wanted()) return false;
     onlyChanged_->setChecked(false);
-    filter_->clear();
     const PanelGroup& group = groups_[groupShowing(*row)];
     choices_->set(PanelChoice::toggled, {keyOf(group)}, group.foldedAtFirst);
     placeRows();
@@ -423,24 +374,11 @@ void ParameterPanel::pinFocused()
     if (const std::optional<std::size_t> row = rowAt(QApplication::focusWidget())) menus_->togglePin(*row);
 }
 
-void ParameterPanel::find(const QString& words)
-{
-    filter_->setText(words);
-}
-
-void ParameterPanel::focusFilter()
-{
-    filter_->setFocus(Qt::ShortcutFocusReason);
-    filter_->selectAll();
-}
-
-void ParameterPanel::applyFilter()
+void ParameterPanel::showOnlyWanted()
 {
     int shown = 0;
-    for (ParameterSection* section : sections_) shown += section->filter(filter_->text(), onlyChanged_->isChecked());
+    for (ParameterSection* section : sections_) shown += section->showOnlyChanged(onlyChanged_->isChecked());
     nothing_->setVisible(shown == 0 && table_);
-    nothing_->setText(filter_->text().isEmpty() ? tr("All parameters have their initial values.")
-                                                : tr("No parameter matches \"%1\".").arg(filter_->text()));
 }
 
 std::optional<std::size_t> ParameterPanel::rowAt(QObject* object) const
@@ -454,25 +392,9 @@ std::optional<std::size_t> ParameterPanel::rowAt(QObject* object) const
 bool ParameterPanel::eventFilter(QObject* object, QEvent* event)
 {
     auto* widget = qobject_cast<QWidget*>(object);
-    if (event->type() == QEvent::Wheel && object != filter_ && !widget->hasFocus()) {
+    if (event->type() == QEvent::Wheel && !widget->hasFocus()) {
         event->ignore();  // Scrolling the panel never changes a value.
         return true;
-    }
-    if (event->type() == QEvent::KeyPress && object == filter_) {
-        switch (static_cast<QKeyEvent*>(event)->key()) {
-        case Qt::Key_Escape:
-            if (!filter_->text().isEmpty())
-                filter_->clear();
-            else if (isSignalConnected(QMetaMethod::fromSignal(&ParameterPanel::filterLeft)))
-                emit filterLeft();
-            else
-                return false;  // A dialog is closed.
-            return true;
-        case Qt::Key_Return:
-        case Qt::Key_Enter:
-        case Qt::Key_Down: focusFirst(); return true;
-        default: break;
-        }
     }
     if (object == content_ && event->type() == QEvent::LayoutRequest) makeRoom();
     if (event->type() == QEvent::ContextMenu) {

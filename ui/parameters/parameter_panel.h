@@ -13,7 +13,6 @@
 #include <vector>
 
 class QLabel;
-class QLineEdit;
 class QScrollArea;
 class QToolButton;
 
@@ -49,11 +48,6 @@ public:
     void stepRow(int step);
     /// Changes the focused row as its arrow keys do: up (1) or down (-1). `again`: continues the same gesture.
     void nudge(int step, bool again);
-    [[nodiscard]] QString filterText() const;
-    /// Clears the filter, for example because another exhibit is shown.
-    void clearFilter();
-    /// Shows a link to matches of the filter outside of this table; a click emits `elsewhereAsked`. Empty: no link.
-    void offerElsewhere(const QString& what);
     /// Shows gauge buttons. Connect `accuracyAsked` first, because they only emit that signal.
     void setGaugesShown(bool);
     /// Groups that the visitor folded or unfolded, and parameters that are locked or pinned.
@@ -79,20 +73,9 @@ public:
     /// undo step.
     void vary();
 
-    /// Filters by these words, as if they were typed.
-    void find(const QString& words);
-
-public slots:
-    void focusFilter();
-
 signals:
     /// Emitted when the gauge of a quality parameter is pressed, which asks what its accuracy costs.
     void accuracyAsked(std::size_t row);
-    /// Emitted when the words of the filter changed.
-    void filtered();
-    void elsewhereAsked();
-    /// Emitted when Esc is pressed in the empty filter.
-    void filterLeft();
 
 protected:
     bool eventFilter(QObject*, QEvent*) override;
@@ -120,8 +103,8 @@ private:
     void showWhatActs();
     void showChoice(PanelChoice);
     void foldAll(bool folded);
-    void applyFilter();
-    void focusFirst();
+    /// Shows the wanted parameters, and of these only the changed ones if the visitor asked for that.
+    void showOnlyWanted();
     void orderTabs();
     /// Returns the row with the focus; empty: none.
     [[nodiscard]] std::string focusedRow() const;
@@ -136,9 +119,7 @@ private:
     [[nodiscard]] std::optional<std::size_t> rowAt(QObject*) const;
 
     History& history_;
-    QLineEdit* filter_;
     QToolButton* onlyChanged_;
-    QToolButton* elsewhere_;
     QScrollArea* scroll_;
     QLabel* nothing_;
     PanelChoices* choices_;

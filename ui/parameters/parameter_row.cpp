@@ -321,16 +321,6 @@ int ParameterRow::widthForLabel(const ParameterInfo& row, const QWidget& panel)
     return (std::min(naming, grown(widestLabel, panel)) * 100 + labelShare - 1) / labelShare;
 }
 
-bool ParameterRow::matches(const ParameterInfo& row, const QString& words)
-{
-    QString all = said(label(row)) + QLatin1Char(' ') + text(row.name) + QLatin1Char(' ') + said(row.group) +
-                  QLatin1Char(' ') + said(row.help);
-    for (const std::string_view choice : row.choices) all += QLatin1Char(' ') + said(choice);
-    for (const QString& word : words.split(QLatin1Char(' '), Qt::SkipEmptyParts))
-        if (!all.contains(word, Qt::CaseInsensitive)) return false;
-    return true;
-}
-
 void ParameterRow::setGaugeShown(bool shown)
 {
     if (gauge_) gauge_->setVisible(shown);

@@ -96,10 +96,7 @@ public:
     /// Sets the initial value.
     void reset();
     [[nodiscard]] bool differs() const { return differs_; }
-    /// Returns whether label, name, group, help or a choice contains `words`, ignoring case.
-    [[nodiscard]] static bool matches(const ParameterInfo&, const QString& words);
-    [[nodiscard]] bool matches(const QString& words) const { return matches(info(), words); }
-    /// Sets whether the row may be shown. A parameter that means nothing now stays hidden, even if a search finds it.
+    /// Sets whether the row may be shown. A parameter that means nothing now stays hidden.
     void setWanted(bool wanted) { wanted_ = wanted; }
     [[nodiscard]] bool wanted() const { return wanted_; }
     /// Grays the row while the parameter has no effect, and shows a mark that explains it. `when`: the condition for an

@@ -175,14 +175,17 @@ void ParameterSection::setFolded(bool folded)
     layOut();
 }
 
-int ParameterSection::filter(const QString& words, bool onlyChanged)
+bool ParameterSection::shows(const ParameterRow& row) const
 {
-    words_ = words;
-    onlyChanged_ = onlyChanged;
+    return row.wanted() && (!onlyChanged_ || row.differs());
+}
+
+int ParameterSection::showOnlyChanged(bool only)
+{
+    onlyChanged_ = only;
     layOut();
-    return static_cast<int>(std::count_if(rows_.begin(), rows_.end(), [&](const ParameterRow* row) {
-        return row->wanted() && row->matches(words_) && (!onlyChanged_ || row->differs());
-    }));
+    return static_cast<int>(
+        std::count_if(rows_.begin(), rows_.end(), [this](const ParameterRow* row) { return shows(*row); }));
 }
 
 void ParameterSection::refresh()
@@ -246,14 +249,12 @@ void ParameterSection::paintEvent(QPaintEvent*)
 
 void ParameterSection::layOut()
 {
-    const bool filtering = !words_.isEmpty() || onlyChanged_;
     bool any = false;
     for (ParameterRow* row : rows_) {
-        const bool matches = row->wanted() && row->matches(words_) && (!onlyChanged_ || row->differs());
-        any = any || matches;
-        row->setVisible(matches && (filtering || !folded()));
+        any = any || shows(*row);
+        row->setVisible(shows(*row) && (onlyChanged_ || !folded()));
     }
-    if (notice_) notice_->setVisible(!when_.isEmpty() && !filtering);
+    if (notice_) notice_->setVisible(!when_.isEmpty() && !onlyChanged_);
     setVisible(any);
     refresh();
 }

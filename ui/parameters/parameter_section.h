@@ -59,9 +59,8 @@ public:
     [[nodiscard]] QString title() const { return title_; }
     [[nodiscard]] bool folded() const;
     void setFolded(bool);
-    /// Shows the matching rows. With `words` or `onlyChanged` they are shown even if the group is folded. Returns the
-    /// number of matching rows.
-    int filter(const QString& words, bool onlyChanged);
+    /// Shows the wanted rows, or only the changed ones of them, even if the group is folded. Returns their number.
+    int showOnlyChanged(bool only);
     /// Updates the heading's mark. Call after values changed.
     void refresh();
     void setLocked(bool locked);
@@ -82,6 +81,7 @@ protected:
     void paintEvent(QPaintEvent*) override;
 
 private:
+    [[nodiscard]] bool shows(const ParameterRow&) const;
     void layOut();
     void addNotice();
 
@@ -92,7 +92,6 @@ private:
     QPushButton* act_ = nullptr;
     QString when_;
     std::vector<ParameterRow*> rows_;
-    QString words_;
     bool onlyChanged_ = false;
     bool together_ = false;
 };

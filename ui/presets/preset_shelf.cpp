@@ -450,11 +450,11 @@ std::optional<ReadSettings> PresetShelf::settingsIn(const QString& path)
     return result;
 }
 
-std::vector<std::pair<QString, QString>> PresetShelf::choices()
+std::vector<std::pair<QString, QString>> PresetShelf::choices(std::size_t exhibit)
 {
     std::vector<std::pair<QString, QString>> all;
     trySafely([&] {
-        std::vector<PresetEntry> entries = store_.list(exhibitName());
+        std::vector<PresetEntry> entries = store_.list(window_.museum().subject(exhibit).name());
         std::stable_partition(entries.begin(), entries.end(), [](const PresetEntry& entry) { return !entry.shipped; });
         for (const PresetEntry& entry : entries)
             if (entry.problem.empty()) all.emplace_back(presetName(entry.name, entry.shipped), idOf(entry.path));

@@ -48,8 +48,8 @@ public:
     /// Reads a file and returns the scene state that it gives. If it cannot be read, shows a message and returns
     /// nullopt. Changes nothing.
     [[nodiscard]] std::optional<ReadSettings> settingsIn(const QString& path);
-    /// Returns the presets of the shown exhibit by name and id (their path), the visitor's own first.
-    [[nodiscard]] std::vector<std::pair<QString, QString>> choices();
+    /// Returns the presets of this exhibit by name and id (their path), the visitor's own first.
+    [[nodiscard]] std::vector<std::pair<QString, QString>> choices(std::size_t exhibit);
     /// Returns the id of the preset selected in the list; empty: none.
     [[nodiscard]] QString selected() const;
 

@@ -162,7 +162,6 @@ MainWindow::~MainWindow()
 void MainWindow::connectParts()
 {
     connect(&docks_->parameters(), &ParameterTabs::turned, shelf_, &PresetShelf::refresh);
-    connect(&panel(), &ParameterPanel::filterLeft, viewport_, [this] { viewport_->setFocus(); });
     connect(shelf_, &PresetShelf::marked, this, &MainWindow::showTitle);
     connect(files_, &FileOpener::documentOpened, this, &MainWindow::visit);
     connect(&docks_->treeFile(), &TreeFile::saved, this, &addRecentFile);
@@ -209,7 +208,6 @@ void MainWindow::setProblems(const QString& cause, const QStringList& texts)
 
 void MainWindow::choose(std::size_t exhibit)
 {
-    if (chosen_ != exhibit) panel().clearFilter();
     chosen_ = exhibit;
     docks_->exhibits().choose(exhibit);
     viewport_->setSubject(exhibit);
@@ -266,11 +264,12 @@ void MainWindow::hidePanels(bool hidden)
     viewport_->setFocus();
 }
 
-void MainWindow::findParameter()
+void MainWindow::showParameter(std::size_t subject, std::string_view name)
 {
     hidePanels(false);
+    if (!docks_->parameters().turnTo(subject)) visit(subject);
     docks_->showParameters();
-    panel().focusFilter();
+    panel().reveal(name);
 }
 
 void MainWindow::showRow(const QString& name)
@@ -278,12 +277,8 @@ void MainWindow::showRow(const QString& name)
     if (!lessons_->lesson()) return;
     const bool ofHall = name.startsWith(QLatin1String("hall."));
     const std::size_t subject = ofHall ? hallIndex : *museum_.find(lessons_->lesson()->exhibit);
-    const ParameterValues& values = history_.sceneState().values[subject];
-    const auto row = values.table().find((ofHall ? name.mid(5) : name).toStdString());
-    if (!row) return;
     if (!ofHall) choose(subject);
-    findParameter();
-    panel().find(said(label(values.rows()[*row])));
+    showParameter(subject, (ofHall ? name.mid(5) : name).toStdString());
 }
 
 bool MainWindow::event(QEvent* event)

@@ -67,7 +67,8 @@ public:
     [[nodiscard]] WindowDialogs& dialogs() const { return *dialogs_; }
 
     void hidePanels(bool hidden);
-    void findParameter();
+    /// Shows the panel with this parameter, which gets the focus. Visits the subject if the panel has no tab for it.
+    void showParameter(std::size_t subject, std::string_view name);
 
 protected:
     bool event(QEvent*) override;

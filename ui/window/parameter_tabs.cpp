@@ -1,11 +1,15 @@
 #include "ui/window/parameter_tabs.h"
 
 #include "ui/kit/language.h"
+#include "ui/kit/menu_text.h"
 #include "ui/kit/text.h"
+#include "ui/kit/type_size.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/parameters/parameter_row.h"
 
+#include <QAction>
 #include <QTabBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -13,25 +17,44 @@
 namespace vitrine::ui {
 
 ParameterTabs::ParameterTabs(Subjects subjects, History& history, QWidget* parent)
-    : QWidget(parent), subjects_(subjects), history_(history), tabs_(new QTabBar(this)),
+    : QWidget(parent), subjects_(subjects), tabs_(new QTabBar(this)), search_(new QToolButton(this)),
       panel_(new ParameterPanel(history, this))
 {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    layout->addWidget(tabs_);
+    auto* top = new QHBoxLayout;
+    top->setContentsMargins(0, 0, 8, 0);
+    top->addWidget(tabs_, 1);
+    top->addWidget(search_);
+    layout->addLayout(top);
     layout->addWidget(panel_, 1);
     tabs_->setDrawBase(false);
     tabs_->setExpanding(false);
     tabs_->setAccessibleName(tr("Whose parameters"));
     connect(tabs_, &QTabBar::currentChanged, this, [this] {
         show();
-        searchElsewhere();
         emit turned();
     });
-    connect(panel_, &ParameterPanel::filtered, this, &ParameterTabs::searchElsewhere);
-    connect(panel_, &ParameterPanel::elsewhereAsked, this,
-            [this] { tabs_->setCurrentIndex(1 - tabs_->currentIndex()); });
+    growHeight(*search_, 26);
+    search_->setFocusPolicy(Qt::StrongFocus);
+}
+
+void ParameterTabs::setSearch(QAction* search)
+{
+    search_->setDefaultAction(search);
+    search_->setToolTip(tipWithKey(*search));
+    search_->setAccessibleName(nameText(*search));
+}
+
+bool ParameterTabs::turnTo(std::size_t subject)
+{
+    for (int tab = 0; tab < tabs_->count(); ++tab)
+        if (static_cast<std::size_t>(tabs_->tabData(tab).toULongLong()) == subject) {
+            tabs_->setCurrentIndex(tab);
+            return true;
+        }
+    return false;
 }
 
 void ParameterTabs::choose(std::size_t subject)
@@ -68,25 +91,6 @@ void ParameterTabs::show()
 {
     const auto subject = static_cast<std::size_t>(tabs_->tabData(tabs_->currentIndex()).toULongLong());
     panel_->showExhibit(subject, text(subjects_[subject]->name()));
-}
-
-void ParameterTabs::searchElsewhere()
-{
-    const QString words = panel_->filterText();
-    QStringList found;
-    std::size_t other = 0;
-    if (tabs_->count() > 1 && !words.isEmpty()) {
-        other = static_cast<std::size_t>(tabs_->tabData(1 - tabs_->currentIndex()).toULongLong());
-        for (const ParameterInfo& row : history_.sceneState().values[other].rows())
-            if (ParameterRow::matches(row, words)) found << said(label(row));
-    }
-    if (found.isEmpty()) {
-        panel_->offerElsewhere({});
-        return;
-    }
-    const QString more = found.size() > 3 ? tr(" and %1 more").arg(found.size() - 3) : QString();
-    panel_->offerElsewhere(
-        tr("%1: %2%3").arg(said(subjects_[other]->title()), found.mid(0, 3).join(QStringLiteral(", ")), more));
 }
 
 }  // namespace vitrine::ui

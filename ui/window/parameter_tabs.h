@@ -5,7 +5,9 @@
 
 #include <QWidget>
 
+class QAction;
 class QTabBar;
+class QToolButton;
 
 namespace vitrine::ui {
 
@@ -22,6 +24,10 @@ public:
 
     /// Shows the parameters of this subject and, in the second tab, of the hall.
     void choose(std::size_t subject);
+    /// Shows the parameters of this subject if it has a tab. Returns whether it has one.
+    bool turnTo(std::size_t subject);
+    /// Puts a button for this command beside the tabs.
+    void setSearch(QAction*);
     /// Returns the subject whose parameters the panel shows.
     [[nodiscard]] std::size_t shown() const;
     /// Returns the width at which the longest label of all subjects is shown whole, in pixels.
@@ -34,11 +40,10 @@ signals:
 
 private:
     void show();
-    void searchElsewhere();
 
     Subjects subjects_;
-    const History& history_;
     QTabBar* tabs_;
+    QToolButton* search_;
     ParameterPanel* panel_;
 };
 

@@ -24,13 +24,14 @@
 #include "ui/tree/tree_file.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/about_dialog.h"
-#include "ui/window/command_palette.h"
 #include "ui/window/file_opener.h"
 #include "ui/window/focus_areas.h"
 #include "ui/window/main_window.h"
 #include "ui/window/own_objects_menu.h"
-#include "ui/window/palette_entries.h"
+#include "ui/window/parameter_tabs.h"
 #include "ui/window/recent_files.h"
+#include "ui/window/search_entries.h"
+#include "ui/window/shortcut_sheet.h"
 #include "ui/window/theme_menu.h"
 #include "ui/window/window_dialogs.h"
 #include "ui/window/window_docks.h"
@@ -157,14 +158,6 @@ void resetShown(MainWindow& window)
     window.history().change(tr("Reset %1").arg(said(subject.title())), next);
 }
 
-void openPalette(MainWindow& window, const QList<QAction*>& commands)
-{
-    auto* owner = new QObject(&window);
-    auto* palette = new CommandPalette(paletteEntries(window, commands, *owner), &window);
-    QObject::connect(palette, &QObject::destroyed, owner, &QObject::deleteLater);
-    palette->show();
-}
-
 }  // namespace
 
 WindowActions::WindowActions(MainWindow& window)
@@ -289,8 +282,10 @@ void WindowActions::addEditMenu(Maker& make, MainWindow& window)
     redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
     make.take(redo);
     make.separator();
-    make.add(tr("&Find a parameter"), {QKeySequence(Qt::CTRL | Qt::Key_F)},
-             tr("Moves the focus to the filter above the parameters."), [&window] { window.findParameter(); });
+    QAction* search = make.add(tr("&Search…"), {QKeySequence(Qt::CTRL | Qt::Key_F), QKeySequence(Qt::CTRL | Qt::Key_K)},
+                               tr("Finds parameters of all exhibits, presets, commands and pages."),
+                               [this, &window] { (new SearchDialog(searchEntries(window, all), &window))->show(); });
+    window.docks().parameters().setSearch(search);
     make.add(tr("P&in or unpin the parameter"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D)},
              tr("Shows the parameter with the focus under the essential ones, or puts it back to its group."),
              [&window] { window.panel().pinFocused(); });
@@ -302,8 +297,6 @@ void WindowActions::addEditMenu(Maker& make, MainWindow& window)
              tr("Sets all parameters in the panel to random values within their slider ranges, except files, accuracy "
                 "and excluded parameters (see their menus). Can be undone."),
              [&window] { window.panel().vary(); });
-    make.add(tr("&Commands…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P)},
-             tr("Finds and runs any command by name."), [this, &window] { openPalette(window, all); });
     make.separator();
     make.add(tr("Prefere&nces…"), {QKeySequence(Qt::CTRL | Qt::Key_Comma)},
              tr("Theme, size of type, motion, mouse, what a picture may cost, keys, recent files."),

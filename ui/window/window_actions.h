@@ -16,7 +16,7 @@ class LessonDesk;
 class MainWindow;
 class PresetShelf;
 
-/// All commands of the window, with their shortcuts. Menus, command palette and shortcut sheet are made from them.
+/// All commands of the window, with their shortcuts. Menus, search and shortcut sheet are made from them.
 struct WindowActions {
     explicit WindowActions(MainWindow&);
 

@@ -242,7 +242,7 @@ private slots:
         QTRY_VERIFY(says("2 steps"));
         desk().next();
         emit desk().rowAsked(QStringLiteral("roughness"));
-        QCOMPARE(window_->panel().filterText(), QStringLiteral("Roughness"));
+        QVERIFY(window_->panel().row("roughness")->isAncestorOf(window_->panel().focusWidget()));
         activate();
         QTest::keyClick(&window_->viewport(), Qt::Key_L, Qt::ControlModifier | Qt::ShiftModifier);
         QTRY_VERIFY(!desk().lesson());

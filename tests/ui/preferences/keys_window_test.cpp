@@ -2,7 +2,8 @@
 #include "tests/ui/ui_main.h"
 
 #include "ui/compare/compare_bar.h"
-#include "ui/window/command_palette.h"
+#include "ui/window/search_dialog.h"
+#include "ui/window/shortcut_sheet.h"
 
 #include <QKeySequenceEdit>
 #include <QLabel>
@@ -51,27 +52,27 @@ private slots:
     {
         QVERIFY(openDialog("Keys"));
         auto* find = control<QLineEdit>("Find a command");
-        QTest::keyClicks(find, "commands");
+        QTest::keyClicks(find, "search");
         QVERIFY(command("Quit")->isHidden());
-        QTreeWidgetItem* palette = command("Commands");
-        QVERIFY(palette && !palette->isHidden());
-        palette->treeWidget()->setCurrentItem(palette);
-        pressInKeyEdit(Qt::Key_K, Qt::ControlModifier);
-        QTRY_COMPARE(action("Commands…")->shortcut(), QKeySequence("Ctrl+K"));
-        QCOMPARE(command("Commands")->text(1), QString("Ctrl+K"));
+        QTreeWidgetItem* search = command("Search");
+        QVERIFY(search && !search->isHidden());
+        search->treeWidget()->setCurrentItem(search);
+        pressInKeyEdit(Qt::Key_J, Qt::ControlModifier);
+        QTRY_COMPARE(action("Search…")->shortcut(), QKeySequence("Ctrl+J"));
+        QCOMPARE(command("Search")->text(1), QString("Ctrl+J"));
         window_->findChild<PreferencesDialog*>()->close();
         closeWindow();
         openWindow();
         QApplication::setActiveWindow(window_.get());
-        QTest::keyClick(window_.get(), Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
-        QVERIFY(!window_->findChild<CommandPalette*>());
-        QTest::keyClick(window_.get(), Qt::Key_K, Qt::ControlModifier);
-        QTRY_VERIFY(window_->findChild<CommandPalette*>());
-        window_->findChild<CommandPalette*>()->close();
+        QTest::keyClick(window_.get(), Qt::Key_F, Qt::ControlModifier);
+        QVERIFY(!window_->findChild<SearchDialog*>());
+        QTest::keyClick(window_.get(), Qt::Key_J, Qt::ControlModifier);
+        QTRY_VERIFY(window_->findChild<SearchDialog*>());
+        window_->findChild<SearchDialog*>()->close();
         action("Keyboard, mouse and gamepad")->trigger();
         const auto* sheet = window_->findChild<ShortcutSheet*>()->findChild<QTreeWidget*>();
-        QVERIFY(!sheet->findItems("Ctrl+K", Qt::MatchExactly).isEmpty());
-        QVERIFY(sheet->findItems("Ctrl+Shift+P", Qt::MatchExactly).isEmpty());
+        QVERIFY(!sheet->findItems("Ctrl+J", Qt::MatchExactly).isEmpty());
+        QVERIFY(sheet->findItems("Ctrl+F, Ctrl+K", Qt::MatchExactly).isEmpty());
     }
 
     void tooltipsOfButtonsNameTheNewShortcut()

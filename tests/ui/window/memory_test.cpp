@@ -19,7 +19,6 @@
 #include "ui/viewport/gl_probe.h"
 #include "ui/viewport/museum_renderers.h"
 #include "ui/viewport/viewport.h"
-#include "ui/window/command_palette.h"
 #include "ui/window/main_window.h"
 #include "ui/window/window_dialogs.h"
 #include "ui/window/window_docks.h"
@@ -101,12 +100,11 @@ class MemoryTest : public QObject {
     {
         const std::function<void()> dialogs[] = {
             [this] { window_->dialogs().openScreenshot(); }, [this] { command("keyboard-mouse-and-gamepad"); },
-            [this] { window_->dialogs().openPrint(); }, [this] { command("commands"); }};
+            [this] { window_->dialogs().openPrint(); }, [this] { command("search"); }};
         for (const auto& open : dialogs) {
             open();
             draw();
             for (QDialog* dialog : window_->findChildren<QDialog*>()) dialog->close();
-            for (CommandPalette* palette : window_->findChildren<CommandPalette*>()) palette->close();
             QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
         }
     }

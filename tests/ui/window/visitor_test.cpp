@@ -13,7 +13,9 @@
 #include "ui/window/about_dialog.h"
 #include "ui/window/exhibit_list.h"
 #include "ui/window/file_opener.h"
+#include "ui/window/parameter_tabs.h"
 #include "ui/window/status_line.h"
+#include "ui/window/window_docks.h"
 
 #include <QDir>
 #include <QDockWidget>
@@ -50,10 +52,10 @@ class VisitorTest : public test::OpenWindow {
         const glm::dvec4 clip = view.clipFromWorld * glm::dvec4(test::PaintedGallery::button(), 1);
         return at(clip.x / clip.w, clip.y / clip.w);
     }
-    [[nodiscard]] QLineEdit* filter()
+    [[nodiscard]] QToolButton* search()
     {
-        for (QLineEdit* edit : window_->panel().findChildren<QLineEdit*>())
-            if (edit->accessibleName() == "Find a parameter") return edit;
+        for (QToolButton* button : window_->docks().parameters().findChildren<QToolButton*>())
+            if (button->accessibleName() == "Search") return button;
         return nullptr;
     }
     [[nodiscard]] QStringList overlays()
@@ -84,7 +86,7 @@ private slots:
     void init() { start(); }
     void cleanup() { finish(); }
 
-    void theViewMenuListsEveryPanelAndFindOpensAClosedOne()
+    void theViewMenuListsEveryPanelAndAParameterOpensAClosedOne()
     {
         for (const char* panel : {"Exhibits", "Presets", "Parameters", "Study", "Charts", "Frame report", "Log"})
             QVERIFY2(menu("View").contains(QLatin1String(panel)), panel);
@@ -92,9 +94,9 @@ private slots:
         action("Parameters")->trigger();
         QVERIFY(!parameters->isVisible());
         activate();
-        action("Find a parameter")->trigger();
+        window_->showParameter(0, "exposure");
         QVERIFY(parameters->isVisible());
-        QTRY_VERIFY(filter()->hasFocus());
+        QVERIFY(window_->panel().row("exposure")->isAncestorOf(QApplication::focusWidget()));
     }
 
     void theTabsOfExhibitAndHallAreThereAfterARestoredSession()
@@ -140,12 +142,6 @@ private slots:
         QCOMPARE(window_->history().stack().index(), 2);
         QTest::keyClick(file, Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(window_->history().stack().index(), 1);
-
-        filter()->setFocus();
-        QTest::keyClicks(filter(), "base");
-        QTest::keyClick(filter(), Qt::Key_Z, Qt::ControlModifier);
-        QCOMPARE(window_->history().stack().index(), 0);
-        QCOMPARE(filter()->text(), QString("base"));
     }
 
     void pointingNamesWhatAClickVisitsAndAWallIsNothing()
@@ -249,35 +245,16 @@ private slots:
     {
         activate();
         window_->choose(1);
-        filter()->setFocus();
+        search()->setFocus();
         action("Visit Torus to mug")->trigger();
         QVERIFY(window_->viewport().hasFocus());
     }
 
-    void theFilterLeadsToItsMatchesAndOut()
+    void tabGoesFromTheSearchIntoTheRows()
     {
         activate();
         window_->choose(1);
-        action("Find a parameter")->trigger();
-        QTRY_VERIFY(filter()->hasFocus());
-        for (const auto key : {Qt::Key_Return, Qt::Key_Down}) {
-            filter()->setFocus();
-            filter()->setText("roughness");
-            QTest::keyClick(filter(), key);
-            QVERIFY(window_->panel().row("roughness")->isAncestorOf(QApplication::focusWidget()));
-        }
-        filter()->setFocus();
-        QTest::keyClick(filter(), Qt::Key_Escape);
-        QVERIFY(filter()->text().isEmpty() && filter()->hasFocus());
-        QTest::keyClick(filter(), Qt::Key_Escape);
-        QVERIFY(window_->viewport().hasFocus());
-    }
-
-    void tabGoesFromTheFilterIntoTheRows()
-    {
-        activate();
-        window_->choose(1);
-        filter()->setFocus();
+        search()->setFocus();
         int stops = 0;
         while (!window_->panel().row("morph")->isAncestorOf(QApplication::focusWidget())) {
             QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
@@ -289,11 +266,11 @@ private slots:
     {
         activate();
         window_->choose(1);
-        filter()->setFocus();
-        QTest::keyClick(filter(), Qt::Key_Tab);
+        search()->setFocus();
+        QTest::keyClick(search(), Qt::Key_Tab);
         QStringList blind;
         QSet<QString> seen;
-        for (int i = 0; i < 200 && QApplication::focusWidget() != filter(); ++i) {
+        for (int i = 0; i < 200 && QApplication::focusWidget() != search(); ++i) {
             QWidget* stop = QApplication::focusWidget();
             QVERIFY(stop);
             if (stop == &window_->viewport()) {  // The viewport handles Tab itself, so the test goes on behind it.
@@ -357,24 +334,6 @@ private slots:
         QTRY_VERIFY(!window_->findChild<PictureExport*>());
         QCOMPARE(QImage(path).convertToFormat(QImage::Format_RGB32), saved);
         QCOMPARE(folder.entryList({"*.png"}, QDir::Files).size(), 1);
-    }
-
-    void theFilterSearchesTheOtherTabAndEndsWithTheVisit()
-    {
-        window_->choose(1);
-        filter()->setText("exposure");
-        auto* elsewhere = window_->findChild<QToolButton*>();
-        for (QToolButton* button : window_->panel().findChildren<QToolButton*>())
-            if (button->accessibleName() == "Matches in the other tab") elsewhere = button;
-        QVERIFY(elsewhere->isVisible());
-        QVERIFY2(elsewhere->text().startsWith("The hall: Exposure"), qPrintable(elsewhere->text()));
-        QTest::mouseClick(elsewhere, Qt::LeftButton);
-        QCOMPARE(window_->shown(), std::size_t{0});
-        QVERIFY(window_->panel().row("exposure")->isVisible());
-        filter()->setText("no such thing");
-        QVERIFY(!elsewhere->isVisible());
-        window_->choose(0);
-        QVERIFY(filter()->text().isEmpty());
     }
 
     void aBarePictureHasNoStatusBar()

@@ -305,7 +305,7 @@ private slots:
         }
         QVERIFY(commands >= 20);
         for (const char* key :
-             {"Ctrl+Z", "Ctrl+Shift+Z", "Ctrl+Y", "Ctrl+S", "Ctrl+Shift+S", "Ctrl+O", "Ctrl+F", "Ctrl+Shift+P", "Space",
+             {"Ctrl+Z", "Ctrl+Shift+Z", "Ctrl+Y", "Ctrl+S", "Ctrl+Shift+S", "Ctrl+O", "Ctrl+F", "Ctrl+K", "Space",
               "Pause", "F12", "Ctrl+Shift+E", "Ctrl+B", "F11", "F1", "?", "Shift+F11"})
             QVERIFY2(keys.contains(key), key);
     }

@@ -1,105 +1,16 @@
-#include "ui/window/command_palette.h"
+#include "ui/window/shortcut_sheet.h"
 
+#include "ui/kit/menu_text.h"
 #include "ui/kit/type_size.h"
 
 #include <QAction>
 #include <QHeaderView>
-#include <QKeyEvent>
-#include <QLineEdit>
-#include <QListWidget>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
 
 namespace vitrine::ui {
-namespace {
-
-QString nameOf(const QAction* action)
-{
-    return action->text().remove(QLatin1Char('&')).remove(QStringLiteral("…"));
-}
-
-QString keysOf(const QAction* action)
-{
-    QStringList keys;
-    for (const QKeySequence& key : action->shortcuts()) keys << key.toString(QKeySequence::NativeText);
-    return keys.join(QStringLiteral(", "));
-}
-
-}  // namespace
-
-CommandPalette::CommandPalette(const QList<QAction*>& actions, QWidget* window)
-    : QDialog(window, Qt::Popup), actions_(actions), words_(new QLineEdit(this)), list_(new QListWidget(this))
-{
-    setAttribute(Qt::WA_DeleteOnClose);
-    setAccessibleName(tr("Commands"));
-    words_->setPlaceholderText(tr("Find a command"));
-    words_->setAccessibleName(tr("Find a command"));
-    growHeight(*words_, 28);
-    words_->installEventFilter(this);
-    list_->setAccessibleName(tr("Commands"));
-    list_->setFrameShape(QFrame::NoFrame);
-    list_->setFocusPolicy(Qt::NoFocus);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 8, 8, 8);
-    layout->setSpacing(8);
-    layout->addWidget(words_);
-    layout->addWidget(list_);
-    connect(words_, &QLineEdit::textChanged, this, &CommandPalette::fill);
-    connect(words_, &QLineEdit::returnPressed, this, &CommandPalette::run);
-    connect(list_, &QListWidget::itemClicked, this, &CommandPalette::run);
-    fill();
-    resize(QSize(grown(480, *this), grown(360, *this)).boundedTo(window->size() - QSize(32, 96)));
-    move(window->mapToGlobal(QPoint((window->width() - width()) / 2, 64)));
-    words_->setFocus();
-}
-
-void CommandPalette::fill()
-{
-    list_->clear();
-    for (int i = 0; i < actions_.size(); ++i) {
-        const QAction* action = actions_[i];
-        if (!action->isEnabled()) continue;
-        bool matches = true;
-        for (const QString& word : words_->text().split(QLatin1Char(' '), Qt::SkipEmptyParts))
-            matches = matches && nameOf(action).contains(word, Qt::CaseInsensitive);
-        if (!matches) continue;
-        const QString keys = keysOf(action);
-        auto* item = new QListWidgetItem(
-            keys.isEmpty() ? nameOf(action) : nameOf(action) + QStringLiteral("    ") + keys, list_);
-        item->setData(Qt::UserRole, i);
-        item->setToolTip(action->toolTip());
-    }
-    if (list_->count() == 0) {
-        auto* nothing = new QListWidgetItem(tr("No command matches."), list_);
-        nothing->setFlags(Qt::NoItemFlags);
-        return;
-    }
-    list_->setCurrentRow(0);
-}
-
-void CommandPalette::run()
-{
-    const QListWidgetItem* item = list_->currentItem();
-    QAction* action = item && item->data(Qt::UserRole).isValid() ? actions_[item->data(Qt::UserRole).toInt()] : nullptr;
-    close();
-    if (action) action->trigger();
-}
-
-bool CommandPalette::eventFilter(QObject* object, QEvent* event)
-{
-    if (event->type() == QEvent::KeyPress) {
-        const int key = static_cast<QKeyEvent*>(event)->key();
-        if (key == Qt::Key_Down || key == Qt::Key_Up) {
-            const int row = list_->currentRow() + (key == Qt::Key_Down ? 1 : -1);
-            if (row >= 0 && row < list_->count()) list_->setCurrentRow(row);
-            return true;
-        }
-    }
-    return QDialog::eventFilter(object, event);
-}
-
 namespace {
 
 void addHeading(QTreeWidget& tree, const QString& text)
@@ -183,7 +94,7 @@ ShortcutSheet::ShortcutSheet(const QList<QAction*>& actions, QWidget* window) : 
     addUsual(*tree);
     addHeading(*tree, tr("Commands"));
     for (const QAction* action : actions)
-        if (!action->shortcuts().isEmpty()) addLine(*tree, keysOf(action), nameOf(action));
+        if (!action->shortcuts().isEmpty()) addLine(*tree, keysText(*action), nameText(*action));
     tree->resizeColumnToContents(0);
     tree->header()->resizeSection(0, tree->header()->sectionSize(0) + 24);
     auto* layout = new QVBoxLayout(this);
@@ -199,4 +110,4 @@ ShortcutSheet::ShortcutSheet(const QList<QAction*>& actions, QWidget* window) : 
 
 }  // namespace vitrine::ui
 
-#include "moc_command_palette.cpp"
+#include "moc_shortcut_sheet.cpp"

@@ -1,0 +1,106 @@
+#include "ui/window/search_entries.h"
+
+#include "ui/kit/language.h"
+#include "ui/kit/menu_text.h"
+#include "ui/kit/text.h"
+#include "ui/lessons/page_dialog.h"
+#include "ui/presets/preset_shelf.h"
+#include "ui/window/main_window.h"
+#include "ui/window/window_dialogs.h"
+
+#include <QFile>
+#include <QMenu>
+#include <QMenuBar>
+#include <QPointer>
+#include <QRegularExpression>
+
+namespace vitrine::ui {
+namespace {
+
+QString plainTitle(const QMenu& menu)
+{
+    return menu.title().remove(QLatin1Char('&'));
+}
+
+/// Adds the commands of the menu bar, and with the title of their menu those of its submenus.
+void addCommands(std::vector<SearchEntry>& all, const MainWindow& window, const QList<QAction*>& commands)
+{
+    for (const QMenu* menu : window.menuBar()->findChildren<QMenu*>())
+        for (QAction* action : menu->actions()) {
+            if (action->menu() || action->isSeparator() || !action->isEnabled()) continue;
+            all.push_back({nameText(*action),
+                           plainTitle(*menu),
+                           action->toolTip(),
+                           {},
+                           keysText(*action),
+                           commands.contains(action),
+                           [chosen = QPointer<QAction>(action)] {
+                               if (chosen) chosen->trigger();
+                           }});
+        }
+}
+
+void addParameters(std::vector<SearchEntry>& all, MainWindow& window, std::size_t subject)
+{
+    const QString title = said(window.museum().subject(subject).title());
+    for (const ParameterInfo& row : window.history().sceneState().values[subject].rows()) {
+        const QString group = said(row.group);
+        QStringList more{text(row.name)};
+        for (const std::string_view choice : row.choices) more << said(choice);
+        all.push_back({said(label(row)),
+                       group.isEmpty() ? title : QObject::tr("%1: %2").arg(title, group),
+                       said(row.help),
+                       more.join(QLatin1Char(' ')),
+                       {},
+                       false,
+                       [&window, subject, name = std::string(row.name)] { window.showParameter(subject, name); }});
+    }
+}
+
+void addPresets(std::vector<SearchEntry>& all, MainWindow& window, std::size_t subject)
+{
+    const QString place = QObject::tr("Preset of %1").arg(said(window.museum().subject(subject).title()));
+    for (const auto& [name, id] : window.shelf().choices(subject))
+        all.push_back({name, place, {}, {}, {}, false, [&window, subject, preset = id] {
+                           if (window.shown() != subject) window.visit(subject);
+                           window.shelf().load(preset);
+                       }});
+}
+
+/// Returns the text of a page without its formatting.
+QString textOfPage(const QString& name)
+{
+    QFile file(PageDialog::pathOf(name));
+    static const QRegularExpression tags(QStringLiteral("<[^>]*>"));
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()).replace(tags, QStringLiteral(" "))
+                                          : QString();
+}
+
+void addPage(std::vector<SearchEntry>& all, const MainWindow& window, std::size_t subject)
+{
+    const Subject& about = window.museum().subject(subject);
+    all.push_back({QObject::tr("How it works: %1").arg(said(about.title())),
+                   QObject::tr("Page"),
+                   said(about.summary()),
+                   textOfPage(text(about.name())),
+                   {},
+                   false,
+                   [&window, subject] { window.dialogs().openPage(subject); }});
+}
+
+}  // namespace
+
+std::vector<SearchEntry> searchEntries(MainWindow& window, const QList<QAction*>& commands)
+{
+    std::vector<SearchEntry> all;
+    addCommands(all, window, commands);
+    const std::size_t subjects = window.museum().subjects().size();
+    for (std::size_t i = 0; i < subjects; ++i) {
+        addParameters(all, window, i);
+        addPresets(all, window, i);
+        addPage(all, window, i);
+    }
+    return all;
+}
+
+}  // namespace vitrine::ui
