@@ -658,11 +658,6 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
-        <source>&amp;Bare picture</source>
-        <translation>&amp;Nur das Bild</translation>
-    </message>
-    <message>
-        <location filename="ui/window/window_actions.cpp"/>
         <source>&amp;Bookmarks</source>
         <translation>Lese&amp;zeichen</translation>
     </message>
@@ -861,6 +856,11 @@ Zeiten nach: %2.</translation>
         <location filename="ui/window/window_actions.cpp"/>
         <source>&amp;Rename preset</source>
         <translation>Preset um&amp;benennen</translation>
+    </message>
+    <message>
+        <location filename="ui/window/window_actions.cpp"/>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
@@ -8546,11 +8546,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Blendet alle Bedienfelder und Leisten aus; nur das Bild bleibt.</translation>
     </message>
     <message>
-        <location filename="ui/window/window_actions.cpp"/>
-        <source>Hides or shows all panels and bars.</source>
-        <translation>Blendet alle Bedienfelder und Leisten aus oder ein.</translation>
-    </message>
-    <message>
         <location filename="ui/preferences/preferences_dialog.cpp"/>
         <source>High contrast</source>
         <translation>Hoher Kontrast</translation>
@@ -15102,11 +15097,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>S&amp;tärke</translation>
     </message>
     <message>
-        <location filename="ui/window/window_actions.cpp"/>
-        <source>Sa&amp;ve scene</source>
-        <translation>Szene &amp;speichern</translation>
-    </message>
-    <message>
         <location filename="exhibits/hall/hall_tone_mapping.cpp"/>
         <source>sample {1} of {2}</source>
         <translation>Sample {1} von {2}</translation>
@@ -15326,6 +15316,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="ui/study/study_dock.cpp"/>
         <source>Saves what was measured as a table (CSV) or JSON, or the chart as PNG or SVG.</source>
         <translation>Speichert das Gemessene als Tabelle (CSV) oder JSON, oder das Diagramm als PNG oder SVG.</translation>
+    </message>
+    <message>
+        <location filename="ui/window/window_actions.cpp"/>
+        <source>Saves your edits in the tree to the scene file; without any, the values in the panel to the preset in use.</source>
+        <translation>Speichert Ihre Änderungen im Baum in der Szenendatei; ohne solche die Werte im Bedienfeld im verwendeten Preset.</translation>
     </message>
     <message>
         <location filename="ui/print/sheet_bar.cpp"/>
@@ -18917,11 +18912,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>es gibt keine Zeilen</translation>
     </message>
     <message>
-        <location filename="ui/window/window_actions.cpp"/>
-        <source>There are no unsaved edits in the tree.</source>
-        <translation>Im Baum gibt es keine ungespeicherten Änderungen.</translation>
-    </message>
-    <message>
         <location filename="exhibits/printing/print_layout.cpp"/>
         <source>there are no views</source>
         <translation>es gibt keine Ansichten</translation>
@@ -21780,11 +21770,6 @@ steht in assets/SOURCES.md.</translation>
         <location filename="render/image/video_codec.cpp"/>
         <source>writes videos</source>
         <translation>schreibt Videos</translation>
-    </message>
-    <message>
-        <location filename="ui/window/window_actions.cpp"/>
-        <source>Writes your edits in the tree to the scene file.</source>
-        <translation>Schreibt Ihre Änderungen im Baum in die Szenendatei.</translation>
     </message>
     <message>
         <location filename="ui/tree/tree_dock.cpp"/>

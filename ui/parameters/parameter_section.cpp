@@ -148,6 +148,7 @@ ParameterSection::ParameterSection(const QString& title, QWidget* parent) : QWid
     if (title.isEmpty()) return;
     heading_ = new SectionHeading(title, this);
     layout->addWidget(heading_);
+    addNotice();
     connect(heading_, &SectionHeading::menuAsked, this, &ParameterSection::menuAsked);
     // `clicked` is not used, because screen readers toggle without a click.
     connect(heading_, &QAbstractButton::toggled, this, [this](bool open) {
@@ -216,21 +217,21 @@ void ParameterSection::addNotice()
     reason_->setForegroundRole(QPalette::PlaceholderText);
     act_ = new QPushButton(notice_);
     act_->setFocusPolicy(Qt::StrongFocus);
+    act_->setMinimumWidth(80);  // A long command is cut off before it widens the panel.
     connect(act_, &QPushButton::clicked, this, &ParameterSection::actAsked);
     auto* lines = new QVBoxLayout(notice_);
     lines->setContentsMargins(22, 0, 8, 6);
     lines->setSpacing(4);
     lines->addWidget(reason_);
     lines->addWidget(act_, 0, Qt::AlignLeft);
-    static_cast<QVBoxLayout*>(layout())->insertWidget(1, notice_);
+    layout()->addWidget(notice_);
+    notice_->hide();
 }
 
 void ParameterSection::setIdle(const QString& when, const QString& command)
 {
-    if (!heading_ || (when == when_ && (!act_ || command == act_->toolTip()))) return;
-    const bool before = !when_.isEmpty();
+    if (!heading_ || (when == when_ && command == act_->toolTip())) return;
     when_ = when;
-    if (!notice_) addNotice();
     const QString why = when.isEmpty() ? QString() : tr("No effect now; only used when %1.").arg(when);
     reason_->setText(why);
     heading_->setIdle(why);
@@ -238,7 +239,7 @@ void ParameterSection::setIdle(const QString& when, const QString& command)
     act_->setToolTip(command);
     act_->setAccessibleName(tr("%1: %2").arg(title_, command));
     act_->setVisible(!command.isEmpty());
-    if (before == when.isEmpty()) layOut();
+    layOut();
 }
 
 void ParameterSection::paintEvent(QPaintEvent*)

@@ -87,7 +87,7 @@ private:
 
     QString title_;
     SectionHeading* heading_ = nullptr;
-    QWidget* notice_ = nullptr;  ///< Made when the group first has no effect.
+    QWidget* notice_ = nullptr;
     QLabel* reason_ = nullptr;
     QPushButton* act_ = nullptr;
     QString when_;

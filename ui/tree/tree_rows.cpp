@@ -95,7 +95,7 @@ void TreeRowsView::rebuild()
     // The caller may be one of the removed controls, so they are deleted later.
     if (QWidget* before = scroll_->takeWidget()) before->deleteLater();
     scroll_->setWidget(content);
-    for (ParameterSection* section : sections_) static_cast<void>(section->filter({}, false));
+    for (ParameterSection* section : sections_) static_cast<void>(section->showOnlyChanged(false));
 }
 
 bool TreeRowsView::eventFilter(QObject* object, QEvent* event)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace vitrine::ui {
 namespace {
@@ -76,7 +77,9 @@ std::vector<std::string> searchWords(const QString& text)
         if (!word.isEmpty()) words.push_back(word.toStdString());
         word.clear();
     };
-    for (const QChar c : text.normalized(QString::NormalizationForm_KD).toCaseFolded()) {
+    QString plain = text.normalized(QString::NormalizationForm_KD).toCaseFolded();
+    plain.replace(QChar(u'ß'), QStringLiteral("ss"));
+    for (const QChar c : std::as_const(plain)) {
         if (c.isLetterOrNumber())
             word += c;
         else if (!c.isMark())

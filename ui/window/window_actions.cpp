@@ -258,11 +258,15 @@ void WindowActions::addFileMenu(Maker& make, MainWindow& window)
 
 void WindowActions::addSaving(Maker& make, MainWindow& window)
 {
-    enableOnly(
-        make.add(QStringLiteral("save-file"), tr("Sa&ve scene"), {QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_S)},
-                 tr("Writes your edits in the tree to the scene file."),
-                 [&window] { window.docks().treeFile().save(); }),
-        [&window] { return window.docks().treeFile().edited(); }, tr("There are no unsaved edits in the tree."));
+    make.add(tr("&Save"), {QKeySequence(Qt::CTRL | Qt::Key_S)},
+             tr("Saves your edits in the tree to the scene file; without any, the values in the panel to the preset in "
+                "use."),
+             [&window] {
+                 if (window.docks().treeFile().edited())
+                     window.docks().treeFile().save();
+                 else
+                     window.shelf().save();
+             });
     enableOnly(
         make.add(QStringLiteral("save-file-as"), tr("Save scene &as…"), {}, tr("Writes the tree to another file."),
                  [&window] { window.docks().treeFile().saveAs(); }),
@@ -306,9 +310,8 @@ void WindowActions::addEditMenu(Maker& make, MainWindow& window)
 void WindowActions::addPresetMenu(Maker& make, PresetShelf& shelf)
 {
     make.menu(tr("&Preset"));
-    savePreset =
-        make.add(tr("&Save preset"), {QKeySequence(Qt::CTRL | Qt::Key_S)},
-                 tr("Saves the values that the panel shows to the preset in use."), [&shelf] { shelf.save(); });
+    savePreset = make.add(tr("&Save preset"), {}, tr("Saves the values that the panel shows to the preset in use."),
+                          [&shelf] { shelf.save(); });
     savePresetAs =
         make.add(tr("Save preset &as…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)},
                  tr("Saves the values that the panel shows under a new name."), [&shelf] { shelf.saveAs(); });
@@ -338,12 +341,10 @@ void WindowActions::addPresetMenu(Maker& make, PresetShelf& shelf)
 void WindowActions::addViewMenu(Maker& make, MainWindow& window)
 {
     make.menu(tr("&View"));
-    panels = make.toggle(tr("Hide &panels"), {QKeySequence(Qt::CTRL | Qt::Key_B)},
-                         tr("Hides all panels and bars; only the picture is left."),
-                         [&window](bool hidden) { window.hidePanels(hidden); });
-    QAction* bare = make.add(tr("&Bare picture"), {QKeySequence(Qt::SHIFT | Qt::Key_F11)},
-                             tr("Hides or shows all panels and bars."), [this] { panels->toggle(); });
-    make.inViewport(bare);
+    panels =
+        make.toggle(tr("Hide &panels"), {QKeySequence(Qt::CTRL | Qt::Key_B), QKeySequence(Qt::SHIFT | Qt::Key_F11)},
+                    tr("Hides all panels and bars; only the picture is left."),
+                    [&window](bool hidden) { window.hidePanels(hidden); });
     make.separator();
     for (QDockWidget* dock : window.docks().all()) {
         QAction* toggle = dock->toggleViewAction();
