@@ -8983,8 +8983,8 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/scene_edit.cpp"/>
-        <source>It has &quot;{1}&quot;, which its child would lose; take that out first.</source>
-        <translation>Sie hat „{=1}“, was ihr Kind verlieren würde; nehmen Sie das zuerst heraus.</translation>
+        <source>It has &quot;{1}&quot;, which its child would lose; remove that member first.</source>
+        <translation>Die Operation hat „{=1}“, das ihr Kind nicht übernimmt; entfernen Sie es zuerst.</translation>
     </message>
     <message>
         <location filename="render/image/image_limits.cpp"/>

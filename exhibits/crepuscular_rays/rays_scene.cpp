@@ -110,7 +110,7 @@ RaysScene raysScene(const CrepuscularRaysTable& table, const PlanContext& contex
     if (around.sunIrradiance != glm::dvec3(0))
         s.beams = context.alone ? beams(std::span(&ownOpening, 1), ownRoom, around.towardsSun)
                                 : beams(around.openings, around.room, around.towardsSun);
-    // Shown alone, all air is that of the beam.
+    // If the exhibit is shown alone, there is air in the beam only.
     s.air = !context.alone ? around.room : s.beams.empty() ? ownRoom : s.beams.front().box;
 
     const PixelBlocks cells(raster, cellSize(values[table.resolution]));

@@ -164,7 +164,7 @@ IceCreamStage stageAt(const IceCreamRows& t, const ParameterValues& values, doub
 {
     if (!values[t.buildUp] || !std::isfinite(time)) return values[t.stage];
     constexpr double stages = static_cast<double>(IceCreamStage::finished) + 1;
-    // The finished one is shown twice as long.
+    // The last stage, the finished ice cream, is shown twice as long as the others.
     const double count = std::fmod(std::max(time, 0.0) / values[t.stageTime], stages + 1);
     return static_cast<IceCreamStage>(static_cast<int>(std::min(count, stages - 1)));
 }

@@ -103,7 +103,7 @@ void setSea(const NoiseTable& t, const ParameterValues& values, double seconds, 
 void setClouds(const NoiseTable& t, const ParameterValues& values, double seconds, NoiseBlock& block)
 {
     const double angle = values[t.windDirection];
-    // A pattern that moves with the wind was up-wind before.
+    // A pattern that moves with the wind is looked up at the place up-wind where it began.
     const glm::dvec3 way = -seconds * values[t.windSpeed] * glm::dvec3(std::sin(angle), 0, -std::cos(angle));
     const auto within = [](const glm::dvec3& shift, double repeat) {
         return glm::vec3(wrapped(shift.x, repeat), wrapped(shift.y, repeat), wrapped(shift.z, repeat));

@@ -175,7 +175,7 @@ glm::dvec2 keptClear(const Waterway& way, const std::vector<Floating>& near, con
             }
         if (!moved) return place;
     }
-    // Between two lanterns without room the lantern stays in place.
+    // If two other lanterns leave no room between them, the released lantern stays in place.
     const double least = leastGap(way, near, place, turn);
     return least >= -1e-3 || least >= leastGap(way, near, from, turn) ? place : from;
 }
@@ -226,7 +226,7 @@ glm::dvec2 placeAfter(Waterway& way, const Floating& free, bool rises, const glm
         const std::vector<Floating>& near = company.at(place, press.at + time);
         const glm::dvec2 velocity = steered(way, near, place, free.turn, wanted);
         const glm::dvec2 next = keptClear(way, near, place, place + step * velocity, free.turn);
-        // Between other lanterns without room it has stopped.
+        // The released lantern has stopped, because other lanterns leave no room.
         if (!rises && step == secondsBetweenPlaces && next == place) break;
         place = next;
     }

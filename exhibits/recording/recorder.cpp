@@ -40,7 +40,7 @@ std::vector<Moment> momentsOf(const RecordingRequest& request, int k)
     const double whole = motionSeconds(request);
     std::vector<Moment> moments;
     for (int j = 0; j < count; ++j) {
-        // At the centers of equal parts of the exposure.
+        // The times are at the centers of equal parts of the exposure.
         const double within = request.shutter > 0 ? request.shutter * (j + 0.5) / count : 0;
         const double time = (k + within) / request.framesPerSecond;
         const double part = whole > 0 ? time / whole : 0;

@@ -236,7 +236,7 @@ void Pruner::prune(std::span<const Step> steps, const glm::dvec3& center, double
 
 namespace {
 
-/// Steps as they stand in `SceneCells::steps`, from there on.
+/// Position and length of a list of steps in `SceneCells::steps`.
 struct KnownList {
     std::uint32_t first = 0, count = 0;
 };

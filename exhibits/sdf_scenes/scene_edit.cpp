@@ -236,7 +236,7 @@ EditedScene SceneEdit::unwrapped(std::string_view operation) const
     if (children.size() != 1) refuse("Only an operation of one child can be taken away from around it.");
     for (const Field& field : placeFields())
         if (text_.member(outside, field.name))
-            refuse("It has \"" + std::string(field.name) + "\", which its child would lose; take that out first.");
+            refuse("It has \"" + std::string(field.name) + "\", which its child would lose; remove that member first.");
     return {text_.withValue(outside, text_.written(children[0])), std::string(operation)};
 }
 

@@ -241,7 +241,7 @@ std::shared_ptr<const render::Texture> panoramaOf(const std::array<render::Image
     for (int y = 0; y < made->height; ++y) {
         const double polar = (y + 0.5) / made->height * std::numbers::pi;
         for (int x = 0; x < made->width; ++x) {
-            // As shaders/lib/sky.glsl looks panoramas up.
+            // This is the mapping with which shaders/lib/sky.glsl looks up panoramas.
             const double around = ((x + 0.5) / made->width - 0.5) * 2 * std::numbers::pi;
             const glm::dvec3 d(std::sin(polar) * std::sin(around), std::cos(polar),
                                -std::sin(polar) * std::cos(around));
@@ -282,7 +282,7 @@ glm::dvec3 vectorOf(const double* v)
     return {v[0], v[1], v[2]};
 }
 
-/// Edges of a rectangle that faces this way.
+/// Sets the edges of a rectangle that faces this direction.
 void setEdges(SceneStage& stage, std::size_t i, const glm::dvec3& facing, double width, double height)
 {
     const glm::dvec3 up = std::abs(facing.y) < 0.99 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1);

@@ -58,7 +58,7 @@ struct AssetStore::Entry {
     FileState file, folder;
 
     std::mutex making;  ///< Held by the thread that makes the object. Locked before the store's mutex, never after it.
-    // Under the store's mutex:
+    // The following members are guarded by the store's mutex.
     bool made = false;
     std::shared_ptr<const void> value{};  ///< Null if the object is kept alive only by others ...
     std::weak_ptr<const void> held{};     ///< ... which this pointer then refers to.

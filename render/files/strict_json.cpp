@@ -236,7 +236,7 @@ bool JsonReader::parse_error(std::size_t /*position*/, const std::string& lastTo
     constexpr int outOfRange = 406;
     numberEnded_ = e.id == outOfRange;
     if (numberEnded_) return refuse(message("the number {1} is too large; numbers end at 1.8e308", lastToken));
-    // "[json.exception.parse_error.101] parse error at line 3, column 5: syntax error while ...".
+    // The library's text is "[json.exception.parse_error.101] parse error at line 3, column 5: syntax error while ...".
     std::string what = e.what();
     if (const std::size_t colon = what.find(": "); colon != std::string::npos) what.erase(0, colon + 2);
     return refuse(message("this is not valid JSON ({1}); correct it there", what));

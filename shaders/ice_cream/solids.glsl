@@ -270,7 +270,7 @@ float coreDistance(IceCreamCore core, vec3 p)
     return max(level / slope, max(apart, max(aside, beside)));
 }
 
-// Exact.
+// Exact. One of the candies, a rounded box.
 float candyDistance(int i, vec3 p)
 {
     solids += 1;

@@ -56,7 +56,7 @@ float spotMiddle(LensShape s, vec2 plane)
     return lensChiefRay(s, tangent);
 }
 
-// Derivative of that position by the tangent of the eye's angle.
+// Derivative of the spot's position by the tangent of the eye's angle.
 float spotRate(LensShape s, vec2 plane)
 {
     if (parameters.model == model_linear) return 0.5 / tan(parameters.intendedMaxAngle);

@@ -199,7 +199,7 @@ Noise4 valueNoise(ivec4 cell, vec4 place, ivec4 period, uint seed)
 
 // ---- Gradient noise (Perlin 2002): a random slope at every lattice point, where the noise is 0.
 
-// Scales the largest value that any choice of directions gives to 1.
+// Factor that scales the noise to [-1, 1]: the reciprocal of the largest value that any choice of directions gives.
 const float GRADIENT_SCALE_2 = 1.5132;
 const float GRADIENT_SCALE_3 = 0.9649;
 const float GRADIENT_SCALE_4 = 0.6507;

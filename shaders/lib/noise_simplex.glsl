@@ -18,7 +18,7 @@
 const float SIMPLEX_REACH_2 = 0.8;
 const float SIMPLEX_REACH_3 = 0.5;
 const float SIMPLEX_REACH_4 = 0.33333333333333331;
-// Scales the largest value that any choice of directions gives to 1.
+// Factor that scales the noise to [-1, 1]: the reciprocal of the largest value that any choice of directions gives.
 const float SIMPLEX_SCALE_2 = 6.316;
 const float SIMPLEX_SCALE_3 = 31.259;
 const float SIMPLEX_SCALE_4 = 88.04;

@@ -83,7 +83,7 @@ Noise3 noiseShaped(int sum, Noise3 n)
     return shaped;
 }
 
-// Upper bound on the factor by which that steepens the noise.
+// Upper bound on the factor by which the shape of an octave (ridged, billow, turbulence) steepens the noise.
 float noiseShapedSteepest(int sum)
 {
     return sum == NOISE_RIDGED ? 4.0 : (sum == NOISE_BILLOW ? 2.0 : 1.0);

@@ -62,7 +62,7 @@ float sdfTriangleProfile(vec2 p, float inradius)
 
 // ---- Solids --------------------------------------------------------------------------------------
 
-// Exact.
+// Exact. Sphere around the origin.
 float sdfSphere(vec3 p, float radius)
 {
     return length(p) - radius;
@@ -80,7 +80,7 @@ float sdfBoxCorner(vec3 q)
     return length(max(q, vec3(0.0))) + min(max(q.x, max(q.y, q.z)), 0.0);
 }
 
-// Exact.
+// Exact. Box around the origin.
 float sdfBox(vec3 p, vec3 halfSize)
 {
     return sdfBoxCorner(abs(p) - halfSize);
@@ -136,7 +136,7 @@ float sdfInfiniteCylinder(vec3 p, float radius)
     return length(vec2(p.x, p.z)) - radius;
 }
 
-// Exact. Around the y axis.
+// Exact. Cylinder around the y axis.
 float sdfCylinder(vec3 p, float radius, float halfHeight)
 {
     return sdfRectangle(vec2(length(vec2(p.x, p.z)), p.y), vec2(radius, halfHeight));

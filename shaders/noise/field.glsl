@@ -51,7 +51,7 @@ vec3 warpedPoint(vec3 p, out mat3 jacobian)
     return moved;
 }
 
-// Upper bound on the stretch of that displacement.
+// Upper bound on the stretch of space by the domain warping.
 float warpStretch()
 {
 #ifdef WARP

@@ -27,7 +27,7 @@ float sceneFractalNoise(vec3 p, float octaves, float gain)
     return sum;
 }
 
-// Upper bound on its slope.
+// Upper bound on the slope of sceneFractalNoise.
 float sceneFractalSlope(float octaves, float gain)
 {
     float sum = 0.0;

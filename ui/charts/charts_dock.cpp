@@ -47,7 +47,7 @@ void scale(QCPAxis& axis, bool logarithmic)
     axis.setNumberPrecision(logarithmic ? 0 : 3);
 }
 
-/// Linear ones from 0 on, unless they go below.
+/// Sets the ranges of the axes. A linear axis begins at 0, unless there are negative values.
 void setRanges(QCustomPlot& plot, const Chart& chart)
 {
     plot.rescaleAxes();

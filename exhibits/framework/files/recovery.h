@@ -36,7 +36,7 @@ public:
     [[nodiscard]] std::vector<AbandonedSession> abandoned() const;
     /// Counts the other running processes with a journal in this folder.
     [[nodiscard]] int othersRunning() const;
-    /// Removes one after the user took it or declined it.
+    /// Removes the journal of an abandoned session, after the user restored or declined the session.
     void discard(const AbandonedSession&) const noexcept;
     /// Renames a journal, so that it is not offered again. Returns the new path.
     std::filesystem::path putAside(const AbandonedSession&) const;

@@ -180,7 +180,7 @@ private:
     double fromShown(Number value) const
     {
         const double rounded = static_cast<double>(value);
-        // Bit by bit the value that a slider stores.
+        // The result equals the value that a slider stores, bit for bit.
         if (static_cast<Number>(rounded) == value) return stored(rounded, unit_);
         return static_cast<double>(value / static_cast<Number>(info(unit_).shownPerStored));
     }

@@ -72,7 +72,7 @@ double readNumber(const std::string& option, const std::string& typed, const Num
 {
     const std::optional<double> number = plainOrWithUnit(typed, range.unit);
     if (!number) refuseDecimalComma(option, typed);
-    // NaN fails every comparison, hence these.
+    // The conditions are written so that NaN, which fails every comparison, is refused.
     const bool good = number && *number >= range.low && *number <= range.high && std::isfinite(*number) &&
                       (!range.whole || *number == std::floor(*number));
     if (!good) throw Failure(Blame::usage, option + " \"" + typed + "\": give " + rangeText(range) + '.');

@@ -212,8 +212,8 @@ glm::dvec3 travel(const std::vector<render::Box>& boxes, const render::Box& end,
     return motion == SpriteMotion::inPlace || glm::length(way) > size ? way : glm::dvec3(0);
 }
 
-/// Returns the point on the axis of rotation: the object's origin if the object is above or around it, else the
-/// object's center. Its height is that of the center.
+/// Returns the center of rotation, at the height of the center of the box. It lies on the vertical axis through the
+/// origin if that axis meets the box, else it is the center of the box.
 glm::dvec3 turningPoint(const render::Box& box)
 {
     const bool standsOverOrigin = box.low.x <= 0 && box.high.x >= 0 && box.low.z <= 0 && box.high.z >= 0;

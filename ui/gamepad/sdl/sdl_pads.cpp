@@ -1,4 +1,4 @@
-// The module of the gamepads: all that uses SDL.
+// Gamepad module: all code that uses SDL.
 #define SDL_MAIN_HANDLED
 #include "render/failure.h"
 #include "ui/gamepad/pads.h"
@@ -28,7 +28,7 @@ class SdlPads final : public Pads {
 public:
     SdlPads()
     {
-        // There is no window of SDL's that could have the focus; signals and the screen saver are not its business.
+        // SDL must read gamepads although none of its windows has the focus, and must leave signals alone.
         SDL_SetMainReady();
         SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1");
         SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
