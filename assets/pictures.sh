@@ -41,7 +41,7 @@ thumbnails()
 documents()
 {
     picture hall hall --size 1280x720
-    picture golden-hour hall --preset assets/presets/hall/golden-hour.json --set crepuscular_rays.airDensity=0.022 \
+    picture golden-hour hall --preset assets/presets/hall/golden-hour.json --set crepuscular_rays.airDensity=0.008 \
         --set crepuscular_rays.densityNoise=0.7 --set crepuscular_rays.densityFalloff=0.12 --set crepuscular_rays.airColor=1,0.9,0.72 \
         --size 1280x720
     picture evening-dust crepuscular_rays --preset assets/presets/crepuscular_rays/evening-dust.json --set hall.sunBy="time of day" \

@@ -73,22 +73,22 @@ struct CrepuscularRaysTable final : Parameters {
 
     Group air = group("Air");
     Real airDensity =
-        real("airDensity", 0.007, perMeter, Range{0, 10}.soft(0, 0.05),
+        real("airDensity", 0.0035, perMeter, Range{0, 10}.soft(0, 0.05),
              "Density of the dust near the floor, as the share of light that a meter of it removes: 0 is clear air.",
              volume, essential());
     Real densityFalloff = real("densityFalloff", 0.03, perMeter, Range{0, 10}.soft(0, 0.5),
                                "Rate at which the dust thins with height: 0 is even, high keeps it near the floor.",
                                volume and whenAbove(airDensity, 0));
-    Real anisotropy = real("anisotropy", 0.2, none, Range{-0.95, 0.95}.soft(-0.5, 0.9),
+    Real anisotropy = real("anisotropy", 0.5, none, Range{-0.95, 0.95}.soft(-0.5, 0.9),
                            "Direction in which the dust scatters: 0 to all sides, positive forward with a glow towards "
                            "the sun, negative backward.",
                            volume and whenAbove(airDensity, 0) and whenLaterAbove("beamStrength", 0));
     Real beamStrength =
-        real("beamStrength", 2.6, none, Range{0, 100}.soft(0, 4),
+        real("beamStrength", 4.0, none, Range{0, 100}.soft(0, 8),
              "Strength of the sunlight that the dust scatters: 1 is physical for the air density, 0 shows no beams.",
              volume and whenAbove(airDensity, 0), essential());
     Real ambient =
-        real("ambient", 0.35, none, Range{0, 100}.soft(0, 2),
+        real("ambient", 0.12, none, Range{0, 100}.soft(0, 2),
              "Strength of the hall's ambient light that the dust scatters: 1 is physical, at 0 the dust only darkens.",
              volume and whenAbove(airDensity, 0));
     Color airColor =
