@@ -2414,6 +2414,12 @@ Zeiten nach: %2.</translation>
         <translation>Genauigkeit</translation>
     </message>
     <message>
+        <location filename="exhibits/hall/hall_table.h"/>
+        <source>ACES</source>
+        <extracomment>tables</extracomment>
+        <translation>ACES</translation>
+    </message>
+    <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <source>adaptive</source>
         <extracomment>tables</extracomment>
@@ -2464,6 +2470,12 @@ Zeiten nach: %2.</translation>
         <location filename="ui/study/study_chart.cpp"/>
         <source>against this parameter exact</source>
         <translation>gegen diesen Parameter exakt</translation>
+    </message>
+    <message>
+        <location filename="exhibits/hall/hall_table.h"/>
+        <source>AgX</source>
+        <extracomment>tables</extracomment>
+        <translation>AgX</translation>
     </message>
     <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
@@ -5898,6 +5910,12 @@ Zeiten nach: %2.</translation>
         <source>Curvature of the strands: 0 leans them like straight sticks, high bends only the tips.</source>
         <extracomment>tables</extracomment>
         <translation>Krümmung der Haare: 0 lehnt sie wie gerade Stöcke, hohe Werte biegen nur die Spitzen.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/hall/hall_table.h"/>
+        <source>Curve from light to the screen: Vitrine has deep shadows and keeps hues, AgX is softer and paler, ACES turns bright orange yellow, Khronos neutral keeps the colors of surfaces, and none cuts off at white.</source>
+        <extracomment>tables</extracomment>
+        <translation>Kurve vom Licht zum Bildschirm: Vitrine hat tiefe Schatten und hält Farbtöne, AgX ist weicher und blasser, ACES macht helles Orange gelb, Khronos neutral hält die Farben von Flächen, und „keine“ schneidet bei Weiß ab.</translation>
     </message>
     <message>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
@@ -9619,6 +9637,12 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Tasten</translation>
     </message>
     <message>
+        <location filename="exhibits/hall/hall_table.h"/>
+        <source>Khronos neutral</source>
+        <extracomment>tables</extracomment>
+        <translation>Khronos neutral</translation>
+    </message>
+    <message>
         <location filename="exhibits/noise/noise_table.h"/>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
         <source>Kind</source>
@@ -11532,6 +11556,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="ui/parameters/shown_text.cpp"/>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
         <location filename="exhibits/fur/fur_table.h"/>
+        <location filename="exhibits/hall/hall_table.h"/>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <location filename="exhibits/kit/sdf_rows.h"/>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
@@ -20130,6 +20155,12 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>gemeinsam</translation>
     </message>
     <message>
+        <location filename="exhibits/hall/hall_table.h"/>
+        <source>Tone curve</source>
+        <extracomment>tables</extracomment>
+        <translation>Tonwertkurve</translation>
+    </message>
+    <message>
         <location filename="exhibits/hall/bounced_light.cpp"/>
         <source>too little of the sun comes in by window and oculus</source>
         <translation>durch Fenster und Oculus fällt zu wenig Sonne</translation>
@@ -20872,6 +20903,12 @@ oder aus einem Bild mit einem Raster von Ansichten geschnitten werden. Ein Ordne
         <location filename="exhibits/printing/print_table.h"/>
         <source>Visual per inch</source>
         <translation>Visuell pro Zoll</translation>
+    </message>
+    <message>
+        <location filename="exhibits/hall/hall_table.h"/>
+        <source>Vitrine</source>
+        <extracomment>tables</extracomment>
+        <translation>Vitrine</translation>
     </message>
     <message>
         <location filename="ui/window/about_dialog.cpp"/>

@@ -79,12 +79,12 @@ struct CrepuscularRaysTable final : Parameters {
     Real densityFalloff = real("densityFalloff", 0.03, perMeter, Range{0, 10}.soft(0, 0.5),
                                "Rate at which the dust thins with height: 0 is even, high keeps it near the floor.",
                                volume and whenAbove(airDensity, 0));
-    Real anisotropy = real("anisotropy", 0.5, none, Range{-0.95, 0.95}.soft(-0.5, 0.9),
+    Real anisotropy = real("anisotropy", 0.4, none, Range{-0.95, 0.95}.soft(-0.5, 0.9),
                            "Direction in which the dust scatters: 0 to all sides, positive forward with a glow towards "
                            "the sun, negative backward.",
                            volume and whenAbove(airDensity, 0) and whenLaterAbove("beamStrength", 0));
     Real beamStrength =
-        real("beamStrength", 4.0, none, Range{0, 100}.soft(0, 8),
+        real("beamStrength", 5.0, none, Range{0, 100}.soft(0, 8),
              "Strength of the sunlight that the dust scatters: 1 is physical for the air density, 0 shows no beams.",
              volume and whenAbove(airDensity, 0), essential());
     Real ambient =

@@ -14,10 +14,12 @@
 namespace vitrine {
 namespace {
 
-/// Exposures: in the hall, at which plaster in the shade of the initial light is about a quarter gray, and in the
-/// studio.
-constexpr double hallExposure = 12.2;
+/// Exposures: in the hall, at which plaster in the shade of the initial light is a little below middle gray, as one
+/// exposes for a room with a patch of sunlight, and in the studio.
+constexpr double hallExposure = 7.5;
 constexpr double studioExposure = 1.04;
+/// Stops by which the exposure of the hall rises at dusk, together with its lamps.
+constexpr double nightStops = 0.4;
 
 /// Conservative test of whether the box, swept towards the light, overlaps the opening. Light enters from outside: from
 /// above, or through a wall from its outer side.
@@ -83,9 +85,10 @@ double brightestAround(const HallScene& scene, const LightBlock& light, double b
 }
 
 /// Returns the exposure to which the eye is adapted: in the hall, or in the studio.
-double adaptationOf(const HallScene& scene)
+double adaptationOf(const HallScene& scene, const Sun& sun)
 {
-    return scene.alone ? studioExposure : hallExposure;
+    if (scene.alone) return studioExposure;
+    return hallExposure * std::exp2(nightStops * lampsShareAt(sun.elevation));
 }
 
 /// Returns sun, sky, exposure and filters as shaders read them, without shadow map and probe.
@@ -108,7 +111,7 @@ LightBlock lightBlock(const HallScene& scene, const Sun& source)
     light.bakedOcclusion = values[table.bakedLight] ? 1.0F : 0.0F;
     light.sunTanHalfWidth = static_cast<float>(std::tan(values[table.sunDisk] / 2));
     light.sunDiskSamples = values[table.diskSamples];
-    light.exposure = static_cast<float>(adaptationOf(scene) * std::exp2(values[table.exposure]));
+    light.exposure = static_cast<float>(adaptationOf(scene, source) * std::exp2(values[table.exposure]));
     return light;
 }
 
@@ -186,7 +189,7 @@ SceneLighting sceneLighting(const HallScene& scene, bool runEverything)
                   static_cast<int>(ShadowFilter::tent5) == SHADOW_FILTER_TENT_5 &&
                   static_cast<int>(ShadowFilter::disk) == SHADOW_FILTER_SUN_DISK);
     result.exposure = light.exposure;
-    result.adaptation = adaptationOf(scene);
+    result.adaptation = adaptationOf(scene, source);
 
     result.hallCastsShadow = light.hallCastsShadow = values[table.sunShadows] && !scene.alone;
     if (result.hallCastsShadow) {
@@ -239,13 +242,13 @@ std::string whyUnlit(const HallScene& scene, const render::Box& worldBox)
 std::uint64_t lightKey(const HallScene& scene)
 {
     render::Hash hash;
-    // Exposure, sampling and effects on the floor alone change no light, so they are not in the key.
+    // Exposure, tone curve, sampling and effects on the floor alone change no light, so they are not in the key.
     ParameterValues lighting = scene.values;
     for (const std::size_t row :
-         {std::size_t{scene.table.exposure.row}, std::size_t{scene.table.supersamples.row},
-          std::size_t{scene.table.resolutionScale.row}, std::size_t{scene.table.temporalAntialiasing.row},
-          std::size_t{scene.table.historyFrames.row}, std::size_t{scene.table.contactShadows.row},
-          std::size_t{scene.table.floorMirror.row}})
+         {std::size_t{scene.table.exposure.row}, std::size_t{scene.table.toneCurve.row},
+          std::size_t{scene.table.supersamples.row}, std::size_t{scene.table.resolutionScale.row},
+          std::size_t{scene.table.temporalAntialiasing.row}, std::size_t{scene.table.historyFrames.row},
+          std::size_t{scene.table.contactShadows.row}, std::size_t{scene.table.floorMirror.row}})
         lighting.resetRow(row);
     derive::addToKey(hash, lighting);
     hash.addValue(scene.alone).addValue(scene.filesId);

@@ -202,7 +202,8 @@ void planAntialiasing(const FrameRequest&, const FrameHistory&, render::FramePla
 
 /// Plans the end of every frame: tone mapping and the mean over supersamples, or over the frames of a picture in
 /// motion, into the image "frame".
-void planToneMapping(const SceneLighting&, const FrameRequest&, const FrameHistory&, render::FramePlan&);
+void planToneMapping(const HallScene&, const SceneLighting&, const FrameRequest&, const FrameHistory&,
+                     render::FramePlan&);
 
 /// Duration in seconds of the movement of a pressed button.
 inline constexpr double buttonTime = 0.2;

@@ -13,6 +13,7 @@ enum class SunBy : int { angles, hour };
 enum class ShadowFilter : int { hard, tent3, tent5, disk };
 enum class FloorMirror : int { probe, shapes };
 enum class LampsLit : int { automatic, on, off };
+enum class ToneCurve : int { vitrine, agx, aces, neutral, none };
 
 /// Base of an object of the user.
 enum class ObjectStand : int { freePlinth, ownPlinth, floor };
@@ -38,6 +39,10 @@ struct HallTable final : Parameters {
     Group picture = group("Picture");
     Real exposure = real("exposure", 0.0, stop, Range{-16, 16}.soft(-4, 4),
                          "Brightness of the whole picture: each stop doubles it.", essential());
+    Choice<ToneCurve> toneCurve =
+        choice("toneCurve", ToneCurve::vitrine, {"Vitrine", "AgX", "ACES", "Khronos neutral", "none"},
+               "Curve from light to the screen: Vitrine has deep shadows and keeps hues, AgX is softer and paler, ACES "
+               "turns bright orange yellow, Khronos neutral keeps the colors of surfaces, and none cuts off at white.");
 
     Count supersamples = count(
         "supersamples", 16, Range{1, 1024, logarithmic}.soft(1, 64),

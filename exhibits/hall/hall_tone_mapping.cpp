@@ -19,10 +19,17 @@ render::Pass fullscreen(std::string name, std::string fragment, std::string sour
     return pass;
 }
 
+/// Returns the function of shaders/lib/tonemap.glsl.
+std::string_view functionOf(ToneCurve curve)
+{
+    static constexpr std::string_view functions[] = {"toneVitrine", "toneAgx", "toneAces", "toneNeutral", "toneNone"};
+    return functions[static_cast<std::size_t>(curve)];
+}
+
 }  // namespace
 
-void planToneMapping(const SceneLighting& lighting, const FrameRequest& request, const FrameHistory& history,
-                     render::FramePlan& plan)
+void planToneMapping(const HallScene& scene, const SceneLighting& lighting, const FrameRequest& request,
+                     const FrameHistory& history, render::FramePlan& plan)
 {
     const bool averaged = request.samples > 1;
     const bool toneMapped = request.averageIn == AverageIn::display;
@@ -38,6 +45,7 @@ void planToneMapping(const SceneLighting& lighting, const FrameRequest& request,
         render::Pass tone =
             fullscreen("tone", "lib/tonemap.frag", source, target, "the screen shows less than the eye sees");
         tone.phase = render::PassPhase::resolve;
+        tone.shader.defines.push_back("TONE_CURVE " + std::string(functionOf(scene.values[scene.table.toneCurve])));
         tone.blocks[BLOCK_LIGHT] = render::std140Bytes(lighting.light);  // For the exposure, without maps.
         tone.bound = {1, 1, {}};  // The displayed value is between 0 and 1, whatever the light.
         // Every pixel is written, so the previous content is not needed.

@@ -494,7 +494,7 @@ void Museum::Frame::finish(const render::PersistentState& kept)
         plan.skip("sky", "a transparent background is requested");
     else
         planSky(scene, light, plan);
-    planToneMapping(light, request, history(), plan);
+    planToneMapping(scene, light, request, history(), plan);
     std::vector<std::string> outputs{"frame", depthImage, frameHistoryImage};
     if (request.channels.normal) outputs.emplace_back(normalImage);
     if (request.channels.evaluations) outputs.emplace_back(evaluationsImage);

@@ -3,7 +3,7 @@
 // of the hall), BEAMS (marched sunbeams), REPLACE (shows the added light alone, or the mask).
 #include "lib/light.glsl"
 #include "crepuscular_rays/air.glsl"
-#include "lib/tonemap.glsl"
+#include "lib/display_light.glsl"
 #include "crepuscular_rays/gather.glsl"
 #include "crepuscular_rays/coarse.glsl"
 #include "crepuscular_rays/dust.glsl"

@@ -1,5 +1,5 @@
 // Copies one texel to one pixel; used with blending to keep a running mean. Permutation: COVERAGE (alpha is coverage:
-// DISPLAY_LIGHT of lib/tonemap.glsl becomes 1).
+// DISPLAY_LIGHT of lib/display_light.glsl becomes 1).
 #include "lib/bindings.glsl"
 
 layout(binding = UNIT_SOURCE) uniform sampler2D source;

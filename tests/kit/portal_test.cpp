@@ -72,7 +72,7 @@ protected:
 
 TEST_F(PortalTest, ShowsTheWorldBeyondInTheVisitorsPerspective)
 {
-    constexpr double adaptation = 12.2;  // Of the hall.
+    constexpr double adaptation = 7.5;  // Of the hall.
     for (const dvec3& eye : {dvec3(0, 0, 1.5), dvec3(1.2, -0.2, 1.0), dvec3(-2.5, 0.4, 3)}) {
         BallShot s = shot();
         s.inHall();

@@ -1,7 +1,7 @@
 // Traces one ray per pixel into the world behind a portal. The depth is that of the opening; with ALONE, that of the
 // hit. Permutations: ALONE, WRITE_NORMAL, WRITE_EVALUATIONS. The including shader defines PORTAL_DISPLAY_LIGHT if it
 // returns display colors.
-#include "lib/tonemap.glsl"
+#include "lib/display_light.glsl"
 
 layout(location = 0) out vec4 radiance;
 #ifdef WRITE_NORMAL

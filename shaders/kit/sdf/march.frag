@@ -5,7 +5,7 @@
 #include "kit/sdf/ray.glsl"
 #include "kit/sdf/shade.glsl"
 #include "lib/heat_color.glsl"
-#include "lib/tonemap.glsl"
+#include "lib/display_light.glsl"
 #include "kit/sdf/shading.glsl"
 
 layout(binding = UNIT_EXHIBIT_A) uniform sampler2D coneStart;

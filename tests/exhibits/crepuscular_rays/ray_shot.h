@@ -19,7 +19,7 @@ struct RayShot : Shot {
         request.frame.subject.reset();
         request.frame.channels.normal = false;
         see({0.4, 1.65, -1}, {0.1, 3.8, -12});
-        hall().set(hallTable().exposure, -std::log2(12.2));
+        hall().set(hallTable().exposure, -std::log2(7.5));
         hall().set(hallTable().sunTemperature, 6500.0);
         rays().set(raysTable().technique, technique);
         rays().set(raysTable().weight, 1.0);

@@ -2,6 +2,7 @@
 
 #include "tests/support/gallery.h"
 #include "tests/support/planned.h"
+#include "tests/support/tone_cpu.h"
 
 #include <algorithm>
 #include <cmath>
@@ -242,6 +243,32 @@ TEST_F(PictureTest, AStopOfExposureDoublesTheLightBeforeTheCurve)
     const Picture normal = shot.take();
     EXPECT_GT(bright.mean(), 1.1 * normal.mean());
     bright.each([&](int x, int y) { EXPECT_LE(bright.luminance(x, y), 1.0001); });
+}
+
+TEST_F(PictureTest, TheDisplayShowsTheChosenToneCurveOfTheLight)
+{
+    constexpr double exposure = 1.04;  // Of the studio.
+    Shot shot;
+    const Picture light = shot.take();
+    shot.request.frame.averageIn = AverageIn::display;
+    render::Image before;
+    for (int i = 0; i < 5; ++i) {
+        SCOPED_TRACE(test::toneCurves[i].name);
+        shot.hall().set(hallTable().toneCurve, static_cast<ToneCurve>(i));
+        const Picture shown = shot.take();
+        int opaque = 0;
+        shown.each([&](int x, int y) {
+            if (light.alpha(x, y) < 1) return;
+            ++opaque;
+            const glm::dvec3 expected = test::toneCurves[i].map(light.color(x, y) * exposure);
+            EXPECT_LT(glm::length(shown.color(x, y) - expected), 2e-3);
+        });
+        EXPECT_GT(opaque, 100);
+        if (i > 0) {
+            EXPECT_GT(test::largestDifference(shown.image, before), 0.02) << "a control: curves differ";
+        }
+        before = shown.image;
+    }
 }
 
 TEST_F(PictureTest, APressedButtonIsSquashed)
