@@ -94,6 +94,7 @@ private slots:
         search("roughness");
         const auto help = [this] { return dialog()->findChild<QLabel*>()->text(); };
         QCOMPARE(help(), QString("0 mirrors, 1 is chalk."));
+        dialog()->findChild<QLineEdit*>()->setText("mug");  // All parameters of this exhibit.
         QVERIFY(list().topLevelItemCount() > 1);
         press(Qt::Key_Down);
         QCOMPARE(list().currentItem(), list().topLevelItem(1));
