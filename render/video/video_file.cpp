@@ -124,13 +124,13 @@ private:
 
 struct VideoFile::State {
     State(const std::filesystem::path& path, const VideoSpec& asked, FileOps& ops)
-        : spec(legal(asked)), codec(videoCodec()), part(path, ops), output(part, ops)
+        : spec(legal(asked)), codec(videoCodec()), part(std::make_unique<PartFile>(path, ops)), output(*part, ops)
     {
     }
 
     VideoSpec spec;
     VideoCodec& codec;
-    PartFile part;
+    std::unique_ptr<PartFile> part;
     Output output;
     std::unique_ptr<VideoFrames> frames{};  ///< Declared after `output`, so destroyed before it.
     std::vector<std::uint8_t> codes{};
@@ -140,16 +140,16 @@ VideoFile::VideoFile(const std::filesystem::path& path, const VideoSpec& spec, F
     : state_(std::make_unique<State>(path, spec, ops))
 {
     State& s = *state_;
-    require(s.codec.open(s.spec, s.part.path().string(), s.output, s.frames));
+    require(s.codec.open(s.spec, s.part->path().string(), s.output, s.frames));
 }
 
 VideoFile::~VideoFile() = default;
 
 void VideoFile::require(const std::string& problem)
 {
-    if (state_->output.error() != 0) state_->part.fail("writing", state_->output.error());
+    if (state_->output.error() != 0) state_->part->fail("writing", state_->output.error());
     if (problem.empty()) return;
-    throw Failure(Blame::file, "Cannot write " + state_->part.target().string() + ": " + problem +
+    throw Failure(Blame::file, "Cannot write " + state_->part->target().string() + ": " + problem +
                                    "; the old content is untouched; choose another kind of file, such as .apng.");
 }
 
@@ -168,13 +168,18 @@ void VideoFile::add(const Image& image)
     require(s.frames->add(s.codes.data()));
 }
 
-void VideoFile::finish()
+std::unique_ptr<PartFile> VideoFile::staged()
 {
     State& s = *state_;
     require(s.frames->close());
     s.frames.reset();
-    if (const int error = s.output.close(); error != 0) s.part.fail("writing", error);
-    s.part.publish();
+    if (const int error = s.output.close(); error != 0) s.part->fail("writing", error);
+    return std::move(s.part);
+}
+
+void VideoFile::finish()
+{
+    staged()->publish();
 }
 
 }  // namespace vitrine::render

@@ -21,6 +21,8 @@ namespace vitrine::render {
 /// (.mp4, .webm) need even sizes, .gif allows at most 50 frames a second, and only .webp and .apng can be transparent.
 [[nodiscard]] std::string whyNoVideo(const VideoSpec&);
 
+class PartFile;
+
 /// A video that is written beside its target and replaces it when it is finished. If anything fails, or if it is
 /// destroyed before, the old file is unchanged and no temporary file remains.
 ///
@@ -40,6 +42,8 @@ public:
     void add(const Image&);
     /// Replaces the target by the finished video. Throws Failure as `add`.
     void finish();
+    /// Returns the finished video beside its target, to be published later together with other files. The last call.
+    [[nodiscard]] std::unique_ptr<PartFile> staged();
 
 private:
     class Output;
