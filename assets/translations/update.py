@@ -24,7 +24,7 @@ NOT_SHOWN = re.compile(r'/stability/|stability_|doctor_command|html_text|_page\.
                        r'image/oiio/(?!guarded|read|row|write)|shell_word|chart_font|_glsl\.cpp|'
                        r'install|framework/table/derive|museum/render_command|coat_mesh|card_mesh|png_chunks|table_json|passes_json|text/message\.h')
 # Rooms in which every text for people is made by message(): no sentence is looked for there, and none may be left.
-CONVERTED = ('render/files/', 'render/gl/', 'render/scene/')
+CONVERTED = ('render/files/', 'render/gl/', 'render/scene/', 'exhibits/jobs/sprite/palette_file', 'exhibits/jobs/sprite/sprite_description')
 # What looks like a sentence in them and is shown to nobody: keys, names, messages of asserts.
 UNSHOWN = {'framebuffers made', 'constant buffers', 'the picture was abandoned', 'unknown error',
            '{1} (better)'}

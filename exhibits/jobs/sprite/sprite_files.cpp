@@ -32,9 +32,10 @@ std::string codesOf(const std::filesystem::path& file, render::Image image)
     return pngOf(file, image);
 }
 
-std::vector<Rgb8> chosenPalette(const ParameterValues& values)
+std::vector<Rgb8> chosenPalette(const ParameterValues& values, const std::vector<Rgb8>& ofFile)
 {
     const SpriteTable& t = spriteTable();
+    if (values[t.palette] == SpritePalette::file) return ofFile;
     const std::string_view name =
         t.rows()[t.palette.row].choices[static_cast<std::size_t>(static_cast<int>(values[t.palette]))];
     static const PixelArtTable look;
@@ -54,6 +55,14 @@ struct SheetPart {
     std::string (*bytesOf)(const SpriteSheet&, const std::filesystem::path&);
 };
 
+/// The palette as a file of its own.
+template <PaletteFormat format> SheetPart savedPalette(const std::filesystem::path& out, const char* extension)
+{
+    return {besides(out, "", extension), "palette", [](const SpriteSheet& s, const std::filesystem::path& f) {
+                return paletteText(format, s.palette, f.stem().string());
+            }};
+}
+
 std::vector<SheetPart> sheetParts(const ParameterValues& values, const std::filesystem::path& out)
 {
     const SpriteTable& t = spriteTable();
@@ -69,6 +78,15 @@ std::vector<SheetPart> sheetParts(const ParameterValues& values, const std::file
     if (values[t.description])
         parts.push_back({besides(out, "", ".json"), "description",
                          [](const SpriteSheet& s, const Path&) { return s.description; }});
+    if (values[t.godot])
+        parts.push_back(
+            {besides(out, "", ".tres"), "Godot 4", [](const SpriteSheet& s, const Path&) { return s.godot; }});
+    switch (values[t.savedPalette]) {
+    case SpritePaletteFile::gpl: parts.push_back(savedPalette<PaletteFormat::gpl>(out, ".gpl")); break;
+    case SpritePaletteFile::hex: parts.push_back(savedPalette<PaletteFormat::hex>(out, ".hex")); break;
+    case SpritePaletteFile::pal: parts.push_back(savedPalette<PaletteFormat::pal>(out, ".pal")); break;
+    case SpritePaletteFile::none: break;
+    }
     return parts;
 }
 
@@ -98,13 +116,13 @@ std::shared_ptr<const SpriteSubject> spriteSubject(const ParameterValues& values
     return file.empty() ? std::make_shared<const SpriteSubject>() : std::make_shared<const SpriteSubject>(file);
 }
 
-SpriteSheet sheetOf(const std::vector<SpriteFrame>& frames, const ParameterValues& values, const SpriteSubject& subject,
-                    const std::string& imageName)
+SpriteSheetOptions sheetOptions(const ParameterValues& values, const SpriteSubject& subject,
+                                const std::vector<Rgb8>& palette, const std::string& imageName)
 {
     const SpriteTable& t = spriteTable();
     SpriteSheetOptions options;
     options.colors = values[t.colors];
-    options.palette = chosenPalette(values);
+    options.palette = chosenPalette(values, palette);
     options.dither = values[t.dither];
     options.pivot = values[t.pivot];
     options.trimmed = values[t.trimmed];
@@ -112,7 +130,19 @@ SpriteSheet sheetOf(const std::vector<SpriteFrame>& frames, const ParameterValue
     const SpriteRequest request = spriteRequest(values, subject);
     options.frameSeconds = rate > 0 ? 1 / rate : subject.duration(request) / request.frames;
     options.imageName = imageName;
-    return spriteSheet(frames, options);
+    if (values[t.normals]) options.normalName = besides(imageName, "_normal", ".png").string();
+    if (values[t.depth]) options.depthName = besides(imageName, "_depth", ".png").string();
+    options.directionNames = values[t.directionNames];
+    options.normalY = values[t.normalY];
+    options.json = values[t.form];
+    return options;
+}
+
+std::filesystem::path animationFile(const ParameterValues& values, const std::filesystem::path& out)
+{
+    const SpriteAnimation kind = values[spriteTable().animated];
+    if (kind == SpriteAnimation::none) return {};
+    return besides(out, "", kind == SpriteAnimation::gif ? ".gif" : ".apng");
 }
 
 std::vector<jobs::PlannedFile> sheetFiles(const ParameterValues& values, const std::filesystem::path& out)

@@ -19,13 +19,16 @@ namespace vitrine {
 /// Returns the object that the values name; reads its file. Throws Failure like SpriteSubject.
 [[nodiscard]] std::shared_ptr<const SpriteSubject> spriteSubject(const ParameterValues&);
 
-/// Returns the frames with these values as a sheet with that file name.
-[[nodiscard]] SpriteSheet sheetOf(const std::vector<SpriteFrame>&, const ParameterValues&, const SpriteSubject&,
-                                  const std::string& imageName);
+/// Returns how a sheet of these values and that file name is made. `palette`: the colors of `paletteFile`.
+[[nodiscard]] SpriteSheetOptions sheetOptions(const ParameterValues&, const SpriteSubject&,
+                                              const std::vector<Rgb8>& palette, const std::string& imageName);
 
 /// Returns the files of a sheet that is written to `out` ("hero.png": also "hero_normal.png", "hero_depth.png",
-/// "hero.json").
+/// "hero.json"), without the animated picture.
 [[nodiscard]] std::vector<jobs::PlannedFile> sheetFiles(const ParameterValues&, const std::filesystem::path& out);
+
+/// Returns the file of the animated picture; empty if none is written.
+[[nodiscard]] std::filesystem::path animationFile(const ParameterValues&, const std::filesystem::path& out);
 
 /// Returns the preset with the settings of `spriteLookName` with which a sheet was drawn, for `SpriteSheet::settings`.
 [[nodiscard]] std::string lookPreset(const ParameterValues& look);

@@ -1,9 +1,10 @@
 #include "exhibits/jobs/sprite/sprite_job.h"
 
 #include "exhibits/jobs/kit/job_document.h"
+#include "exhibits/jobs/sprite/sprite_animation.h"
+#include "exhibits/jobs/sprite/sprite_description.h"
 #include "exhibits/jobs/sprite/sprite_files.h"
 #include "render/failure.h"
-#include "render/files/atomic_write.h"
 
 namespace vitrine::jobs {
 namespace {
@@ -13,6 +14,30 @@ constexpr std::int64_t draftPixels = 1U << 20U;  // Of all frames that are drawn
 const SpriteSubject& objectOf(const JobInputs& inputs)
 {
     return *static_cast<const SpriteInputs&>(inputs).object;
+}
+
+/// Spec of the animated picture of a sheet with these options.
+render::VideoSpec specOf(const ParameterValues& values, const SpriteSubject& object, double frameSeconds)
+{
+    return animationSpec(values, spriteRequest(values, object).frames, frameSeconds);
+}
+
+/// Sentence on why these values make no sheet; empty: they do.
+std::string whyNotMade(const ParameterValues& values, const SpriteSubject& object)
+{
+    const SpriteTable& t = spriteTable();
+    if (std::string why = whyNoSheet(spriteRequest(values, object)); !why.empty()) return why;
+    if (values[t.palette] == SpritePalette::file && values[t.paletteFile].empty())
+        return "No file of the palette is chosen; choose one, or another palette.";
+    if (values[t.directionNames] == SpriteDirectionNames::compass && values[t.directions] > mostCompassDirections)
+        return "There are compass points for at most 16 directions; choose fewer directions, or numbers as names.";
+    try {
+        const double seconds = sheetOptions(values, object, {}, {}).frameSeconds;
+        const bool isAnimated = values[t.animated] != SpriteAnimation::none;
+        return isAnimated ? render::whyNoVideo(specOf(values, object, seconds)) : std::string();
+    } catch (const Failure& unknownAnimation) {
+        return unknownAnimation.what();
+    }
 }
 
 std::vector<Fact> factsOf(const ParameterValues& values, const SpriteSubject& object)
@@ -62,7 +87,9 @@ std::string_view SpriteRun::doing() const
 void SpriteRun::makeSheet()
 {
     const std::filesystem::path& out = order_.out;
-    SpriteSheet sheet = sheetOf(shots_.frames(), order_.values, *object_, out.filename().string());
+    const auto& palette = static_cast<const SpriteInputs&>(*order_.inputs).palette;
+    SpriteSheet sheet =
+        spriteSheet(shots_.frames(), sheetOptions(order_.values, *object_, palette, out.filename().string()));
     sheet.settings = lookPreset(order_.scene.state.values[order_.scene.subject]);
     report_.warnings = sheet.warnings;
     report_.facts = factsOf(order_.values, *object_);
@@ -72,6 +99,9 @@ void SpriteRun::makeSheet()
     if (!out.empty()) {
         for (const render::NamedBytes& file : sheetBytes(sheet, order_.values, out))
             staged_.push_back(render::stagedFile(file.path, file.bytes));
+        if (const std::filesystem::path file = animationFile(order_.values, out); !file.empty())
+            staged_.push_back(
+                stagedAnimation(sheet, order_.values, specOf(order_.values, *object_, sheet.frameSeconds), file));
         staged_.push_back(render::stagedFile(documentFile(out), documentText(SpriteJob(), order_, report_.facts)));
         for (const auto& file : staged_) report_.files.push_back(file->target());
     }
@@ -90,7 +120,11 @@ JobNeeds SpriteJob::needs() const
 
 std::shared_ptr<const JobInputs> SpriteJob::read(const ParameterValues& values) const
 {
-    return std::make_shared<const SpriteInputs>(spriteSubject(values));
+    const SpriteTable& t = spriteTable();
+    auto inputs = std::make_shared<SpriteInputs>(spriteSubject(values));
+    if (values[t.palette] == SpritePalette::file && !values[t.paletteFile].empty())
+        inputs->palette = readPalette(values[t.paletteFile]);
+    return inputs;
 }
 
 JobPlan SpriteJob::plan(const ParameterValues& values, const JobScene&, const JobInputs& inputs,
@@ -100,16 +134,16 @@ JobPlan SpriteJob::plan(const ParameterValues& values, const JobScene&, const Jo
     JobPlan plan;
     plan.warnings = object.warnings();
     plan.offers["animation"] = object.animations();
-    plan.refusal = whyNoSheet(spriteRequest(values, object));
-    try {
-        static_cast<void>(object.duration(spriteRequest(values, object)));
-    } catch (const Failure& unknownAnimation) {
-        plan.refusal = unknownAnimation.what();
-    }
+    plan.refusal = whyNotMade(values, object);
+    const SpriteTable& t = spriteTable();
+    if (values[t.godot] && values[t.normals] && values[t.normalY] == SpriteNormalY::down)
+        plan.warnings.emplace_back("Godot reads normals with +Y up, and these point down; let +Y point up.");
     plan.facts = factsOf(values, object);
     if (out.empty()) return plan;
     if (plan.refusal.empty()) plan.refusal = refusedExtension(*this, out);
     plan.files = sheetFiles(values, out);
+    if (const std::filesystem::path file = animationFile(values, out); !file.empty())
+        plan.files.push_back({file, "animation"});
     plan.files.push_back({documentFile(out), "settings"});
     return plan;
 }

@@ -2,13 +2,15 @@
 
 #include "exhibits/jobs/kit/job.h"
 #include "exhibits/jobs/sprite/sprite_shots.h"
+#include "render/files/atomic_write.h"
 
 namespace vitrine::jobs {
 
-/// Input of the job: the object of which sprites are drawn.
+/// Inputs of the job, read from files.
 struct SpriteInputs final : JobInputs {
     explicit SpriteInputs(std::shared_ptr<const SpriteSubject> read) : object(std::move(read)) {}
-    std::shared_ptr<const SpriteSubject> object;
+    std::shared_ptr<const SpriteSubject> object;  ///< Object of which sprites are drawn.
+    std::vector<Rgb8> palette{};                  ///< Colors of the palette's file, if one is taken.
 };
 
 /// Run that draws a sprite sheet. The preview shows the sheet when the run is done.

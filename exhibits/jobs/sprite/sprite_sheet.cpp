@@ -1,21 +1,18 @@
 #include "exhibits/jobs/sprite/sprite_sheet.h"
 
 #include "exhibits/jobs/sprite/sprite_colors.h"
+#include "exhibits/jobs/sprite/sprite_description.h"
 #include "exhibits/pixel_art/palette.h"
 #include "render/failure.h"
-#include "render/files/strict_json.h"
-#include "render/version.h"
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 
 namespace vitrine {
 namespace {
 
 using render::Image;
-using render::Json;
 
 constexpr int fewestPixels = 12;  ///< Of a frame that shows something.
 
@@ -92,7 +89,9 @@ std::vector<Rgb8> paletteOf(const std::vector<SpriteFrame>& frames, const Sprite
     return palette;
 }
 
-void copyFrame(const SpriteFrame& frame, const Image& color, const SpriteCell& cell, SpriteSheet& sheet)
+/// `signs` of the components of normals.
+void copyFrame(const SpriteFrame& frame, const Image& color, const SpriteCell& cell, const glm::vec3& signs,
+               SpriteSheet& sheet)
 {
     for (int y = 0; y < cell.size.y; ++y)
         for (int x = 0; x < cell.size.x; ++x) {
@@ -101,7 +100,7 @@ void copyFrame(const SpriteFrame& frame, const Image& color, const SpriteCell& c
             if (!isSeen(frame.color, fromX, fromY)) continue;
             for (int k = 0; k < 3; ++k) {
                 sheet.color.at(toX, toY, k) = color.at(fromX, fromY, k);
-                sheet.normal.at(toX, toY, k) = 0.5F + 0.5F * frame.normal.at(fromX, fromY, k);
+                sheet.normal.at(toX, toY, k) = 0.5F + 0.5F * signs[k] * frame.normal.at(fromX, fromY, k);
             }
             sheet.color.at(toX, toY, 3) = frame.color.at(fromX, fromY, 3);
             sheet.normal.at(toX, toY, 3) = 1;
@@ -118,51 +117,6 @@ glm::ivec2 pivotOf(const SpriteFrame& frame, SpritePivot pivot)
     case SpritePivot::origin: break;
     }
     return glm::ivec2(glm::floor(frame.pivot + 0.5));
-}
-
-Json box(glm::ivec2 at, glm::ivec2 size)
-{
-    return {{"x", at.x}, {"y", at.y}, {"w", size.x}, {"h", size.y}};
-}
-
-std::string describe(const std::vector<SpriteFrame>& frames, const SpriteSheet& sheet,
-                     const SpriteSheetOptions& options)
-{
-    Json list = Json::array(), tags = Json::array(), keys = Json::array();
-    const glm::ivec2 whole(frames.front().color.width, frames.front().color.height);
-    // Tags begin with the name of the file, so that sheets with different names have different tags.
-    const std::string stem = std::filesystem::path(options.imageName).stem().string();
-    const std::string tagStem = stem.empty() ? std::string() : stem + ' ';
-    const int milliseconds = std::max(1, static_cast<int>(std::floor(1000 * options.frameSeconds + 0.5)));
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-        const SpriteCell& cell = sheet.cells[i];
-        list.push_back({{"filename", std::to_string(i)},
-                        {"frame", box(cell.place, cell.size)},
-                        {"rotated", false},
-                        {"trimmed", cell.size != whole},
-                        {"spriteSourceSize", box(cell.cutOff, cell.size)},
-                        {"sourceSize", {{"w", whole.x}, {"h", whole.y}}},
-                        {"duration", milliseconds}});
-        const glm::ivec2 pivot = sheet.pivots[i];
-        keys.push_back({{"frame", i}, {"bounds", box({0, 0}, whole)}, {"pivot", {{"x", pivot.x}, {"y", pivot.y}}}});
-        if (i == 0 || frames[i].direction != frames[i - 1].direction)
-            tags.push_back({{"name", tagStem + "direction " + std::to_string(frames[i].direction)},
-                            {"from", i},
-                            {"to", i},
-                            {"direction", "forward"},
-                            {"color", "#000000ff"}});
-        tags.back()["to"] = i;
-    }
-    Json meta = {{"app", "https://www.aseprite.org/docs/cli/#data (written by Vitrine)"},
-                 {"version", render::programVersion()},
-                 {"image", options.imageName},
-                 {"format", "RGBA8888"},
-                 {"size", {{"w", sheet.color.width}, {"h", sheet.color.height}}},
-                 {"scale", "1"},
-                 {"frameTags", std::move(tags)},
-                 {"layers", Json::array()},
-                 {"slices", Json::array({{{"name", "pivot"}, {"color", "#0000ffff"}, {"keys", std::move(keys)}}})}};
-    return render::writeJson({{"frames", std::move(list)}, {"meta", std::move(meta)}});
 }
 
 }  // namespace
@@ -189,9 +143,11 @@ SpriteSheet spriteSheet(const std::vector<SpriteFrame>& frames, const SpriteShee
     sheet.depth = Image(size.x, size.y, 1);
     sheet.palette = paletteOf(frames, options);
     SpriteColors colors(sheet.palette, options.dither);
+    const glm::vec3 signs(1, options.normalY == SpriteNormalY::down ? -1 : 1, 1);
     for (std::size_t i = 0; i < frames.size(); ++i)
-        copyFrame(frames[i], colors.of(frames[i].color), sheet.cells[i], sheet);
+        copyFrame(frames[i], colors.of(frames[i].color), sheet.cells[i], signs, sheet);
     sheet.description = describe(frames, sheet, options);
+    sheet.godot = godotResource(frames, sheet, options);
     if (const int most = mostSeen(frames); most < fewestPixels)
         sheet.warnings.push_back("The object covers at most " + std::to_string(most) +
                                  " pixels of a frame: it moves far in its animation, or a frame is small. Take its "

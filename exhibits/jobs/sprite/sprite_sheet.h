@@ -16,6 +16,7 @@ using Rgb8 = glm::u8vec3;
 /// One drawn picture of a sprite.
 struct SpriteFrame {
     int direction = 0;
+    double azimuth = 0;    ///< Of the camera around the object, radians; 0: it looks at the object's front, +Z.
     render::Image color;   ///< Linear light; a: opacity, 0 where nothing is.
     render::Image normal;  ///< View space; a: 0 or 1.
     render::Image depth;   ///< One channel, 1 near to 0 far over the object's own depth; 0 where nothing is.
@@ -37,7 +38,11 @@ struct SpriteSheetOptions {
     SpritePivot pivot = SpritePivot::origin;
     bool trimmed = false;  ///< Without the empty rows and columns around each frame.
     double frameSeconds = 1.0 / 12;
-    std::string imageName;  ///< Of the sheet, as the description names it.
+    std::string imageName;                  ///< Of the sheet, as the description names it.
+    std::string normalName{}, depthName{};  ///< Of the maps; empty: there is none.
+    SpriteDirectionNames directionNames = SpriteDirectionNames::numbers;
+    SpriteNormalY normalY = SpriteNormalY::up;
+    SpriteJson json = SpriteJson::array;
 };
 
 /// Position of a frame in the sheet, and the margin that was cut off. In texels, from upper left corners.
@@ -48,18 +53,15 @@ struct SpriteCell {
 
 /// All frames in one picture, a row for each direction.
 struct SpriteSheet {
-    render::Image color;  ///< RGBA, linear; colors of the palette only where alpha is above 0, black elsewhere.
-    render::Image
-        normal;  ///< RGBA, stored as n / 2 + 1/2 so that a file's raw codes are the usual normal map; alpha as color.
-    render::Image depth;  ///< Gray, raw codes.
+    render::Image color;   ///< RGBA, linear; colors of the palette only where alpha is above 0, black elsewhere.
+    render::Image normal;  ///< RGBA, n / 2 + 1/2 as raw codes, y as `SpriteSheetOptions::normalY` says; alpha as color.
+    render::Image depth;   ///< Gray, raw codes.
     std::vector<SpriteCell> cells;
     std::vector<glm::ivec2> pivots;  ///< Of each frame, as the description has them.
     double frameSeconds = 0;         ///< Likewise.
     std::vector<Rgb8> palette;
-    /// Description of the sheet as Aseprite's JSON ("array" form, `--filename-format {frame}`, with frame tags, and the
-    /// pivot as a slice). Phaser and the importers of Godot and Unity read it. Phaser's `createFromAseprite` finds
-    /// frames by their numbers, and stores the animations of all sheets by the names of their tags.
-    std::string description;
+    std::string description;    ///< As `describe` returns it (sprite_description.h).
+    std::string godot;          ///< As `godotResource` returns it.
     std::string settings = {};  ///< The preset that the picture carries: the look that it was drawn in; empty: none.
     std::vector<std::string> warnings;  ///< What will disappoint, sentences.
 };

@@ -308,6 +308,7 @@ void SpriteShots::step(render::RenderBackend& backend)
     plan.prune(outputs);
     backend.draw(plan);
     frames_.push_back(frameOf(backend, block, shot, scene_->origins[static_cast<std::size_t>(i)], d));
+    frames_.back().azimuth = azimuth;
     if (finished() &&
         std::none_of(frames_.begin(), frames_.end(), [](const SpriteFrame& f) { return seenPixels(f) > 0; }))
         throw Failure(Blame::file, "Nothing of " + subject_->name() +

@@ -1,16 +1,22 @@
 #pragma once
 
 #include "exhibits/framework/table/parameters.h"
+#include "exhibits/jobs/sprite/palette_file.h"
 
 #include <string>
 
 namespace vitrine {
 
-/// Palette of the sheet. The further choices are the palettes of the exhibit Pixel Art, by name.
-enum class SpritePalette : int { own };
+/// Palette of the sheet. The choices between these are the palettes of the exhibit Pixel Art, by name.
+enum class SpritePalette : int { own, file = 10 };
+enum class SpritePaletteFile : int { none, gpl, hex, pal };
 enum class SpriteDither : int { none, ordered, errorDiffusion, blueNoise };
 enum class SpritePivot : int { origin, center, bottom };
 enum class SpriteMotion : int { automatic, kept, inPlace };
+enum class SpriteDirectionNames : int { numbers, compass };
+enum class SpriteNormalY : int { up, down };
+enum class SpriteJson : int { array, hash };
+enum class SpriteAnimation : int { none, gif, apng };
 
 /// Parameters of a sprite sheet.
 struct SpriteTable final : Parameters {
@@ -46,8 +52,13 @@ struct SpriteTable final : Parameters {
     Group colorGroup = group("Colors");
     Choice<SpritePalette> palette =
         choice("palette", SpritePalette::own,
-               {"own", "isle", "Game Boy", "NES", "C64", "EGA", "ZX Spectrum", "MSX", "PICO-8", "one bit"},
-               "Palette of all frames: their own, made of their colors, or a shipped one.");
+               {"own", "isle", "Game Boy", "NES", "C64", "EGA", "ZX Spectrum", "MSX", "PICO-8", "one bit", "file"},
+               "Palette of all frames: made of their own colors, a shipped one, or that of a file.");
+    File paletteFile = file(
+        "paletteFile",
+        "Path of a palette: of GIMP (.gpl), Lospec (.hex) or Paint Shop Pro (.pal, JASC), or a picture, of which all "
+        "colors are taken, or 256 main ones.",
+        endings(paletteEndings()), when(palette, SpritePalette::file), implies(palette, SpritePalette::file));
     Count colors = count("colors", 32, Range{1, 256}.soft(2, 64), "Number of colors of the frames' own palette.",
                          when(palette, SpritePalette::own));
     Choice<SpriteDither> dither =
@@ -60,11 +71,40 @@ struct SpriteTable final : Parameters {
     Choice<SpritePivot> pivot = choice("pivot", SpritePivot::origin, {"origin", "center", "bottom"},
                                        "Pivot of the frames in the description file: the object's origin, the middle "
                                        "of the frame, or the middle of its lower edge.");
+    Choice<SpriteDirectionNames> directionNames =
+        choice("directionNames", SpriteDirectionNames::numbers, {"numbers", "compass"},
+               "Names of the directions in tags and animations: numbers from 0, or the compass point that the front of "
+               "the object (+Z in glTF) faces on the picture: S faces the viewer, E right. The nearest of 8 points, or "
+               "of 16 for more than 8 directions.");
     Toggle normals = toggle("normals", true,
                             "Write a second sheet with normals in view space, aligned with the first to the pixel.");
+    Choice<SpriteNormalY> normalY =
+        choice("normalY", SpriteNormalY::up, {"up", "down"},
+               "Direction of +Y in the normal map: up, as OpenGL, Godot and Unity expect it, or down, as DirectX and "
+               "Unreal do. The description file says which.",
+               when(normals), called("+Y of the normals"));
     Toggle depth = toggle("depth", true, "Write a third sheet with depth: near is white.");
+
+    Group engineGroup = group("Files for engines");
     Toggle description = toggle(
         "description", true, "Write a description file with the place of every frame, as JSON in Aseprite's format.");
+    Choice<SpriteJson> form =
+        choice("form", SpriteJson::array, {"array", "hash"},
+               "Form of the description file: an array of frames by number, for Phaser's createFromAseprite, or a hash "
+               "of frames by name, with animations and anchors for Pixi.",
+               when(description), called("Form of the description"));
+    Toggle godot = toggle("godot", false,
+                          "Write a resource of Godot 4 (.tres): SpriteFrames with an animation for each direction, lit "
+                          "by the normal map.");
+    Choice<SpritePaletteFile> savedPalette = choice(
+        "savedPalette", SpritePaletteFile::none, {"none", "gpl", "hex", "pal"},
+        "File of the palette to write beside the sheet: none, of GIMP (.gpl), of Lospec (.hex), or of Paint Shop "
+        "Pro (.pal, JASC).");
+    Choice<SpriteAnimation> animated = choice(
+        "animated", SpriteAnimation::none, {"none", "gif", "apng"},
+        "Animated picture of all directions to write beside the sheet, enlarged to at least 256 pixels. A GIF has "
+        "a gray background, an APNG is transparent.",
+        called("Animated picture"));
 };
 
 [[nodiscard]] const SpriteTable& spriteTable();

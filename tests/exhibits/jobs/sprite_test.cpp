@@ -1,5 +1,8 @@
 // Palettes, and sprite sheets as other readers of their description find them.
 
+#include "exhibits/jobs/sprite/palette_file.h"
+#include "exhibits/jobs/sprite/sprite_animation.h"
+#include "exhibits/jobs/sprite/sprite_description.h"
 #include "exhibits/jobs/sprite/sprite_files.h"
 #include "exhibits/jobs/sprite/sprite_sheet.h"
 #include "exhibits/pixel_art/palette.h"
@@ -13,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <set>
 #include <tuple>
@@ -21,6 +25,7 @@ namespace vitrine {
 namespace {
 
 using render::Image;
+using test::TemporaryFolder;
 
 constexpr PaletteName shipped[] = {PaletteName::isle, PaletteName::gameBoy, PaletteName::nes,
                                    PaletteName::c64,  PaletteName::ega,     PaletteName::spectrum,
@@ -188,6 +193,229 @@ TEST(SpriteSheet, HasTheFramesAndTagsThatPhaserAsksFor)
     EXPECT_TRUE(keys.contains("hero direction 0"));
 }
 
+/// Pixi 8.6.6, spritesheet/Spritesheet.js: textures are named by the keys of `frames`, animations are lists of these
+/// names, and `anchor` is the pivot over the size of the frame before trimming.
+TEST(SpriteSheet, HasTheFramesAnimationsAndAnchorsThatPixiAsksFor)
+{
+    SpriteSheetOptions options;
+    options.json = SpriteJson::hash;
+    options.imageName = "hero.png";
+    const std::vector<SpriteFrame> frames = disks(3, 4, {24, 20});
+    for (const bool trimmed : {false, true}) {
+        options.trimmed = trimmed;
+        const SpriteSheet sheet = spriteSheet(frames, options);
+        const auto json = nlohmann::json::parse(sheet.description);
+        ASSERT_TRUE(json["frames"].is_object());
+        EXPECT_EQ(json["frames"].size(), frames.size());
+        ASSERT_EQ(json["animations"].size(), 3U);
+        std::size_t i = 0;
+        for (const char* animation : {"hero direction 0", "hero direction 1", "hero direction 2"}) {
+            ASSERT_EQ(json["animations"][animation].size(), 4U);
+            for (const auto& name : json["animations"][animation]) {
+                const auto& entry = json["frames"][name.get<std::string>()];
+                EXPECT_EQ(entry["frame"]["x"], sheet.cells[i].place.x);
+                EXPECT_EQ(entry["frame"]["y"], sheet.cells[i].place.y);
+                EXPECT_DOUBLE_EQ(entry["anchor"]["x"].get<double>() * 24, 12);
+                EXPECT_DOUBLE_EQ(entry["anchor"]["y"].get<double>() * 20, 17);
+                ++i;
+            }
+        }
+        EXPECT_EQ(i, frames.size());
+    }
+}
+
+/// The object faces +Z. A camera at azimuth a stands at (sin a, cos a) in x and z, and its right is (cos a, -sin a).
+TEST(SpriteSheet, NamesDirectionsByTheCompassPointThatTheFrontFacesOnThePicture)
+{
+    const double degree = std::numbers::pi / 180;
+    const std::vector<std::pair<double, std::string>> known{{0, "S"}, {90, "W"}, {180, "N"}, {270, "E"}, {225, "NE"}};
+    for (const auto& [azimuth, name] : known) EXPECT_EQ(compassPoint(azimuth * degree, 8), name);
+    for (double azimuth = -360; azimuth < 720; azimuth += 45) {
+        const std::string_view name = compassPoint(azimuth * degree, 8);
+        const double right = -std::sin(azimuth * degree), down = std::cos(azimuth * degree);
+        EXPECT_EQ(name.find('E') != std::string_view::npos, right > 0.1) << azimuth;
+        EXPECT_EQ(name.find('W') != std::string_view::npos, right < -0.1) << azimuth;
+        EXPECT_EQ(name.find('S') != std::string_view::npos, down > 0.1) << azimuth;
+        EXPECT_EQ(name.find('N') != std::string_view::npos, down < -0.1) << azimuth;
+    }
+    for (int count = 1; count <= mostCompassDirections; ++count)
+        for (double first = -360; first <= 360; first += 11.25) {
+            std::set<std::string_view> names;
+            for (int d = 0; d < count; ++d) names.insert(compassPoint((first + 360.0 * d / count) * degree, count));
+            EXPECT_EQ(names.size(), static_cast<std::size_t>(count)) << count << " from " << first;
+        }
+}
+
+TEST(SpriteSheet, TagsHaveCompassNamesAndTheDescriptionNamesTheMaps)
+{
+    std::vector<SpriteFrame> frames = disks(4, 2, {24, 20});
+    for (SpriteFrame& frame : frames) frame.azimuth = frame.direction * std::numbers::pi / 2;
+    SpriteSheetOptions options;
+    options.imageName = "hero.png";
+    options.directionNames = SpriteDirectionNames::compass;
+    auto meta = nlohmann::json::parse(spriteSheet(frames, options).description)["meta"];
+    EXPECT_EQ(meta["frameTags"][0]["name"], "hero S");
+    EXPECT_EQ(meta["frameTags"][3]["name"], "hero E");
+    EXPECT_FALSE(meta.contains("normalMap"));
+    EXPECT_FALSE(meta.contains("depthMap"));
+    ParameterValues values = spriteTable().initial();
+    options = sheetOptions(values, SpriteSubject(), {}, "hero.png");
+    meta = nlohmann::json::parse(spriteSheet(frames, options).description)["meta"];
+    EXPECT_EQ(meta["normalMap"], "hero_normal.png");
+    EXPECT_EQ(meta["normalY"], "up");
+    EXPECT_EQ(meta["depthMap"], "hero_depth.png");
+    values.set(spriteTable().normalY, SpriteNormalY::down);
+    options = sheetOptions(values, SpriteSubject(), {}, "hero.png");
+    EXPECT_EQ(nlohmann::json::parse(spriteSheet(frames, options).description)["meta"]["normalY"], "down");
+}
+
+TEST(SpriteSheet, TurnsOnlyTheYOfNormalsThatPointDown)
+{
+    std::vector<SpriteFrame> frames = disks(1, 1, {24, 20});
+    frames.front().normal.at(6, 8, 1) = 0.75F;
+    SpriteSheetOptions options;
+    const SpriteSheet up = spriteSheet(frames, options);
+    options.normalY = SpriteNormalY::down;
+    const SpriteSheet down = spriteSheet(frames, options);
+    EXPECT_EQ(up.normal.at(6, 8, 1), 0.875F);
+    EXPECT_EQ(down.normal.at(6, 8, 1), 0.125F);
+    for (int y = 0; y < 20; ++y)
+        for (int x = 0; x < 24; ++x)
+            for (int k = 0; k < 4; ++k)
+                EXPECT_FLOAT_EQ(down.normal.at(x, y, k),
+                                k == 1 && up.color.at(x, y, 3) > 0 ? 1 - up.normal.at(x, y, k) : up.normal.at(x, y, k));
+}
+
+/// Number of times that a text occurs in another one.
+int times(const std::string& text, const std::string& part)
+{
+    int count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+    return count;
+}
+
+/// Godot 4.3, scene/resources: the properties of SpriteFrames, CanvasTexture and AtlasTexture. An AtlasTexture is as
+/// large as its region and its margin's size together, and draws the region at the margin's position.
+TEST(SpriteSheet, HasTheResourcesThatGodotAsksFor)
+{
+    SpriteSheetOptions options;
+    options.imageName = "a \"hero\".png";
+    options.normalName = "hero_normal.png";
+    options.frameSeconds = 0.125;
+    options.trimmed = true;
+    const std::vector<SpriteFrame> frames = disks(2, 3, {24, 20});
+    const SpriteSheet sheet = spriteSheet(frames, options);
+    EXPECT_EQ(sheet.godot.rfind("[gd_resource type=\"SpriteFrames\" format=3]\n", 0), 0U);
+    EXPECT_EQ(times(sheet.godot, "path=\"a \\\"hero\\\".png\""), 1);
+    EXPECT_EQ(times(sheet.godot, "normal_texture = ExtResource(\"2\")"), 1);
+    EXPECT_EQ(times(sheet.godot, "[sub_resource type=\"AtlasTexture\""), 6);
+    EXPECT_EQ(times(sheet.godot, "\"name\": &\"direction "), 2);
+    EXPECT_EQ(times(sheet.godot, "\"speed\": 8"), 2);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        const SpriteCell& cell = sheet.cells[i];
+        const auto rect = [](const char* name, glm::ivec2 at, glm::ivec2 size) {
+            return std::string(name) + " = Rect2(" + std::to_string(at.x) + ", " + std::to_string(at.y) + ", " +
+                   std::to_string(size.x) + ", " + std::to_string(size.y) + ")\n";
+        };
+        const std::string id = "id=\"frame_" + std::to_string(i) + "\"]\natlas = SubResource(\"sheet\")\n";
+        EXPECT_EQ(times(sheet.godot, id + rect("region", cell.place, cell.size) +
+                                         rect("margin", cell.cutOff, glm::ivec2(24, 20) - cell.size)),
+                  1)
+            << i;
+        EXPECT_EQ(times(sheet.godot, "\"texture\": SubResource(\"frame_" + std::to_string(i) + "\")"), 1);
+    }
+    options.normalName.clear();
+    EXPECT_EQ(times(spriteSheet(frames, options).godot, "normal_texture"), 0);
+}
+
+TEST(SpriteSheet, ShowsEachWholeFrameInTheAnimatedPicture)
+{
+    ParameterValues values = spriteTable().initial();
+    values.set(spriteTable().width, 24);
+    values.set(spriteTable().height, 20);
+    const std::vector<SpriteFrame> frames = disks(2, 3, {24, 20});
+    for (const SpriteAnimation kind : {SpriteAnimation::gif, SpriteAnimation::apng}) {
+        values.set(spriteTable().animated, kind);
+        const render::VideoSpec spec = animationSpec(values, 3, 1.0 / 12);
+        EXPECT_EQ(spec.width, 24 * 11);
+        EXPECT_EQ(spec.height, 20 * 11);
+        EXPECT_NEAR(spec.framesPerSecond, 12, 1e-9);
+        EXPECT_EQ(render::whyNoVideo(spec), "");
+        SpriteSheetOptions options;
+        const SpriteSheet whole = spriteSheet(frames, options);
+        options.trimmed = true;
+        const SpriteSheet cut = spriteSheet(frames, options);
+        for (std::size_t i = 0; i < frames.size(); ++i) {
+            const Image picture = animationFrame(cut, i, {24, 20}, spec);
+            EXPECT_EQ(picture.pixels, animationFrame(whole, i, {24, 20}, spec).pixels);
+            const float corner = kind == SpriteAnimation::gif ? 1 : 0;
+            EXPECT_EQ(picture.at(0, 0, 3), corner);
+            const glm::ivec2 at = whole.cells[i].place + glm::ivec2(8, 8);
+            for (int k = 0; k < 4; ++k) EXPECT_EQ(picture.at(8 * 11 + 5, 8 * 11 + 5, k), whole.color.at(at.x, at.y, k));
+        }
+    }
+    EXPECT_EQ(animationSpec(values, 1, 1.0 / 12).framesPerSecond, 4) << "directions of one frame turn slowly";
+}
+
+TEST(PaletteFiles, AreReadAsTheirProgramsWriteThem)
+{
+    const TemporaryFolder folder;
+    const std::vector<Rgb8> wanted{{255, 128, 0}, {0, 1, 2}, {16, 32, 255}};
+    // GIMP 2.10; Aseprite 1.3 adds "Channels: RGBA" and a fourth number.
+    test::writeBytes(folder / "a.gpl", "GIMP Palette\nName: A\nColumns: 3\n#\n255 128   0\tOrange\n  0   1   2\n"
+                                       " 16  32 255\tUntitled\n");
+    test::writeBytes(folder / "b.gpl", "GIMP Palette\r\nChannels: RGBA\r\n#\r\n255 128 0 255 a\r\n0 1 2 255 b\r\n"
+                                       "16 32 255 255 c\r\n");
+    test::writeBytes(folder / "c.hex", "ff8000\r\n000102\n#1020FF");
+    test::writeBytes(folder / "d.pal", "JASC-PAL\r\n0100\r\n3\r\n255 128 0\r\n0 1 2\r\n16 32 255\r\n");
+    Image picture(5, 1, 4);
+    for (int x = 0; x < 5; ++x) {
+        const glm::vec3 c = linearOf(wanted[static_cast<std::size_t>(std::max(x - 1, 0) % 3)]);
+        for (int k = 0; k < 3; ++k) picture.at(x, 0, k) = c[k];
+        picture.at(x, 0, 3) = 1;
+    }
+    for (int k = 0; k < 4; ++k) picture.at(0, 0, k) = k == 3 ? 0 : 0.3F;
+    render::writePicture(folder / "e.png", picture, render::PictureFormat::png8);
+    for (const char* name : {"a.gpl", "b.gpl", "c.hex", "d.pal", "e.png"})
+        EXPECT_EQ(readPalette(folder / name), wanted) << name;
+}
+
+TEST(PaletteFiles, ReadBackWhatWasWritten)
+{
+    const TemporaryFolder folder;
+    const std::pair<PaletteFormat, const char*> formats[] = {
+        {PaletteFormat::gpl, "a.gpl"}, {PaletteFormat::hex, "a.hex"}, {PaletteFormat::pal, "a.pal"}};
+    for (const auto& [format, name] : formats) {
+        for (const PaletteName shippedName : shipped) {
+            const auto colors = shippedPalette(shippedName);
+            test::writeBytes(folder / name, paletteText(format, {colors.begin(), colors.end()}, "A"));
+            EXPECT_EQ(readPalette(folder / name), std::vector(colors.begin(), colors.end())) << name;
+        }
+    }
+}
+
+TEST(PaletteFiles, SayWhichLineIsWrong)
+{
+    const TemporaryFolder folder;
+    const auto refused = [&](const std::string& name, const std::string& text, const std::string& part) {
+        test::writeBytes(folder / name, text);
+        EXPECT_FAILURE(static_cast<void>(readPalette(folder / name)), part);
+    };
+    refused("a.gpl", "Palette\n1 2 3\n", "line 1 is not \"GIMP Palette\"");
+    refused("a.gpl", "GIMP Palette\n1 2 3\n1 2 256\n", "line 3 is not three numbers from 0 to 255");
+    refused("a.gpl", "GIMP Palette\n", "has 0 colors");
+    refused("a.hex", "ff8000\nff80\n", "line 2 is not a color of six hexadecimal digits");
+    refused("a.hex", "ff8000ff\n", "line 1");
+    refused("a.hex", "gg8000\n", "line 1");
+    refused("a.pal", "RIFF", "line 1 is not \"JASC-PAL\"");
+    refused("a.pal", "JASC-PAL\n0100\nmany\n", "line 3 is not the number of colors");
+    refused("a.pal", "JASC-PAL\n0100\n3\n1 2 3\n", "fewer colors follow");
+    std::string many;
+    for (int i = 0; i < 257; ++i) many += "00000" + std::to_string(i % 10) + '\n';
+    refused("a.hex", many, "has 257 colors");
+    EXPECT_FAILURE(static_cast<void>(readPalette(folder / "none.hex")), "none.hex");
+}
+
 TEST(SpriteSheet, KeepsOpacitiesAndSaysWhereHardlyAnythingIsSeen)
 {
     std::vector<SpriteFrame> frames = disks(1, 1, {24, 20});
@@ -280,7 +508,7 @@ TEST(SpriteSheet, LeavesAllOldFilesWhereALaterOneCannotBeWritten)
 {
     const SpriteSheet sheet = spriteSheet(disks(2, 2, {24, 20}), {});
     {
-        const test::TemporaryFolder folder;
+        const TemporaryFolder folder;
         test::writeBytes(folder / "hero.png", "an older sheet");
         std::filesystem::create_directory(folder / "hero_depth.png");
         EXPECT_FAILURE(writeSheet(sheet, folder / "hero.png"), "it is a folder");
@@ -289,7 +517,7 @@ TEST(SpriteSheet, LeavesAllOldFilesWhereALaterOneCannotBeWritten)
     }
     const std::vector<std::string> all{"hero.json", "hero.png", "hero_depth.png", "hero_normal.png"};
     for (int failing = 0; failing < 5; ++failing) {
-        const test::TemporaryFolder folder;
+        const TemporaryFolder folder;
         test::writeBytes(folder / "hero.png", "an older sheet");
         test::writeBytes(folder / "hero.json", "its description");
         NoSuchRename ops(failing);
