@@ -1,3 +1,4 @@
+#include "app/compare/compared_files.h"
 #include "app/kit/command.h"
 
 #include "app/kit/number_option.h"
@@ -34,19 +35,12 @@ std::string numberText(double x)
     return std::isfinite(x) ? render::shortestNumber(x) : "infinite";
 }
 
-/// Reads a picture with all its channels. Warnings about ignored parts of the file are printed to standard error.
-render::Image pictureOf(const std::string& file, Metric metric)
+/// Throws Failure if the metric needs color and the picture has none.
+void requireColor(const std::string& file, const render::Image& image, Metric metric)
 {
-    std::vector<std::string> warnings;
-    render::Image image = render::readImage(file, {}, &warnings);
-    for (const std::string& warning : warnings)
-        std::fprintf(stderr, "vitrine: %s: %s\n", file.c_str(), warning.c_str());
-    const bool needsColor = render::metricInfo(metric).ofColor;
-    if (needsColor && !image.channelNames.empty()) {
-        if (const std::string why = render::colorChannels(image.channelNames).problem; !why.empty())
-            throw Failure(Blame::file, "Cannot compare " + file + ": " + why + ".");
-    }
-    return image;
+    if (!render::metricInfo(metric).ofColor || image.channelNames.empty()) return;
+    if (const std::string why = render::colorChannels(image.channelNames).problem; !why.empty())
+        throw Failure(Blame::file, "Cannot compare " + file + ": " + why + ".");
 }
 
 int compare(const CompareOptions& options)
@@ -54,13 +48,11 @@ int compare(const CompareOptions& options)
     const Metric metric = render::metricNamed(options.metric).value();
     const std::optional<render::PictureFormat> format =
         options.heatMap.empty() ? std::nullopt : std::optional(pictureFormat("--heatmap", options.heatMap, false));
-    const render::Image a = pictureOf(options.reference, metric);
-    const render::Image b = pictureOf(options.test, metric);
-    if (a.width != b.width || a.height != b.height)
-        throw Failure(Blame::usage, options.reference + " is " + std::to_string(a.width) + " × " +
-                                        std::to_string(a.height) + " pixels and " + options.test + " " +
-                                        std::to_string(b.width) + " × " + std::to_string(b.height) +
-                                        "; give two pictures of one size.");
+    std::vector<std::string> warnings;
+    const auto [a, b] = comparedFiles(options.reference, options.test, warnings);
+    for (const std::string& warning : warnings) say(warning);
+    requireColor(options.reference, a, metric);
+    requireColor(options.test, b, metric);
     const std::optional<double> value = render::distance(metric, a, b, options.pixelsPerDegree);
     if (!value)
         throw Failure(Blame::usage, "--metric " + options.metric +
@@ -96,9 +88,7 @@ void addCompareCommand(CLI::App& parser, Action& chosen)
                         "Output file for a picture of the differences: " + render::writtenExtensions());
     addNumber(*command, "--max", options->limit, {},
               "Largest distance allowed (for psnr: the smallest); beyond it, the exit code is 1");
-    addNumber(*command, "--pixels-per-degree", options->pixelsPerDegree, {1, 1000},
-              "Pixels per degree of the viewer's field of view, for the metric flip")
-        ->capture_default_str();
+    addPixelsPerDegree(*command, options->pixelsPerDegree)->capture_default_str();
     command->callback([&chosen, options] { chosen = [options] { return compare(*options); }; });
 }
 

@@ -52,7 +52,8 @@ int renderPicture(const RenderOptions& options)
         options.picture.out, maker.picture(), format,
         {.preset = pictureSettings(museum, job.subject, job.sceneState, job.request, "Picture")}));
     if (!options.report.empty())
-        files.push_back(render::stagedFile(options.report, reportText(museum, renderer, context.info(), job, maker)));
+        files.push_back(render::stagedFile(
+            options.report, render::writeJson(pictureReport(museum, renderer, context.info(), job, maker.report()))));
     render::publishAll(files);
     return 0;
 }

@@ -1,7 +1,6 @@
 #include "app/kit/report.h"
 
 #include "app/kit/passes_json.h"
-#include "render/files/strict_json.h"
 #include "render/measure/memory.h"
 #include "render/plan/step_costs.h"
 #include "render/version.h"
@@ -34,16 +33,88 @@ std::int64_t total(const render::Image& counts)
     return std::llround(sum);
 }
 
-/// Returns the times of several frames in milliseconds, sorted.
-std::vector<double> timesOf(const Museum& museum, render::gl::Renderer& renderer, const Prepared& prepared,
-                            const FrameRequest& frame)
-{
-    std::vector<double> milliseconds;
-    for (int run = 0; run < timedRuns; ++run)
-        milliseconds.push_back(renderer.draw(museum.plan(prepared, frame, renderer.persistentState())).milliseconds);
-    std::sort(milliseconds.begin(), milliseconds.end());
-    return milliseconds;
-}
+/// Draws the frames that a report needs besides the picture.
+class ReportFrames {
+public:
+    ReportFrames(const Museum& museum, render::gl::Renderer& renderer, const SceneState& sceneState,
+                 const FrameRequest& frame, const std::function<void()>& between)
+        : museum_(museum), renderer_(renderer), sceneState_(sceneState), frame_(frame), between_(between),
+          prepared_(museum.prepare(sceneState, frame))
+    {
+    }
+
+    /// Returns the times of several frames in milliseconds, sorted.
+    [[nodiscard]] std::vector<double> times() const
+    {
+        std::vector<double> milliseconds;
+        for (int run = 0; run < timedRuns; ++run) milliseconds.push_back(draw(cachedPlan(frame_)).milliseconds);
+        std::sort(milliseconds.begin(), milliseconds.end());
+        return milliseconds;
+    }
+
+    /// Returns the milliseconds of each pass.
+    [[nodiscard]] std::map<std::string, double> stepTimes() const
+    {
+        std::map<std::string, double> milliseconds;
+        for (const render::StepReport& step : timed(cachedPlan(frame_)).ran)
+            milliseconds[step.name] = step.milliseconds;
+        return milliseconds;
+    }
+
+    /// Returns the costs of all passes, including those that the frame skips.
+    [[nodiscard]] render::StepCosts allCosts() const
+    {
+        FrameRequest everything = frame_;
+        everything.runEverything = true;
+        const Prepared prepared = museum_.prepare(sceneState_, everything);
+        (void)draw(museum_.plan(prepared, everything));  // Builds programs.
+        render::StepCosts costs;
+        costs.note(timed(museum_.plan(prepared, everything)));
+        return costs;
+    }
+
+    /// Returns the number of evaluations of distance functions.
+    [[nodiscard]] std::int64_t evaluations() const
+    {
+        FrameRequest counting = frame_;
+        counting.channels.evaluations = true;
+        (void)draw(cachedPlan(counting));
+        return total(renderer_.read(evaluationsImage));
+    }
+
+private:
+    /// Switches the clock of the passes on, until it is destroyed.
+    struct StepClock {
+        explicit StepClock(render::gl::Renderer& of) : renderer(of) { renderer.timeSteps(true); }
+        ~StepClock() { renderer.timeSteps(false); }
+        StepClock(const StepClock&) = delete;
+        StepClock& operator=(const StepClock&) = delete;
+        render::gl::Renderer& renderer;
+    };
+
+    /// Returns the plan of a frame that uses what earlier ones left.
+    [[nodiscard]] render::FramePlan cachedPlan(const FrameRequest& frame) const
+    {
+        return museum_.plan(prepared_, frame, renderer_.persistentState());
+    }
+    render::FrameReport draw(const render::FramePlan& plan) const
+    {
+        between_();
+        return renderer_.draw(plan);
+    }
+    render::FrameReport timed(const render::FramePlan& plan) const
+    {
+        const StepClock clock(renderer_);
+        return draw(plan);
+    }
+
+    const Museum& museum_;
+    render::gl::Renderer& renderer_;
+    const SceneState& sceneState_;
+    const FrameRequest& frame_;
+    const std::function<void()>& between_;
+    Prepared prepared_;
+};
 
 Json memoryJson(const render::gl::Renderer& renderer)
 {
@@ -56,30 +127,15 @@ Json memoryJson(const render::gl::Renderer& renderer)
 
 }  // namespace
 
-std::string reportText(const Museum& museum, render::gl::Renderer& renderer, const render::gl::ContextInfo& gl,
-                       const RequestedPicture& job, const PictureMaker& maker)
+Json pictureReport(const Museum& museum, render::gl::Renderer& renderer, const render::gl::ContextInfo& gl,
+                   const RequestedPicture& job, const render::FrameReport& first, const std::function<void()>& between)
 {
     const FrameRequest frame = frameOf(job, renderer);
-    const Prepared prepared = museum.prepare(job.sceneState, frame);
-    const std::vector<double> milliseconds = timesOf(museum, renderer, prepared, frame);
+    const ReportFrames frames(museum, renderer, job.sceneState, frame, between);
+    const std::vector<double> milliseconds = frames.times();
+    const std::map<std::string, double> stepMilliseconds = frames.stepTimes();
+    const render::StepCosts wouldCost = frames.allCosts();
 
-    renderer.timeSteps(true);
-    std::map<std::string, double> stepMilliseconds;
-    for (const render::StepReport& step : renderer.draw(museum.plan(prepared, frame, renderer.persistentState())).ran)
-        stepMilliseconds[step.name] = step.milliseconds;
-    renderer.timeSteps(false);
-
-    // Runs the skipped passes, too: first to build programs and cached data, then to measure.
-    FrameRequest everything = frame;
-    everything.runEverything = true;
-    const Prepared preparedAll = museum.prepare(job.sceneState, everything);
-    (void)renderer.draw(museum.plan(preparedAll, everything));
-    renderer.timeSteps(true);
-    render::StepCosts wouldCost;
-    wouldCost.note(renderer.draw(museum.plan(preparedAll, everything)));
-    renderer.timeSteps(false);
-
-    const render::FrameReport& first = maker.report();
     std::vector<render::StepReport> ran = first.ran;
     for (render::StepReport& step : ran) {
         const auto timed = stepMilliseconds.find(step.name);
@@ -90,15 +146,11 @@ std::string reportText(const Museum& museum, render::gl::Renderer& renderer, con
         const double known = wouldCost.of(first.skipped[i].name);
         skipped[i]["wouldCostMs"] = known < 0 ? Json(nullptr) : Json(known);
     }
-
     Json counters = Json::object();
     for (const auto& [name, count] : first.counters) counters[name] = count;
-    FrameRequest counting = frame;
-    counting.channels.evaluations = true;
-    (void)renderer.draw(museum.plan(prepared, counting, renderer.persistentState()));
-    counters["evaluations"] = total(renderer.read(evaluationsImage));
+    counters["evaluations"] = frames.evaluations();
 
-    const Json report{
+    return {
         {"app", render::programVersion()},
         {"exhibit", std::string(museum.subject(job.subject).name())},
         {"size", Json::array({frame.raster.size.x, frame.raster.size.y})},
@@ -113,7 +165,6 @@ std::string reportText(const Museum& museum, render::gl::Renderer& renderer, con
                     {"low", milliseconds.front()},
                     {"high", milliseconds.back()},
                     {"runs", timedRuns}}}};
-    return render::writeJson(report);
 }
 
 }  // namespace vitrine::app

@@ -68,10 +68,10 @@ void Connection::hangUp()
 {
     hungUp_ = true;
     unsent_.clear();
-    sent_ = 0;
+    sent_ = unsentBytes_ = 0;
 }
 
-void Connection::send(std::string line)
+void Connection::send(std::string message)
 {
     if (hungUp_ || dropped()) return;
     flush();
@@ -79,19 +79,16 @@ void Connection::send(std::string line)
         drop(errorLine(nullptr, RpcCode::dropped, unreadReason));
         return;
     }
-    unsent_.erase(0, sent_);
-    sent_ = 0;
-    if (unsent_.empty())
-        unsent_ = std::move(line);
-    else
-        unsent_ += line;
+    unsentBytes_ += message.size();
+    unsent_.push_back(std::move(message));
     flush();
 }
 
 void Connection::flush()
 {
     while (hasUnsent()) {
-        const ssize_t count = ::send(socket_.get(), unsent_.data() + sent_, unsent_.size() - sent_, MSG_NOSIGNAL);
+        const std::string& message = unsent_.front();
+        const ssize_t count = ::send(socket_.get(), message.data() + sent_, message.size() - sent_, MSG_NOSIGNAL);
         if (count < 0 && errno == EINTR) continue;
         if (count < 0 && errno == EAGAIN) return;
         if (count < 0) {
@@ -99,21 +96,20 @@ void Connection::flush()
             return;
         }
         sent_ += static_cast<std::size_t>(count);
-        withinLine_ = unsent_[sent_ - 1] != '\n';
+        unsentBytes_ -= static_cast<std::size_t>(count);
+        if (sent_ < message.size()) continue;
+        unsent_.pop_front();
+        sent_ = 0;
     }
-    unsent_.clear();
-    unsent_.shrink_to_fit();
-    sent_ = 0;
 }
 
 void Connection::drop(std::string lastLine)
 {
     if (dropped()) return;
-    // An unfinished line is finished first, so that the last line stands by itself.
-    const std::size_t end = withinLine_ ? unsent_.find('\n', sent_) : std::string::npos;
-    unsent_ = end == std::string::npos ? std::string() : unsent_.substr(sent_, end + 1 - sent_);
-    sent_ = 0;
-    unsent_ += lastLine;
+    // A message that was begun is finished first, so that the last line stands by itself.
+    unsent_.resize(sent_ > 0 ? 1 : 0);
+    unsentBytes_ = (sent_ > 0 ? unsent_.front().size() - sent_ : 0) + lastLine.size();
+    unsent_.push_back(std::move(lastLine));
     input_.clear();
     taken_ = searched_ = 0;
     droppedAt_ = std::chrono::steady_clock::now();

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <deque>
 #include <optional>
 #include <string>
 
@@ -16,8 +17,8 @@ struct ReceivedLine {
     std::string text;  ///< Text without the line's end; empty if it was too long.
 };
 
-/// Connection to one client: lines over a nonblocking socket. No function waits. Lines that are too long are skipped. A
-/// client that does not read its answers is dropped, with the reason as the last line.
+/// Connection to one client: lines over a nonblocking socket, and messages back. No function waits. Lines that are too
+/// long are skipped. A client that does not read its answers is dropped, with the reason as the last line.
 class Connection {
 public:
     /// Largest size of a received line.
@@ -36,20 +37,20 @@ public:
     /// The other end was closed. Data that it sent before can still be read.
     void hangUp();
 
-    /// Sends a line, which must end with a newline, now or as soon as the client reads. If more than `mostUnread` bytes
-    /// are unread, drops the connection instead.
-    void send(std::string line);
+    /// Sends a message, a line with its end and the bytes that belong to it, now or as soon as the client reads. If
+    /// more than `mostUnread` bytes are unread, drops the connection instead.
+    void send(std::string message);
     /// Sends waiting data, as much as the socket accepts.
     void flush();
-    /// Drops the connection: `lastLine` replaces the waiting data.
+    /// Drops the connection: `lastLine` replaces the waiting messages, except for one that was begun.
     void drop(std::string lastLine);
 
     [[nodiscard]] bool hungUp() const { return hungUp_; }
     /// Returns whether no more data will arrive.
     [[nodiscard]] bool inputEnded() const { return inputEnded_; }
-    [[nodiscard]] bool hasUnsent() const { return sent_ < unsent_.size(); }
+    [[nodiscard]] bool hasUnsent() const { return !unsent_.empty(); }
     /// Returns whether the client reads its answers, so that it may send more requests.
-    [[nodiscard]] bool keepsUp() const { return unsent_.size() - sent_ <= mostUnread; }
+    [[nodiscard]] bool keepsUp() const { return unsentBytes_ <= mostUnread; }
     [[nodiscard]] bool dropped() const { return droppedAt_.has_value(); }
     /// Returns whether the connection was dropped, and its last line was sent or will never be.
     [[nodiscard]] bool over() const;
@@ -61,9 +62,9 @@ private:
     std::size_t searched_ = 0;  ///< Position in `input_` before which no line ends.
     bool leavingOut_ = false;   ///< Skipping the rest of a line that is too long.
     bool inputEnded_ = false, hungUp_ = false;
-    std::string unsent_;
-    std::size_t sent_ = 0;     ///< Number of bytes of `unsent_` that were sent.
-    bool withinLine_ = false;  ///< The last line sent so far is not complete.
+    std::deque<std::string> unsent_;  ///< Messages.
+    std::size_t sent_ = 0;            ///< Number of bytes of the first message that were sent.
+    std::size_t unsentBytes_ = 0;     ///< Number of bytes of all messages that were not sent.
     std::optional<std::chrono::steady_clock::time_point> droppedAt_;
 };
 

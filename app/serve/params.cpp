@@ -91,11 +91,45 @@ void requireWhole(const CLI::App& options, const std::string& method)
     }
 }
 
+/// Returns the JSON types that `take` accepts for the option.
+Json typesOf(const CLI::Option& option)
+{
+    if (option.get_items_expected_max() == 0) return "boolean";
+    if (option.get_items_expected_max() > 1) return Json::array({"array", "object", "string", "number"});
+    return Json::array({"string", "number", "array"});
+}
+
+Json schemaOf(const CLI::App& options)
+{
+    Json properties = Json::object(), required = Json::array(), positional = Json::array();
+    for (const CLI::Option* option : options.get_options()) {
+        const std::string key = keyOf(*option);
+        Json property{{"description", withoutDashes(option->get_description())}, {"type", typesOf(*option)}};
+        if (option->get_items_expected_max() > 0) property["x-takes"] = option->get_type_name();
+        if (const std::string initial = option->get_default_str(); !initial.empty()) property["x-initial"] = initial;
+        properties[key] = std::move(property);
+        if (option->get_required()) required.push_back(key);
+        if (option->get_positional()) positional.push_back(key);
+    }
+    Json schema = objectSchema();
+    schema["properties"] = std::move(properties);
+    schema["required"] = std::move(required);
+    schema["x-positional"] = std::move(positional);  // Names that the command line takes without a dash, in order.
+    schema["additionalProperties"] = false;
+    return schema;
+}
+
 }  // namespace
+
+Json objectSchema()
+{
+    return {{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"type", "object"}};
+}
 
 void readParams(CLI::App& options, const std::string& method, const Json& params)
 {
     options.set_help_flag();
+    if (params.is_null()) throw ParamsSchema(schemaOf(options));
     for (const auto& [key, value] : params.items()) {
         const std::vector<CLI::Option*> all = options.get_options();
         const auto found =

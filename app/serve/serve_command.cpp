@@ -11,9 +11,14 @@
 
 #include <CLI/CLI.hpp>
 
+#include <unistd.h>
+
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <memory>
+#include <string>
+#include <thread>
 
 namespace vitrine::app {
 namespace {
@@ -22,21 +27,38 @@ std::string serveFooter()
 {
     return "JSON-RPC 2.0, one object a line, params by name; all connections share one look. Methods:\n" +
            Service::methodsText() +
-           "  events    notifications of progress and of changes by other connections; {off: true}: no more\n"
-           "  cancel    {id}: stops that request of this connection at its next step; without it, all of them\n"
            "Params that a command has too are its options, with underscores for dashes. SIGTERM ends the server.";
 }
 
-int serve(const std::string& path, double idleSeconds)
+/// Stops the server when standard input ends, as it does when the program that started it ends. Call after StopSignal
+/// was made.
+void stopAtInputEnd()
+{
+    std::thread([] {
+        char read = 0;
+        while (::read(STDIN_FILENO, &read, 1) > 0) {
+        }
+        (void)::kill(::getpid(), SIGTERM);
+    }).detach();
+}
+
+struct ServeOptions {
+    std::string path;
+    double idleSeconds = 60;
+    bool untilInputEnds = false;
+};
+
+int serve(const ServeOptions& chosen)
 {
     const StopSignal stop;
-    const Listener listener(path);
+    if (chosen.untilInputEnds) stopAtInputEnd();
+    const Listener listener(chosen.path);
     const render::gl::HeadlessContext context;
     const Museum museum{allExhibits()};
     render::gl::Renderer renderer;
     Service service(museum, renderer, context.info());
-    Server server(listener, service, std::chrono::duration<double>(idleSeconds));
-    std::printf("vitrine: serving at %s\n", path.c_str());
+    Server server(listener, service, std::chrono::duration<double>(chosen.idleSeconds));
+    std::printf("vitrine: serving at %s\n", chosen.path.c_str());
     std::fflush(stdout);
     server.run();
     return 0;
@@ -48,18 +70,19 @@ void addServeCommand(CLI::App& parser, Action& chosen)
 {
     CLI::App* command = parser.add_subcommand(
         "serve", "Answer tools and notebooks of the same user over a local socket, in JSON-RPC; no network");
-    auto path = std::make_shared<std::string>();
+    auto options = std::make_shared<ServeOptions>();
     command
-        ->add_option("--socket", *path,
+        ->add_option("--socket", options->path,
                      "Path of the socket to listen on. Only its owner can connect; it is removed when the service ends")
         ->required();
-    auto idle = std::make_shared<double>(60);
-    addNumber(*command, "--idle-seconds", *idle, {0, 1e9, Unit::second},
+    addNumber(*command, "--idle-seconds", options->idleSeconds, {0, 1e9, Unit::second},
               "Seconds without a request after which a connection is closed for a new one if the limit of connections "
               "is reached")
         ->capture_default_str();
     command->footer(serveFooter);
-    command->callback([&chosen, path, idle] { chosen = [path, idle] { return serve(*path, *idle); }; });
+    command->add_flag("--until-input-ends", options->untilInputEnds,
+                      "Stop when standard input ends, which is when the program that started this one ends");
+    command->callback([&chosen, options] { chosen = [options] { return serve(*options); }; });
 }
 
 }  // namespace vitrine::app

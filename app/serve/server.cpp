@@ -170,7 +170,7 @@ void Server::serve(Client& client)
     try {
         const Json result = service_.answer(request.method, request.params,
                                             [this](double part, const std::string& doing) { watch(part, doing); });
-        answer(client, request, answerLine(request.id, result));
+        answer(client, request, answerLine(request.id, result) + service_.takeBytes());
     } catch (const std::exception& error) {
         const auto* refused = dynamic_cast<const RpcFailure*>(&error);
         how = refused && refused->code() == RpcCode::canceled ? "canceled" : "failed";

@@ -1,8 +1,10 @@
 #include "app/serve/service.h"
 
+#include "app/compare/compared_files.h"
 #include "app/jobs/job_arguments.h"
 #include "app/jobs/run_job.h"
 #include "app/kit/apply_preset.h"
+#include "app/kit/number_option.h"
 #include "app/kit/passes_json.h"
 #include "app/kit/picture_options.h"
 #include "app/kit/report.h"
@@ -10,6 +12,7 @@
 #include "app/serve/base64.h"
 #include "app/serve/json_rpc.h"
 #include "app/serve/params.h"
+#include "app/serve/raw_picture.h"
 #include "app/serve/values_json.h"
 #include "exhibits/framework/files/preset_store.h"
 #include "exhibits/framework/table/preset_values.h"
@@ -18,10 +21,14 @@
 #include "render/failure.h"
 #include "render/files/assets.h"
 #include "render/image/image_io.h"
+#include "render/measure/distance.h"
 #include "render/plan/diagnostics.h"
 #include "render/text/nearest_word.h"
+#include "render/version.h"
 
 #include <CLI/CLI.hpp>
+
+#include <cmath>
 #include <filesystem>
 
 namespace vitrine::app {
@@ -47,6 +54,7 @@ Service::Service(const Museum& museum, render::gl::Renderer& renderer, const ren
 const std::vector<Service::Entry>& Service::methods()
 {
     static const std::vector<Entry> all{
+        {"rpc.discover", &Service::discover, "every method with a JSON Schema of its params"},
         {"list", &Service::listExhibits, "every exhibit and its rows, as `vitrine list --json`; {exhibit}: that one"},
         {"get", &Service::getValues, "{exhibit, names}: values and motions of its rows, or of the named ones"},
         {"set", &Service::setValues, "{exhibit, values: {row: value}, animate: {row: motion}}: what the rows are then"},
@@ -56,7 +64,13 @@ const std::vector<Service::Entry>& Service::methods()
         {"plan", &Service::planPicture,
          "{exhibit, size, ...} as of `vitrine render`: what would run, what not and why"},
         {"render", &Service::renderPicture,
-         "{exhibit, size, out, ...} as of `vitrine render`; without out, the answer has the PNG in base64"}};
+         "{exhibit, size, out, ...} as of `vitrine render`; without out, the answer has the PNG in base64; with raw, "
+         "its values follow as bytes; with frame_report, what ran"},
+        {"compare", &Service::comparePictures,
+         "{reference, test, pixels_per_degree}: distance of two picture files by every metric"},
+        {"study", &Service::runStudy, "{exhibit, parameters, values, ...} as of `vitrine study`: its study.json"},
+        {"events", nullptr, "notifications of progress and of changes by other connections; {off: true}: no more"},
+        {"cancel", nullptr, "{id}: stops that request of this connection at its next step; without it, all of them"}};
     return all;
 }
 
@@ -64,7 +78,7 @@ std::string Service::methodsText()
 {
     std::string text;
     const auto add = [&](std::string name, const std::string& help) {
-        name.resize(10, ' ');
+        name.resize(14, ' ');
         text += "  " + name + help + "\n";
     };
     for (const Entry& entry : methods()) add(entry.name, entry.help);
@@ -79,17 +93,42 @@ std::string Service::methodsText()
 
 Json Service::answer(const std::string& method, const Json& params, const Watch& watch)
 {
+    bytes_.clear();
     std::string names;
     for (const Entry& entry : methods()) {
-        if (method == entry.name) return (this->*entry.method)(params, watch);
+        if (entry.method && method == entry.name) return (this->*entry.method)(params, watch);
         names += std::string(entry.name) + ", ";
     }
     for (const auto& job : jobs::allJobs()) {
         if (method == job->name()) return runJob(*job, params, watch);
         names += std::string(job->name()) + ", ";
     }
-    throw RpcFailure(RpcCode::method,
-                     "There is no method \"" + method + "\"; there are " + names + "events and cancel.");
+    names.resize(names.size() - 2);
+    throw RpcFailure(RpcCode::method, "There is no method \"" + method + "\"; there are " + names + '.');
+}
+
+Json Service::discover(const Json& params, const Watch& watch)
+{
+    CLI::App none;
+    readParams(none, "rpc.discover", params);
+    Json all = Json::array();
+    const auto add = [&](std::string_view name, const std::string& summary, Json schema) {
+        all.push_back({{"name", std::string(name)}, {"summary", summary}, {"params", std::move(schema)}});
+    };
+    const auto schemaOf = [](const auto& call) -> Json {
+        try {
+            (void)call();
+        } catch (const ParamsSchema& schema) {
+            return schema.json;
+        }
+        return objectSchema();  // The params of `events` and `cancel` are read by the server.
+    };
+    for (const Entry& entry : methods())
+        add(entry.name, entry.help,
+            schemaOf([&] { return entry.method ? (this->*entry.method)(nullptr, watch) : Json(); }));
+    for (const auto& job : jobs::allJobs())
+        add(job->name(), std::string(job->summary()), schemaOf([&] { return runJob(*job, nullptr, watch); }));
+    return {{"app", render::programVersion()}, {"methods", all}};
 }
 
 std::size_t Service::subjectNamed(const std::string& name) const
@@ -253,13 +292,6 @@ Json notesJson(const std::vector<std::string>& notes, const std::vector<render::
     return json;
 }
 
-Json frameReportJson(const render::FrameReport& frame)
-{
-    Json counters = Json::object();
-    for (const auto& [name, count] : frame.counters) counters[name] = count;
-    return Json{{"ran", ranJson(frame.ran)}, {"skipped", skippedJson(frame.skipped)}, {"counters", counters}};
-}
-
 std::string pictureInBase64(const RequestedPicture& job, const PictureMaker& maker, render::PictureFormat format,
                             const render::PictureMetadata& metadata)
 {
@@ -293,16 +325,19 @@ Json Service::planPicture(const Json& params, const Watch&)
 Json Service::renderPicture(const Json& params, const Watch& watch)
 {
     PictureOptions picture;
+    std::string raw;
     bool sixteenBit = false, withReport = false;
     CLI::App options;
     options.add_option("exhibit", picture.subject)->required();
     options.add_option("--out", picture.out);
     options.add_flag("--sixteen-bit", sixteenBit);
-    options.add_flag("--frame-report", withReport);
+    options.add_flag("--frame-report", withReport, "The report of `vitrine render --report` in the answer");
+    addRawOption(options, raw);
     addPictureOptions(options, picture);
     readParams(options, "render", params);
+    requireRawChannels(raw, picture.channels);
     const bool inAnswer = picture.out.empty();
-    if (inAnswer) picture.out = "answer.png";  // Selects the format; no file is written.
+    if (inAnswer) picture.out = raw == rawLinear ? "answer.exr" : "answer.png";  // Selects the kind of light; no file.
     const render::PictureFormat format = pictureFormat("--out", picture.out, sixteenBit);
     const RequestedPicture job = requestedPicture(museum_, picture, sceneState_, cameraOf(picture.subject));
     PictureMaker maker(museum_, renderer_, job.sceneState, job.request);
@@ -311,15 +346,38 @@ Json Service::renderPicture(const Json& params, const Watch& watch)
     const render::PictureMetadata metadata{
         .preset = pictureSettings(museum_, job.subject, job.sceneState, job.request, "Picture")};
     Json answer{{"exhibit", picture.subject}, {"size", sizeJson(job)}};
-    if (inAnswer) {
+    if (!raw.empty()) {
+        answer["binary"] = rawJson(maker.picture());
+        bytes_ = rawBytes(maker.picture(), raw);
+    } else if (inAnswer) {
         answer["png"] = pictureInBase64(job, maker, format, metadata);
     } else {
         render::writePicture(picture.out, maker.picture(), format, metadata);
         answer["out"] = std::filesystem::absolute(picture.out).string();
     }
-    if (withReport) answer["frame_report"] = frameReportJson(maker.report());
+    if (withReport) {
+        const auto between = [&] { watch(maker.progress(), "measuring"); };
+        answer["frame_report"] = pictureReport(museum_, renderer_, gl_, job, maker.report(), between);
+    }
     answer["notes"] = notesJson(job.notes, maker.report().skipped);
     return answer;
+}
+
+Json Service::comparePictures(const Json& params, const Watch&)
+{
+    std::string reference, test;
+    double pixelsPerDegree = render::flipPixelsPerDegree;
+    CLI::App options;
+    options.add_option("reference", reference, "Reference picture")->required();
+    options.add_option("test", test, "Picture to compare with the reference; of the same size")->required();
+    addPixelsPerDegree(options, pixelsPerDegree);
+    readParams(options, "compare", params);
+    std::vector<std::string> warnings;
+    const ComparedFiles files = comparedFiles(reference, test, warnings);
+    Json distances = Json::object();
+    for (const auto& [metric, value] : render::distances({files.reference, files.test, pixelsPerDegree}))
+        distances[std::string(toString(metric))] = std::isfinite(value) ? Json(value) : Json(nullptr);
+    return Json{{"distances", distances}, {"notes", textsJson(warnings)}};
 }
 
 Json Service::runJob(const jobs::Job& job, const Json& params, const Watch& watch)

@@ -29,21 +29,25 @@ public:
     /// same name, and what `watch` throws; the scene state is then unchanged.
     [[nodiscard]] render::Json answer(const std::string& method, const render::Json& params, const Watch&);
 
+    /// Returns the bytes that follow the last answer on the connection, as its `binary` describes them; empty: none.
+    [[nodiscard]] std::string takeBytes() { return std::exchange(bytes_, {}); }
+
     /// Returns the changes since the last call, one for each exhibit: {"exhibit", "values", "motions"}.
     [[nodiscard]] std::vector<render::Json> takeChanges() { return std::exchange(changes_, {}); }
 
-    /// Returns a line for each method, for the help text.
+    /// Returns a line for each method, for the help text. Includes `events` and `cancel`, which the server answers.
     [[nodiscard]] static std::string methodsText();
 
 private:
     using Method = render::Json (Service::*)(const render::Json& params, const Watch&);
     struct Entry {
         const char* name;
-        Method method;
+        Method method;  ///< Null: the server answers it.
         const char* help;
     };
     static const std::vector<Entry>& methods();
 
+    render::Json discover(const render::Json&, const Watch&);
     render::Json listExhibits(const render::Json&, const Watch&);
     render::Json getValues(const render::Json&, const Watch&);
     render::Json setValues(const render::Json&, const Watch&);
@@ -52,6 +56,7 @@ private:
     render::Json loadPreset(const render::Json&, const Watch&);
     render::Json planPicture(const render::Json&, const Watch&);
     render::Json renderPicture(const render::Json&, const Watch&);
+    render::Json comparePictures(const render::Json&, const Watch&);
     render::Json runJob(const jobs::Job&, const render::Json&, const Watch&);
 
     [[nodiscard]] std::size_t subjectNamed(const std::string& name) const;
@@ -65,6 +70,7 @@ private:
     SceneState sceneState_;
     std::map<std::size_t, render::Camera> cameras_;  ///< Cameras of the presets loaded last, by subject.
     std::vector<render::Json> changes_;
+    std::string bytes_;
 };
 
 }  // namespace vitrine::app

@@ -22168,7 +22168,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1} ist hier nicht bekannt; es wird weggelassen</translation>
     </message>
     <message>
-        <location filename="app/compare_command.cpp"/>
+        <location filename="app/compare/compared_files.cpp"/>
         <source>{1} is {2} × {3} pixels and {4} {5} × {6}; give two pictures of one size.</source>
         <translation>{=1} hat {2} × {3} Pixel und {=4} {5} × {6}; geben Sie zwei Bilder gleicher Größe an.</translation>
     </message>
