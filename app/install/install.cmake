@@ -42,6 +42,9 @@ foreach(file ${vitrine_manual})
         set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${file})
     endif()
 endforeach()
+# The Python package, in Debian's folder for packages that depend on no version.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/app/serve/python/vitrine DESTINATION lib/python3/dist-packages
+        PATTERN "__pycache__" EXCLUDE)
 install(FILES ${vitrine_install}/lintian_overrides DESTINATION share/lintian/overrides RENAME vitrine)
 
 set(CPACK_GENERATOR DEB)
@@ -61,6 +64,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # Opened at run time, hence in no list of the linker: OpenGL, the driver for machines without a graphics card, SVG icons.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libegl1, libgl1, libgl1-mesa-dri, libegl-mesa0, libglx-mesa0, fonts-dejavu-core")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "qt6-wayland, qt6-translations-l10n")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "python3-numpy")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR}/packages)

@@ -26,10 +26,10 @@ cmake --install "$build" --prefix "$root/usr" >"$root/log" || { cat "$root/log";
 share=$root/usr/share
 for file in bin/vitrine lib/vitrine/modules/libvitrine_oiio.so lib/vitrine/modules/libvitrine_video.so lib/vitrine/modules/libvitrine_gamepad.so share/vitrine/presets/fur/cat.json \
     share/vitrine/lessons/fur.md share/vitrine/lessons/de/fur.md share/vitrine/pages/de/fur.html share/vitrine/pages/figures/fur-march.png share/vitrine/pages/page.css share/vitrine/pages/figures/penumbra.svg \
-    share/applications/org.vitrine.Vitrine.desktop share/icons/hicolor/48x48/apps/org.vitrine.Vitrine.png share/man/man1/vitrine.1.gz; do
+    lib/python3/dist-packages/vitrine/__init__.py share/applications/org.vitrine.Vitrine.desktop share/icons/hicolor/48x48/apps/org.vitrine.Vitrine.png share/man/man1/vitrine.1.gz; do
     [ -e "$root/usr/$file" ] || fail "$file was not installed"
 done
-if find "$root/usr" -name '*.py' -o -name '*.sh' -o -name '*.h' -o -name '*.a' | grep -v /share/doc/; then fail "these serve only who builds it"; fi
+if find "$root/usr" -name '*.py' -o -name '*.sh' -o -name '*.h' -o -name '*.a' | grep -v -e /share/doc/ -e /lib/python3/dist-packages/vitrine/; then fail "these serve only who builds it"; fi
 
 # The manual has all that it links to, but for what contributors read in the source tree; and the font its license, whose
 # words stand in the copyright, too.
