@@ -6,6 +6,7 @@ set(vitrine_install ${PROJECT_SOURCE_DIR}/app/install)
 
 install(TARGETS vitrine RUNTIME DESTINATION bin)
 install(TARGETS vitrine_oiio vitrine_video vitrine_gamepad LIBRARY DESTINATION lib/vitrine/modules)
+install(TARGETS vitrine_shader_compiler RUNTIME DESTINATION lib/vitrine)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/ DESTINATION share/vitrine
         PATTERN "*.py" EXCLUDE PATTERN "*.sh" EXCLUDE PATTERN "*.blend*" EXCLUDE PATTERN "__pycache__" EXCLUDE
         PATTERN "pictures" EXCLUDE PATTERN "translations" EXCLUDE)

@@ -32,5 +32,6 @@ void addMergeCommand(CLI::App&, Action& chosen, const std::function<int(const st
 void addPrintCommand(CLI::App&, Action& chosen);
 void addServeCommand(CLI::App&, Action& chosen);
 void addSceneCommand(CLI::App&, Action& chosen);
+void addShaderCommand(CLI::App&, Action& chosen);
 
 }  // namespace vitrine::app

@@ -7,7 +7,7 @@ namespace vitrine::fuzz {
 std::span<const Reader> readers()
 {
     constexpr bool isText = true;
-    static constexpr std::array<Reader, 15> all{{
+    static constexpr std::array<Reader, 16> all{{
         {"description", readDescription, isText},
         {"exhibition", readExhibition, isText},
         {"exr", readImage},
@@ -19,6 +19,7 @@ std::span<const Reader> readers()
         {"print", readPrintFile},
         {"request", readRequest, isText},
         {"scene", readScene, isText},
+        {"shader", readShader, isText},
         {"study", readStudy, isText},
         {"tour", readTour, isText},
         {"typed", readTyped},

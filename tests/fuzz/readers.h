@@ -26,6 +26,9 @@ bool readImage(std::string_view bytes);
 bool readPrintFile(std::string_view bytes);
 /// Description of a print (JSON). An accepted one can be laid out, and its settings are legal.
 bool readDescription(std::string_view bytes);
+/// Shader of a visitor, in any form. An accepted one has passes with texts, and inputs whose values are in their
+/// ranges.
+bool readShader(std::string_view bytes);
 /// File of one study or several. Accepted ones can be compared and written as a table.
 bool readStudy(std::string_view bytes);
 /// Request to the service. The answer is one line of JSON, whether it is accepted or not.

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "exhibits/your_shader/guest_shader.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vitrine::guest {
+
+/// GLSL 4.50 of one pass, for glslang. Source numbers of `#line` are indices of `Shader::files`; `ownSource` marks
+/// lines that are not the visitor's.
+struct PassText {
+    static constexpr std::uint32_t ownSource = 9999;
+    std::string vertex, fragment;
+};
+
+/// Returns the text of a pass: the visitor's code with today's names for what old GLSL called differently, behind the
+/// declarations of its inputs. Lines and line numbers stay those of the visitor.
+[[nodiscard]] PassText passText(const Shader&, const Pass&);
+
+/// Returns the name under which a visitor's variable stands in the program: "sample" is reserved today.
+[[nodiscard]] std::string programName(std::string_view visitorsName);
+
+/// Returns the name that the visitor wrote.
+[[nodiscard]] std::string_view visitorsName(std::string_view programName);
+
+/// Returns the findings of glslang's log, in the visitor's numbering: at most Limits::findings.
+[[nodiscard]] std::vector<Finding> findingsOf(const Shader&, std::string_view log);
+
+/// Returns the text of SPIRV-Cross with a counter in the head of every loop: after `rounds` rounds in all loops
+/// together, every loop ends. An endless loop so ends after a bounded time. Returns an empty text if a loop has a form
+/// that SPIRV-Cross does not write.
+[[nodiscard]] std::string withLoopGuard(const std::string& glsl, unsigned rounds);
+
+}  // namespace vitrine::guest

@@ -1,0 +1,154 @@
+// Programs that are made of visitors' shaders: old GLSL, errors in the visitor's numbering, and attacks.
+
+#include "exhibits/your_shader/guest_glsl.h"
+#include "tests/exhibits/your_shader/shaders.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <string>
+
+namespace vitrine {
+namespace {
+
+using test::checked;
+using test::errorsOf;
+using test::isf;
+
+TEST(OldGlsl, IsRead)
+{
+    // Reserved words as names, old functions, overloaded built-ins, numbers of both kinds, CRLF, a BOM, and Latin-1.
+    EXPECT_EQ(
+        errorsOf(checked("\xEF\xBB\xBF/*{\"INPUTS\": [{\"NAME\": \"buffer\", \"TYPE\": \"image\"}, {\"NAME\": "
+                         "\"filter\", \"TYPE\": \"float\"}]}*/\r\n"
+                         "#version 120\r\n#extension GL_ARB_texture_rectangle : enable\r\n// caf\xE9 \\\r\n"
+                         "float round(float x) { return floor(x + 0.5); }\r\n"
+                         "float smooth(float sample) { return sample * 2.0; }\r\n"
+                         "const vec4 patch = vec4(1);\r\n"
+                         "void main()\r\n{\r\n    float common = smooth(round(filter));\r\n    int active = 3;\r\n"
+                         "    vec4 input = texture2D(buffer, gl_FragCoord.xy / RENDERSIZE);\r\n"
+                         "    gl_FragColor = input * patch * common / active;\r\n    gl_FragColor.a = 1;\r\n}\r\n")),
+        "");
+    EXPECT_EQ(errorsOf(checked(
+                  "uniform sampler2D texture;\nvoid main() { gl_FragData[0] = texture2D(texture, vec2(0.5)); }")),
+              "");
+    // Words of today's GLSL keep their meaning where the text says so.
+    EXPECT_EQ(
+        errorsOf(checked(
+            "#version 430\nflat in int id;\nout vec4 color;\nvoid main() { uint x = 3u; color = vec4(float(x)); }")),
+        "");
+}
+
+TEST(ShaderErrors, StandInTheVisitorsNumbering)
+{
+    EXPECT_EQ(errorsOf(checked(isf("\n\n\"ISFVSN\": \"2\"", "    gl_FragColor = vec4(radius);"))),
+              "own.fs:5:25: The GLSL compiler says: 'radius' : undeclared identifier.\n");
+    // A name that the program renames is shown as the visitor wrote it.
+    EXPECT_EQ(errorsOf(checked(isf("", "    float x = 1.0; x = sample;"))),
+              "own.fs:3:24: The GLSL compiler says: 'sample' : undeclared identifier.\n");
+    EXPECT_EQ(errorsOf(checked("void mainImage(out vec4 c, in vec2 p)\n{\n\n  c = vec3(1.0);\n}\n")).substr(0, 9),
+              "own.fs:4:");
+    // The visitor's own #line and #version do not move it.
+    EXPECT_EQ(errorsOf(checked("#version 120\n#line 500\nvoid main() {\n  gl_FragColor = here;\n}\n")).substr(0, 12),
+              "own.fs:4:18:");
+    EXPECT_EQ(errorsOf(checked("void main() {\n  gl_FragColor = vec4(1.0)\n}\n")).substr(0, 9), "own.fs:3:");
+}
+
+TEST(TranslatedPrograms, HaveTheNamesOfTheirBlocks)
+{
+    const guest::CheckedShader read = checked(
+        isf("\"INPUTS\": [{\"NAME\": \"size\", \"TYPE\": \"float\"}, {\"NAME\": \"inputImage\", \"TYPE\": \"image\"}]",
+            "gl_FragColor = size * TIME * IMG_THIS_PIXEL(inputImage);"));
+    ASSERT_EQ(errorsOf(read), "");
+    const std::string& fragment = read.programs[0].fragment;
+    EXPECT_EQ(fragment.rfind("#version 450", 0), 0U);
+    EXPECT_NE(fragment.find("layout(binding = 0, std140) uniform GuestInputs"), std::string::npos) << fragment;
+    EXPECT_NE(fragment.find("layout(binding = 1, std140) uniform GuestFrame"), std::string::npos) << fragment;
+    EXPECT_NE(fragment.find("binding = 0) uniform sampler2D inputImage"), std::string::npos) << fragment;
+    EXPECT_GT(read.programs[0].counts.instructions, 5U);
+    EXPECT_EQ(read.programs[0].counts.samplers, 1U);
+}
+
+/// Number of times that a text occurs in another.
+std::size_t occurrences(const std::string& text, const std::string& part)
+{
+    std::size_t count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++count;
+    return count;
+}
+
+TEST(LoopGuard, StandsInEveryLoop)
+{
+    const guest::CheckedShader read =
+        checked("void main() { float x = 0.0; for (;;) { x += 1.0; if (x < 0.0) break; }\n"
+                "while (x > 0.0) x += 1.0; do { x -= 1.0; } while (x < 1.0); gl_FragColor = vec4(x); }");
+    ASSERT_EQ(errorsOf(read), "");
+    EXPECT_EQ(occurrences(read.programs[0].fragment, "if (++guest_rounds > 65536u) break;"), 3U);
+    EXPECT_EQ(guest::withLoopGuard("#version 450\nvoid main()\n{\n    for (;;)\n        x();\n}\n", 4), "");
+    EXPECT_EQ(guest::withLoopGuard("#version 450\nvoid main()\n{\n    do\n    {\n    } while (true);\n}\n", 4),
+              "#version 450\nuint guest_rounds = 0u;\nvoid main()\n{\n    do\n    {\nif (++guest_rounds > 4u) break;\n "
+              "   } while "
+              "(true);\n}\n");
+}
+
+std::string callBomb(int functions)
+{
+    std::string text = "float f0(float x) { return sin(x); }\n";
+    for (int i = 1; i < functions; ++i) {
+        const std::string below = 'f' + std::to_string(i - 1);
+        text += "float f" + std::to_string(i) + "(float x) { return " + below + "(x) + " + below + "(x + 1.0); }\n";
+    }
+    return text + "void main() { gl_FragColor = vec4(f" + std::to_string(functions - 1) + "(gl_FragCoord.x)); }\n";
+}
+
+TEST(HostileShaders, EndWithASentence)
+{
+    const auto start = std::chrono::steady_clock::now();
+    for (const int functions : {18, 26})
+        EXPECT_NE(
+            errorsOf(checked(callBomb(functions))).find("instructions when every call is replaced by its function"),
+            std::string::npos);
+    std::string macros = "#define A0 1.0+\n";
+    for (int i = 1; i < 24; ++i) {
+        const std::string below = " A" + std::to_string(i - 1);
+        macros += "#define A" + std::to_string(i) + below + below + '\n';
+    }
+    EXPECT_EQ(errorsOf(checked(macros + "void main() { gl_FragColor = vec4(A23 1.0); }\n")),
+              "own.fs:17:9: The macro “A16” expands to more than 100000 words; write a function or a loop.\n");
+    EXPECT_EQ(
+        errorsOf(checked("void main() { float a[20000000]; a[int(gl_FragCoord.x)] = 1.0; gl_FragColor = "
+                         "vec4(a[int(gl_FragCoord.y)]); }")),
+        "own.fs:1:1: The variables of the shader need 80000000 bytes for each pixel, more than 65536; make the arrays "
+        "smaller.\n");
+    EXPECT_NE(errorsOf(checked("void main() { gl_FragColor = vec4(" + std::string(100'000, '(') + "1.0" +
+                               std::string(100'000, ')') + "); }")),
+              "");
+    std::string samplers = "\"INPUTS\": [";
+    std::string sum = "gl_FragColor = vec4(0.0)";
+    for (int i = 0; i < 17; ++i) {
+        samplers += std::string(i > 0 ? ", " : "") + "{\"NAME\": \"i" + std::to_string(i) + "\", \"TYPE\": \"image\"}";
+        sum += " + IMG_THIS_PIXEL(i" + std::to_string(i) + ")";
+    }
+    EXPECT_EQ(errorsOf(checked(isf(samplers + ']', sum + ';'))),
+              "own.fs:1:1: A pass reads 17 pictures, more than the 16 that OpenGL has; use fewer.\n");
+    // A tenth of this on an idle machine; the limit of the issue is 6 s for each.
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(36));
+}
+
+TEST(ShaderCompiler, GoesOnAfterItsProcessEnded)
+{
+    guest::ShaderCompiler compiler;
+    // Macros that are given macros are not counted before: the process runs into its limit.
+    std::string bomb = "#version 450\n#define D(x) x x\n#define E(x) D(D(D(D(D(D(x))))))\nvoid main() { float a = "
+                       "E(E(E(E(E(1.0 +)))))";
+    const auto ended = compiler.compile({"#version 450\nvoid main() {}\n", bomb + " 1.0; }\n"});
+    EXPECT_EQ(ended.problem.english().rfind("The shader could not be read: the GLSL compiler needs more than", 0), 0U)
+        << ended.problem;
+    const auto next = compiler.compile({"#version 450\nvoid main() { gl_Position = vec4(0.0); }\n",
+                                        "#version 450\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n"});
+    EXPECT_TRUE(next.problem.empty()) << next.problem;
+    EXPECT_FALSE(next.answer.fragment.empty());
+}
+
+}  // namespace
+}  // namespace vitrine

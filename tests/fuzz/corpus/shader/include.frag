@@ -1,0 +1,2 @@
+#include "../outside.glsl"
+void main() {}
