@@ -14,11 +14,6 @@
         <translation> (erlaubt 1 bis 175 Grad, im Bogenmaß)</translation>
     </message>
     <message>
-        <location filename="ui/window/parameter_tabs.cpp"/>
-        <source> and %1 more</source>
-        <translation> und %1 weitere</translation>
-    </message>
-    <message>
         <location filename="exhibits/study/study_judge.cpp"/>
         <source> and {1} at {2}</source>
         <translation> und {1} bei {2}</translation>
@@ -92,6 +87,21 @@
         <location filename="ui/parameters/shown_text.cpp"/>
         <source>&quot;%1&quot; is not a value of “%2”. %3</source>
         <translation>„%1“ ist kein Wert für „%2“. %3</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/sprite/palette_file.cpp"/>
+        <source>&quot;0100&quot;, the version of the format</source>
+        <translation>„0100“, die Version des Formats</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/sprite/palette_file.cpp"/>
+        <source>&quot;GIMP Palette&quot;, as the first one has to be</source>
+        <translation>„GIMP Palette“, wie es die erste sein muss</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/sprite/palette_file.cpp"/>
+        <source>&quot;JASC-PAL&quot;, as the first one has to be</source>
+        <translation>„JASC-PAL“, wie es die erste sein muss</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/scene_reader.cpp"/>
@@ -565,16 +575,12 @@ Zeiten nach: %2.</translation>
     <message>
         <location filename="ui/charts/charts_dock.cpp"/>
         <location filename="ui/lessons/lesson_bar.cpp"/>
+        <location filename="ui/parameters/parameter_section.cpp"/>
         <location filename="ui/presets/preset_facts.cpp"/>
         <location filename="ui/study/kept_studies.cpp"/>
-        <location filename="ui/window/palette_entries.cpp"/>
+        <location filename="ui/window/search_entries.cpp"/>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
-    </message>
-    <message>
-        <location filename="ui/window/parameter_tabs.cpp"/>
-        <source>%1: %2%3</source>
-        <translation>%1: %2%3</translation>
     </message>
     <message>
         <location filename="ui/compare/compare_desk.cpp"/>
@@ -668,11 +674,6 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
-        <source>&amp;Commands…</source>
-        <translation>&amp;Befehle…</translation>
-    </message>
-    <message>
-        <location filename="ui/window/window_actions.cpp"/>
         <source>&amp;Compare</source>
         <translation>&amp;Vergleich</translation>
     </message>
@@ -725,11 +726,6 @@ Zeiten nach: %2.</translation>
         <location filename="ui/window/window_actions.cpp"/>
         <source>&amp;File</source>
         <translation>&amp;Datei</translation>
-    </message>
-    <message>
-        <location filename="ui/window/window_actions.cpp"/>
-        <source>&amp;Find a parameter</source>
-        <translation>Parameter &amp;suchen</translation>
     </message>
     <message>
         <location filename="ui/compare/compare_actions.cpp"/>
@@ -868,6 +864,11 @@ Zeiten nach: %2.</translation>
         <translation>Preset &amp;speichern</translation>
     </message>
     <message>
+        <location filename="ui/window/window_actions.cpp"/>
+        <source>&amp;Search…</source>
+        <translation>&amp;Suchen…</translation>
+    </message>
+    <message>
         <location filename="ui/explore/explore_dock.cpp"/>
         <source>&amp;Seed</source>
         <translation>&amp;Startwert</translation>
@@ -941,6 +942,11 @@ Zeiten nach: %2.</translation>
         <location filename="ui/compare/compare_overlay.cpp"/>
         <source>(B − A) × %1</source>
         <translation>(B − A) × %1</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <source>+Y of the normals</source>
+        <translation>+Y der Normalen</translation>
     </message>
     <message>
         <location filename="ui/viewport/reading_notice.cpp"/>
@@ -1300,7 +1306,7 @@ Zeiten nach: %2.</translation>
         <translation>1 Stelle hatte keine Außenseite und bekam eine</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>1 to 9</source>
         <translation>1 bis 9</translation>
     </message>
@@ -1713,6 +1719,11 @@ Zeiten nach: %2.</translation>
         <translation>Ein Testchart braucht mindestens 40 mm quer zu den Linsen und 44 mm entlang.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/sprite/palette_file.cpp"/>
+        <source>a color of six hexadecimal digits, such as ff8000</source>
+        <translation>eine Farbe aus sechs Hexadezimalziffern, etwa ff8000</translation>
+    </message>
+    <message>
         <location filename="exhibits/sdf_scenes/source_scene.cpp"/>
         <source>a combination needs two &quot;shapes&quot;</source>
         <translation>eine Kombination braucht zwei „shapes“</translation>
@@ -1782,6 +1793,11 @@ Zeiten nach: %2.</translation>
         <translation>eine endliche Zahl.</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/shader_check.cpp"/>
+        <source>A function calls itself, which GLSL does not have; use a loop.</source>
+        <translation>Eine Funktion ruft sich selbst auf, was es in GLSL nicht gibt; verwenden Sie eine Schleife.</translation>
+    </message>
+    <message>
         <location filename="render/video/video_file.cpp"/>
         <source>A GIF counts in hundredths of a second, and programs show no more than 50 frames a second of it; give at most 50, or choose .webp or .apng.</source>
         <translation>Ein GIF zählt in hundertstel Sekunden, und Programme zeigen davon nicht mehr als 50 Frames pro Sekunde; geben Sie höchstens 50 an, oder wählen Sie .webp oder .apng.</translation>
@@ -1840,6 +1856,11 @@ Zeiten nach: %2.</translation>
         <location filename="ui/jobs/job_dialog.cpp"/>
         <source>A line for a terminal, which writes the same files.</source>
         <translation>Eine Zeile für ein Terminal, die dieselben Dateien schreibt.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/shader_check.cpp"/>
+        <source>A loop has a form that cannot be bounded; write it as a plain for loop.</source>
+        <translation>Eine Schleife hat eine Form, die sich nicht begrenzen lässt; schreiben Sie sie als einfache Zählschleife.</translation>
     </message>
     <message>
         <location filename="exhibits/kit/sdf_passes.cpp"/>
@@ -1914,6 +1935,16 @@ Zeiten nach: %2.</translation>
         <location filename="exhibits/sdf_scenes/scene_reader.cpp"/>
         <source>a parameter's name has letters and digits, a letter first</source>
         <translation>der Name eines Parameters hat Buchstaben und Ziffern, zuerst einen Buchstaben</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/shadertoy_reader.cpp"/>
+        <source>A pass has the unknown type “{1}”; there are common, buffer, image, cubemap and sound.</source>
+        <translation>Ein Pass hat den unbekannten Typ „{=1}“; es gibt common, buffer, image, cubemap und sound.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/shader_check.cpp"/>
+        <source>A pass reads {1} pictures, more than the {2} that OpenGL has; use fewer.</source>
+        <translation>Ein Pass liest {1} Bilder, mehr als die {2}, die OpenGL hat; verwenden Sie weniger.</translation>
     </message>
     <message>
         <location filename="render/scene/gltf_sources.cpp"/>
@@ -2393,7 +2424,7 @@ Zeiten nach: %2.</translation>
         <translation>Absorption des Sonnenlichts auf dem Weg ins Fell: 0 wirft keinen Schatten im Fell, hohe Werte verdunkeln es schnell.</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Accept; restore the previous value</source>
         <translation>Übernehmen; den vorigen Wert wiederherstellen</translation>
     </message>
@@ -2753,6 +2784,11 @@ Zeiten nach: %2.</translation>
         <translation>einem Exponat, das mit --alone gezeigt wird</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/reading.cpp"/>
+        <source>An include names a file in quotes: #include &quot;name.glsl&quot;.</source>
+        <translation>Ein Include nennt eine Datei in Anführungszeichen: #include &quot;name.glsl&quot;.</translation>
+    </message>
+    <message>
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
         <source>An infinite cone with its tip at the origin, opening downward.</source>
         <translation>Ein unendlicher Kegel mit der Spitze im Ursprung, nach unten geöffnet.</translation>
@@ -2761,6 +2797,16 @@ Zeiten nach: %2.</translation>
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
         <source>An infinite cylinder around the y axis.</source>
         <translation>Ein unendlicher Zylinder um die y-Achse.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/isf_reader.cpp"/>
+        <source>An input has no NAME; give it the name of its variable.</source>
+        <translation>Ein Eingang hat keinen NAME; geben Sie ihm den Namen seiner Variablen.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/shadertoy_reader.cpp"/>
+        <source>An input of “{1}” has no channel from 0 to 3.</source>
+        <translation>Ein Eingang von „{=1}“ hat keinen Kanal von 0 bis 3.</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/scene_edit.cpp"/>
@@ -2944,12 +2990,27 @@ Zeiten nach: %2.</translation>
         <translation>%1 animieren</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <source>Animated</source>
+        <translation>Bewegt</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <source>Animated picture</source>
+        <translation>Bewegtes Bild</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <source>Animated picture of all directions to write beside the sheet, enlarged to at least 256 pixels. A GIF has a gray background, an APNG is transparent.</source>
+        <translation>Bewegtes Bild aller Richtungen, das neben den Bogen geschrieben wird, auf mindestens 256 Pixel vergrößert. Ein GIF hat einen grauen Hintergrund, ein APNG ist durchsichtig.</translation>
+    </message>
+    <message>
         <location filename="ui/parameters/parameter_row.cpp"/>
         <source>Animated: %1. Setting it by hand stops the animation.</source>
         <translation>Animiert: %1. Von Hand gesetzt, endet die Animation.</translation>
     </message>
     <message>
-        <location filename="ui/parameters/parameter_panel.cpp"/>
+        <location filename="ui/parameters/parameter_menus.cpp"/>
         <source>Animate…</source>
         <translation>Animieren…</translation>
     </message>
@@ -3024,6 +3085,11 @@ Zeiten nach: %2.</translation>
         <translation>Apertur-Samples</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <source>apng</source>
+        <translation>apng</translation>
+    </message>
+    <message>
         <location filename="exhibits/study/study_table.h"/>
         <source>Approximate number of values of each parameter. Auto: 8 for one parameter, 5 for two, 17 for more.</source>
         <translation>Ungefähre Zahl der Werte jedes Parameters. Automatisch: 8 bei einem Parameter, 5 bei zweien, 17 bei mehr.</translation>
@@ -3040,6 +3106,11 @@ Zeiten nach: %2.</translation>
         <source>area</source>
         <extracomment>tables</extracomment>
         <translation>Fläche</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <source>array</source>
+        <translation>Array</translation>
     </message>
     <message>
         <location filename="ui/explore/variation_grid.cpp"/>
@@ -3194,7 +3265,7 @@ Zeiten nach: %2.</translation>
         <translation>B wurde nicht gesetzt: Wählen Sie zuerst ein Preset in der Liste.</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>B, held</source>
         <translation>B, gehalten</translation>
     </message>
@@ -3248,7 +3319,7 @@ Zeiten nach: %2.</translation>
         <translation>Hinterer Druck</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Backspace, Alt+Left</source>
         <translation>Rücktaste, Alt+Links</translation>
     </message>
@@ -4505,6 +4576,11 @@ Zeiten nach: %2.</translation>
         <translation>{=1} kann nicht gelesen werden: Es ist kein glTF; exportieren Sie es neu.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/sprite/palette_file.cpp"/>
+        <source>Cannot read {1}: line {2} is not {3}; correct it there.</source>
+        <translation>{1} lässt sich nicht lesen: Zeile {2} ist nicht {3}; berichtige sie dort.</translation>
+    </message>
+    <message>
         <location filename="render/scene/gltf.cpp"/>
         <source>Cannot read {1}: the file is too large; simplify the model.</source>
         <translation>{=1} kann nicht gelesen werden: Die Datei ist zu groß; vereinfachen Sie das Modell.</translation>
@@ -4551,6 +4627,21 @@ Zeiten nach: %2.</translation>
         <location filename="render/scene/gltf_guard.cpp"/>
         <source>Cannot read {1}: {2}; export it again.</source>
         <translation>{=1} kann nicht gelesen werden: {2}; exportieren Sie es neu.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/shader_compiler.cpp"/>
+        <source>Cannot start {1}, which translates shaders: it is not beside the program; install or build Vitrine again.</source>
+        <translation>{=1} zum Übersetzen von Shadern lässt sich nicht starten: Das Programm liegt nicht neben Vitrine; installieren oder bauen Sie Vitrine neu.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/shader_compiler.cpp"/>
+        <source>Cannot start {1}: {2}</source>
+        <translation>{=1} lässt sich nicht starten: {=2}</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/sprite/palette_file.cpp"/>
+        <source>Cannot take the palette {1}: it has {2} colors; choose one with 1 to 256.</source>
+        <translation>Die Palette {1} lässt sich nicht nehmen: sie hat {2} Farben; wähle eine mit 1 bis 256.</translation>
     </message>
     <message>
         <location filename="render/files/strict_json.cpp"/>
@@ -4696,12 +4787,12 @@ Zeiten nach: %2.</translation>
         <translation>Den Baum ändern</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Change the value, like the arrow keys</source>
         <translation>Den Wert ändern, wie die Pfeiltasten</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Change the value; Shift ten times finer, Ctrl ten times coarser</source>
         <translation>Den Wert ändern; Umschalt zehnmal feiner, Strg zehnmal gröber</translation>
     </message>
@@ -4821,7 +4912,7 @@ Zeiten nach: %2.</translation>
         <translation>wählen Sie einen Ordner, in den Sie schreiben dürfen</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Choose a parameter</source>
         <translation>Einen Parameter wählen</translation>
     </message>
@@ -4904,7 +4995,7 @@ Zeiten nach: %2.</translation>
         <translation>leert das Bild am Anfang</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Click</source>
         <translation>Klick</translation>
     </message>
@@ -4924,7 +5015,7 @@ Zeiten nach: %2.</translation>
         <translation>Ein Klick übernimmt eine Variation; ebenso Pfeiltasten und Eingabe. Lässt sich rückgängig machen.</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Click, or any digit</source>
         <translation>Klick, oder eine Ziffer</translation>
     </message>
@@ -5359,12 +5450,12 @@ Zeiten nach: %2.</translation>
         <translation>Verbinden</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Come nearer to the exhibit or step back</source>
         <translation>Näher an das Exponat heran oder zurück</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Come nearer to the exhibit, or step back</source>
         <translation>Näher an das Exponat heran, oder zurück</translation>
     </message>
@@ -5374,7 +5465,7 @@ Zeiten nach: %2.</translation>
         <translation>Befehl</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Commands</source>
         <translation>Befehle</translation>
     </message>
@@ -5444,6 +5535,11 @@ Zeiten nach: %2.</translation>
         <location filename="ui/compare/compare_overlay.cpp"/>
         <source>Comparison of A and B</source>
         <translation>Vergleich von A und B</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <source>compass</source>
+        <translation>Himmelsrichtungen</translation>
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
@@ -5649,7 +5745,7 @@ Zeiten nach: %2.</translation>
         <translation>Alles nach B &amp;kopieren</translation>
     </message>
     <message>
-        <location filename="ui/parameters/parameter_panel.cpp"/>
+        <location filename="ui/parameters/parameter_menus.cpp"/>
         <source>Copy all as JSON</source>
         <translation>Alle als JSON kopieren</translation>
     </message>
@@ -5679,12 +5775,12 @@ Zeiten nach: %2.</translation>
         <translation>Befehl kopieren</translation>
     </message>
     <message>
-        <location filename="ui/parameters/parameter_panel.cpp"/>
+        <location filename="ui/parameters/parameter_menus.cpp"/>
         <source>Copy from %1</source>
         <translation>Von %1 kopieren</translation>
     </message>
     <message>
-        <location filename="ui/parameters/parameter_panel.cpp"/>
+        <location filename="ui/parameters/parameter_menus.cpp"/>
         <source>Copy from B: %1</source>
         <translation>Von B übernehmen: %1</translation>
     </message>
@@ -5704,17 +5800,17 @@ Zeiten nach: %2.</translation>
         <translation>Diese Meldung kopieren</translation>
     </message>
     <message>
-        <location filename="ui/parameters/parameter_panel.cpp"/>
+        <location filename="ui/parameters/parameter_menus.cpp"/>
         <source>Copy to B</source>
         <translation>Nach B kopieren</translation>
     </message>
     <message>
-        <location filename="ui/parameters/parameter_panel.cpp"/>
+        <location filename="ui/parameters/parameter_menus.cpp"/>
         <source>Copy to the others</source>
         <translation>In die anderen kopieren</translation>
     </message>
     <message>
-        <location filename="ui/parameters/parameter_panel.cpp"/>
+        <location filename="ui/parameters/parameter_menus.cpp"/>
         <source>Copy value</source>
         <translation>Wert kopieren</translation>
     </message>
@@ -5831,12 +5927,12 @@ Zeiten nach: %2.</translation>
         <translation>beschneiden</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Cross left, right</source>
         <translation>Kreuz links, rechts</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Cross up, down</source>
         <translation>Kreuz auf, ab</translation>
     </message>
@@ -5867,7 +5963,7 @@ Zeiten nach: %2.</translation>
         <translation>CSV (*.csv)</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Ctrl and arrows</source>
         <translation>Strg und Pfeiltasten</translation>
     </message>
@@ -6260,6 +6356,16 @@ Zeiten nach: %2.</translation>
         <translation>Richtung, in die der Wind weht, von geradeaus: Negative Werte gehen nach links.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <source>Direction names</source>
+        <translation>Namen der Richtungen</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <source>Direction of +Y in the normal map: up, as OpenGL, Godot and Unity expect it, or down, as DirectX and Unreal do. The description file says which.</source>
+        <translation>Richtung von +Y im Bogen der Normalen: nach oben, wie OpenGL, Godot und Unity es erwarten, oder nach unten, wie DirectX und Unreal. Die Beschreibungsdatei nennt sie.</translation>
+    </message>
+    <message>
         <location filename="exhibits/printing/print_table.h"/>
         <source>Direction of the lenses: vertical for depth, horizontal for flips; angles in between are slanted lenses.</source>
         <translation>Richtung der Linsen: senkrecht für Tiefe, waagerecht für Wechselbilder; Winkel dazwischen sind geneigte Linsen.</translation>
@@ -6601,6 +6707,11 @@ Zeiten nach: %2.</translation>
         <translation>Unten</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <source>down</source>
+        <translation>nach unten</translation>
+    </message>
+    <message>
         <location filename="exhibits/paper_lanterns/paper_lanterns.cpp"/>
         <source>down upon them</source>
         <translation>von oben auf sie</translation>
@@ -6611,7 +6722,7 @@ Zeiten nach: %2.</translation>
         <translation>Ziehen Sie den Griff, um die Einstellungen der vier Ecken zu mischen. Zahlen, Farben und Winkel werden interpoliert; Auswahlen sind die der nächsten Ecke. Ein Ziehen ist ein Bearbeitungsschritt; Esc bricht es ab. Pfeiltasten bewegen den Griff, mit Umschalt feiner, mit Strg gröber.</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Drag the label or the number</source>
         <translation>Bezeichnung oder Zahl ziehen</translation>
     </message>
@@ -6623,7 +6734,7 @@ Shift is ten times finer, Ctrl ten times coarser.</source>
 Umschalt ist zehnmal feiner, Strg zehnmal gröber.</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Drag the line; comma, period</source>
         <translation>Die Linie ziehen; Komma, Punkt</translation>
     </message>
@@ -6635,7 +6746,7 @@ Home or a double click looks straight on.</source>
 Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Drag; Ctrl and arrows</source>
         <translation>Ziehen; Strg und Pfeiltasten</translation>
     </message>
@@ -6828,7 +6939,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Kanten</translation>
     </message>
     <message numerus="yes">
-        <location filename="ui/parameters/parameter_panel.cpp"/>
+        <location filename="ui/parameters/parameter_menus.cpp"/>
         <source>Edit all %n together</source>
         <translation>
             <numerusform>Alle %n zusammen bearbeiten</numerusform>
@@ -6917,7 +7028,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Vergrößerung des kleinen Bildes: jedes Texel auf eine ganze Zahl von Pixeln oder auf jede Größe mit über ein Pixel geglätteten Grenzen (scharf).</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Enter</source>
         <translation>Eingabe</translation>
     </message>
@@ -6927,7 +7038,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Eingabe zeigt eine, die Leertaste hakt sie an, F2 benennt sie um, Entf löscht sie.</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Enter, Esc</source>
         <translation>Eingabe, Esc</translation>
     </message>
@@ -7002,6 +7113,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <location filename="ui/study/comparison_chart.cpp"/>
         <source>Errors over cost of several studies</source>
         <translation>Fehler über Kosten mehrerer Studien</translation>
+    </message>
+    <message>
+        <location filename="ui/parameters/parameter_panel.cpp"/>
+        <source>Essentials</source>
+        <translation>Das Wesentliche</translation>
     </message>
     <message>
         <location filename="exhibits/noise/noise_table.h"/>
@@ -7096,7 +7212,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Vertauscht A und B: B wird gezeigt und lässt sich bearbeiten, und die jetzigen Einstellungen werden zu B.</translation>
     </message>
     <message>
-        <location filename="ui/parameters/parameter_panel.cpp"/>
+        <location filename="ui/parameters/parameter_menus.cpp"/>
         <source>Exclude from randomizing</source>
         <translation>Vom zufälligen Ändern ausnehmen</translation>
     </message>
@@ -7268,7 +7384,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>&amp;Vollbild</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>F6, Shift+F6</source>
         <translation>F6, Umschalt+F6</translation>
     </message>
@@ -7373,6 +7489,16 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Datei</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <source>file</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <source>File of the palette to write beside the sheet: none, of GIMP (.gpl), of Lospec (.hex), or of Paint Shop Pro (.pal, JASC).</source>
+        <translation>Datei der Palette, die neben den Bogen geschrieben wird: keine, für GIMP (.gpl), Lospec (.hex) oder Paint Shop Pro (.pal, JASC).</translation>
+    </message>
+    <message>
         <location filename="exhibits/jobs/record/record_table.h"/>
         <source>File of the tour that the camera follows. Empty: a tour past all exhibits.</source>
         <translation>Datei der Tour, der die Kamera folgt. Leer: eine Tour an allen Exponaten vorbei.</translation>
@@ -7386,6 +7512,16 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <location filename="exhibits/printing/print_table.h"/>
         <source>files</source>
         <translation>Dateien</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <source>Files for engines</source>
+        <translation>Dateien für Engines</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/reading.cpp"/>
+        <source>Files include each other more than {1} deep; remove the circle.</source>
+        <translation>Dateien binden einander mehr als {1} Stufen tief ein; entfernen Sie den Kreis.</translation>
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
@@ -7413,7 +7549,6 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <location filename="ui/preferences/keys_page.cpp"/>
-        <location filename="ui/window/command_palette.cpp"/>
         <source>Find a command</source>
         <translation>Befehl suchen</translation>
     </message>
@@ -7421,11 +7556,6 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <location filename="ui/tree/tree_dock.cpp"/>
         <source>Find a node</source>
         <translation>Knoten suchen</translation>
-    </message>
-    <message>
-        <location filename="ui/parameters/parameter_panel.cpp"/>
-        <source>Find a parameter</source>
-        <translation>Parameter suchen</translation>
     </message>
     <message>
         <location filename="ui/presets/preset_list.cpp"/>
@@ -7459,8 +7589,8 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
-        <source>Finds and runs any command by name.</source>
-        <translation>Findet jeden Befehl nach seinem Namen und führt ihn aus.</translation>
+        <source>Finds parameters of all exhibits, presets, commands and pages.</source>
+        <translation>Findet Parameter aller Exponate, Presets, Befehle und Seiten.</translation>
     </message>
     <message>
         <location filename="ui/tree/kind_menu.cpp"/>
@@ -7644,6 +7774,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Nebelhöhe</translation>
     </message>
     <message>
+        <location filename="ui/parameters/parameter_menus.cpp"/>
+        <source>Fold all groups</source>
+        <translation>Alle Gruppen zuklappen</translation>
+    </message>
+    <message>
         <location filename="ui/parameters/parameter_section.cpp"/>
         <source>Fold or unfold %1; a right click, or the dots at its end, offers more.</source>
         <translation>%1 auf- oder zuklappen; ein Rechtsklick, oder die Punkte am Ende, bieten mehr.</translation>
@@ -7703,6 +7838,21 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
 Optics, printed dots, and ink that spreads as far as is set.</source>
         <translation>Für jede Ansicht, von links nach rechts: wie viel des Lichts unter ihrem eigenen Winkel von anderen Ansichten kommt.
 Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <source>Form</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <source>Form of the description</source>
+        <translation>Form der Beschreibung</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <source>Form of the description file: an array of frames by number, for Phaser's createFromAseprite, or a hash of frames by name, with animations and anchors for Pixi.</source>
+        <translation>Form der Beschreibungsdatei: ein Array von Bildern nach Nummern, für createFromAseprite von Phaser, oder ein Hash von Bildern nach Namen, mit Animationen und Ankern für Pixi.</translation>
     </message>
     <message>
         <location filename="ui/export/screenshot_dialog.cpp"/>
@@ -8007,6 +8157,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Geisterbilder</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <source>gif</source>
+        <translation>gif</translation>
+    </message>
+    <message>
         <location filename="exhibits/framework/time/motion_json.cpp"/>
         <source>give a kind and two values, such as {1}:0.1:0.9, then its options.</source>
         <translation>geben Sie eine Art und zwei Werte an, etwa {=1}:0.1:0.9, danach ihre Optionen.</translation>
@@ -8053,7 +8208,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Meergrün glasiert</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Glide to that bookmark</source>
         <translation>Zu diesem Lesezeichen gleiten</translation>
     </message>
@@ -8080,6 +8235,16 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Zu Lesezeichen %1</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <source>Godot</source>
+        <translation>Godot</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/sprite/sprite_job.cpp"/>
+        <source>Godot reads normals with +Y up, and these point down; let +Y point up.</source>
+        <translation>Godot liest Normalen mit +Y nach oben, und diese weisen nach unten; lass +Y nach oben weisen.</translation>
+    </message>
+    <message>
         <location filename="ui/lessons/lesson_desk.cpp"/>
         <source>Goes to the next step of the lesson.</source>
         <translation>Geht zum nächsten Schritt der Lektion.</translation>
@@ -8088,11 +8253,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="ui/lessons/lesson_desk.cpp"/>
         <source>Goes to the previous step of the lesson.</source>
         <translation>Geht zum vorigen Schritt der Lektion.</translation>
-    </message>
-    <message>
-        <location filename="ui/parameters/parameter_panel.cpp"/>
-        <source>Goes to the tab that has these parameters.</source>
-        <translation>Wechselt zum Reiter, der diese Parameter hat.</translation>
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
@@ -8122,6 +8282,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="exhibits/sdf_scenes/sdf_scenes.cpp"/>
         <source>gone around</source>
         <translation>herumgegangen</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <source>gpl</source>
+        <translation>gpl</translation>
     </message>
     <message>
         <location filename="render/measure/clock_trial.cpp"/>
@@ -8326,6 +8491,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>hard</source>
         <extracomment>tables</extracomment>
         <translation>hart</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <source>hash</source>
+        <translation>Hash</translation>
     </message>
     <message>
         <location filename="exhibits/noise/noise_table.h"/>
@@ -8545,8 +8715,18 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>hier steht ein Nullbyte, das kein Text hat; entfernen Sie es</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/guest_reader.cpp"/>
+        <source>Here is a zero byte, which no text has; remove it.</source>
+        <translation>Hier steht ein Nullbyte, das es in keinem Text gibt; entfernen Sie es.</translation>
+    </message>
+    <message>
         <source>here is a zero byte, which no text has; remove it.</source>
         <translation>hier steht ein Nullbyte, das in keinem Text vorkommt; entfernen Sie es.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <source>hex</source>
+        <translation>hex</translation>
     </message>
     <message>
         <location filename="ui/tree/tree_view.cpp"/>
@@ -8618,14 +8798,14 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Treffertoleranz der rechten Hälfte.</translation>
     </message>
     <message>
-        <location filename="ui/parameters/parameter_panel.cpp"/>
+        <location filename="ui/parameters/parameter_menus.cpp"/>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
         <source>Hold</source>
         <extracomment>tables</extracomment>
         <translation>Ruhezeit</translation>
     </message>
     <message>
-        <location filename="ui/parameters/parameter_panel.cpp"/>
+        <location filename="ui/parameters/parameter_menus.cpp"/>
         <source>Hold %1</source>
         <translation>%1 anhalten</translation>
     </message>
@@ -8709,9 +8889,9 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>So funktioniert es</translation>
     </message>
     <message>
-        <location filename="exhibits/jobs/sprite/sprite_sheet.cpp"/>
-        <source>https://www.aseprite.org/docs/cli/#data (written by Vitrine)</source>
-        <translation>https://www.aseprite.org/docs/cli/#data (geschrieben von Vitrine)</translation>
+        <location filename="ui/window/search_entries.cpp"/>
+        <source>How it works: %1</source>
+        <translation>So funktioniert es: %1</translation>
     </message>
     <message>
         <location filename="ui/parameters/color_picker.cpp"/>
@@ -8753,7 +8933,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>besserer Schatten</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>In dialogs and menus</source>
         <translation>In Dialogen und Menüs</translation>
     </message>
@@ -8762,7 +8942,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Mitten in der Luft</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>In number fields</source>
         <translation>In Zahlenfeldern</translation>
     </message>
@@ -8802,7 +8982,22 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Im Depot: wird allein gezeigt</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="exhibits/your_shader/isf_reader.cpp"/>
+        <source>In the JSON head, {1}; the last one counts.</source>
+        <translation>Im JSON-Kopf: {1}; der letzte Eintrag gilt.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/isf_reader.cpp"/>
+        <source>In the JSON head: {1}.</source>
+        <translation>Im JSON-Kopf: {1}.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/shadertoy_reader.cpp"/>
+        <source>In the JSON: {1}.</source>
+        <translation>Im JSON: {1}.</translation>
+    </message>
+    <message>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>In the museum</source>
         <translation>Im Museum</translation>
     </message>
@@ -8822,7 +9017,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>im Text unter dieser Überschrift {1}</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>In the tree</source>
         <translation>Im Baum</translation>
     </message>
@@ -8883,6 +9078,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>inner first</source>
         <extracomment>tables</extracomment>
         <translation>innere zuerst</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/isf_reader.cpp"/>
+        <source>INPUTS must be a list of inputs in [ ].</source>
+        <translation>INPUTS muss eine Liste von Eingängen in [ ] sein.</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
@@ -9627,7 +9827,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Schlüssel von {1}</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Keyboard, mouse and gamepad</source>
         <translation>Tastatur, Maus und Gamepad</translation>
     </message>
@@ -9845,7 +10045,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Dort lassen</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Leave the exhibit and walk on</source>
         <translation>Das Exponat verlassen und weitergehen</translation>
     </message>
@@ -9894,7 +10094,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Aus dem Ordner {1} weggelassen, weil es keine Bilder in {2} sind: {3}.</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Left stick</source>
         <translation>Linker Stick</translation>
     </message>
@@ -10276,7 +10476,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Wülste</translation>
     </message>
     <message>
-        <location filename="ui/parameters/parameter_panel.cpp"/>
+        <location filename="ui/parameters/parameter_menus.cpp"/>
         <source>Lock the group</source>
         <translation>Die Gruppe sperren</translation>
     </message>
@@ -10311,12 +10511,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Darstellung</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Look around with the pointer locked</source>
         <translation>Umschauen mit gefangenem Zeiger</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Look around, or around the exhibit</source>
         <translation>Umschauen, oder um das Exponat herum</translation>
     </message>
@@ -10529,9 +10729,9 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Maske</translation>
     </message>
     <message>
-        <location filename="ui/parameters/parameter_panel.cpp"/>
-        <source>Matches in the other tab</source>
-        <translation>Treffer im anderen Reiter</translation>
+        <location filename="ui/window/search_dialog.cpp"/>
+        <source>Matches</source>
+        <translation>Treffer</translation>
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
@@ -10693,7 +10893,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>der Speicher ist voll</translation>
     </message>
     <message>
-        <location filename="ui/parameters/parameter_panel.cpp"/>
+        <location filename="ui/parameters/parameter_menus.cpp"/>
         <source>Menu of %1</source>
         <translation>Menü von %1</translation>
     </message>
@@ -11056,7 +11256,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>%1 verschieben</translation>
     </message>
     <message>
-        <location filename="ui/parameters/parameter_panel.cpp"/>
+        <location filename="ui/parameters/parameter_menus.cpp"/>
         <source>Move %1 on</source>
         <translation>%1 weiterbewegen</translation>
     </message>
@@ -11066,22 +11266,22 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Zwischen vier Einstellungen bewegen</translation>
     </message>
     <message>
-        <location filename="ui/parameters/parameter_panel.cpp"/>
+        <location filename="ui/parameters/parameter_menus.cpp"/>
         <source>Move on</source>
         <translation>Weiterbewegen</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Move the focus to the next or the previous panel</source>
         <translation>Den Fokus ins nächste oder vorige Bedienfeld setzen</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Move the node: up, down, out of its parent, into the one above</source>
         <translation>Den Knoten verschieben: auf, ab, aus seinem Elternknoten, in den darüber</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Move the wipe</source>
         <translation>Die Wischblende bewegen</translation>
     </message>
@@ -11089,11 +11289,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="ui/print/print_numbers.cpp"/>
         <source>Moves the cameras together until the print holds the whole scene.</source>
         <translation>Rückt die Kameras zusammen, bis der Druck die ganze Szene fasst.</translation>
-    </message>
-    <message>
-        <location filename="ui/window/window_actions.cpp"/>
-        <source>Moves the focus to the filter above the parameters.</source>
-        <translation>Setzt den Fokus in den Filter über den Parametern.</translation>
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
@@ -11145,6 +11340,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="ui/print/sheet_bar.cpp"/>
         <source>Name of the sheet</source>
         <translation>Name der Folie</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <source>Names of the directions in tags and animations: numbers from 0, or the compass point that the front of the object (+Z in glTF) faces on the picture: S faces the viewer, E right. The nearest of 8 points, or of 16 for more than 8 directions.</source>
+        <translation>Namen der Richtungen in Tags und Animationen: Zahlen ab 0, oder die Himmelsrichtung (englisch abgekürzt), in die die Vorderseite des Objekts (+Z in glTF) auf dem Bild weist: S zum Betrachter, E nach rechts. Die nächste von 8, bei mehr als 8 Richtungen von 16.</translation>
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
@@ -11253,11 +11453,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>kein Tuch oder Ständer ist im Blick</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
-        <source>No command matches.</source>
-        <translation>Kein Befehl passt.</translation>
-    </message>
-    <message>
         <location filename="ui/study/study_chart.cpp"/>
         <source>No count of work tells these settings apart.</source>
         <translation>Keine gezählte Arbeit unterscheidet diese Einstellungen.</translation>
@@ -11267,6 +11462,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/lenticular/lenticular.cpp"/>
         <source>no counts are requested</source>
         <translation>es werden keine Zählwerte verlangt</translation>
+    </message>
+    <message>
+        <location filename="ui/parameters/parameter_section.cpp"/>
+        <source>No effect now; only used when %1.</source>
+        <translation>Wirkt jetzt nicht, sondern nur wenn %1.</translation>
     </message>
     <message>
         <location filename="exhibits/museum/museum_plan.cpp"/>
@@ -11282,6 +11482,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/hall/own_objects.cpp"/>
         <source>no file is chosen for it</source>
         <translation>dafür ist keine Datei gewählt</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/sprite/sprite_job.cpp"/>
+        <source>No file of the palette is chosen; choose one, or another palette.</source>
+        <translation>Es ist keine Datei der Palette gewählt; wähle eine, oder eine andere Palette.</translation>
     </message>
     <message>
         <location filename="ui/report/frame_graph.cpp"/>
@@ -11357,11 +11562,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="render/gl/context.cpp"/>
         <source>No OpenGL was found; OpenGL 4.5 is needed: install a graphics driver, or Mesa's software one (libgl1-mesa-dri).</source>
         <translation>Kein OpenGL wurde gefunden; nötig ist OpenGL 4.5: Installieren Sie einen Grafiktreiber, oder Mesas Software-Treiber (libgl1-mesa-dri).</translation>
-    </message>
-    <message>
-        <location filename="ui/parameters/parameter_panel.cpp"/>
-        <source>No parameter matches &quot;%1&quot;.</source>
-        <translation>Kein Parameter passt zu „%1“.</translation>
     </message>
     <message>
         <location filename="ui/export/picture_export.cpp"/>
@@ -11623,6 +11823,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <source>Normal y</source>
+        <translation>Y der Normalen</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <location filename="exhibits/noise/noise_table.h"/>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <source>Normals</source>
@@ -11714,6 +11919,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/study/study_judge.cpp"/>
         <source>Nothing depends on {1} at present: every setting gives the same picture. Switch on what it acts on, and study again.</source>
         <translation>Von {1} hängt zurzeit nichts ab: Jede Einstellung gibt dasselbe Bild. Schalten Sie ein, worauf es wirkt, und untersuchen Sie noch einmal.</translation>
+    </message>
+    <message>
+        <location filename="ui/window/search_dialog.cpp"/>
+        <source>Nothing found for “%1”. Try fewer or other words.</source>
+        <translation>Für „%1“ wurde nichts gefunden. Versuchen Sie es mit weniger oder anderen Wörtern.</translation>
     </message>
     <message>
         <location filename="exhibits/pixel_art/pixel_passes.cpp"/>
@@ -12139,6 +12349,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Abzulesende Zahl</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <source>numbers</source>
+        <translation>Zahlen</translation>
+    </message>
+    <message>
         <location filename="exhibits/sdf_scenes/asked_scene.cpp"/>
         <source>numbers are folded by themselves where the evaluation is automatic</source>
         <translation>Zahlen werden von selbst eingerechnet, wo die Auswertung automatisch ist</translation>
@@ -12359,7 +12574,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>ein Sample pro Pixel</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>One step; the wheel only in the field with the focus</source>
         <translation>Ein Schritt; das Mausrad nur im Feld mit dem Fokus</translation>
     </message>
@@ -12697,14 +12912,29 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>eigener Sockel</translation>
     </message>
     <message>
+        <location filename="ui/window/window_actions.cpp"/>
+        <source>P&amp;in or unpin the parameter</source>
+        <translation>Parameter an&amp;heften oder lösen</translation>
+    </message>
+    <message>
         <location filename="exhibits/jobs/record/record_table.h"/>
         <source>Pace</source>
         <translation>Tempo</translation>
     </message>
     <message>
+        <location filename="ui/window/search_entries.cpp"/>
+        <source>Page</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
         <location filename="exhibits/jobs/study/study_job.cpp"/>
         <source>page, charts, pictures and numbers</source>
         <translation>Seite, Diagramme, Bilder und Zahlen</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <source>pal</source>
+        <translation>pal</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
@@ -12721,8 +12951,13 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
-        <source>Palette of all frames: their own, made of their colors, or a shipped one.</source>
-        <translation>Palette aller Bilder: ihre eigene, aus ihren Farben gebildet, oder eine mitgelieferte.</translation>
+        <source>Palette file</source>
+        <translation>Palettendatei</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <source>Palette of all frames: made of their own colors, a shipped one, or that of a file.</source>
+        <translation>Palette aller Bilder: aus ihren eigenen Farben gebildet, eine mitgelieferte oder die einer Datei.</translation>
     </message>
     <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
@@ -12870,6 +13105,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Nicht alles in der Sitzung ist dieser Version bekannt; sie wurde als %1 aufbewahrt:</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/isf_reader.cpp"/>
+        <source>pass {1}</source>
+        <translation>Pass {1}</translation>
+    </message>
+    <message>
         <location filename="ui/window/status_line.cpp"/>
         <source>Passes</source>
         <translation>Passes</translation>
@@ -12879,22 +13119,22 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Passes</translation>
     </message>
     <message>
-        <location filename="ui/parameters/parameter_panel.cpp"/>
+        <location filename="ui/parameters/parameter_menus.cpp"/>
         <source>Paste</source>
         <translation>Einfügen</translation>
     </message>
     <message>
-        <location filename="ui/parameters/parameter_panel.cpp"/>
+        <location filename="ui/parameters/parameter_menus.cpp"/>
         <source>Paste %1</source>
         <translation>%1 einfügen</translation>
     </message>
     <message>
-        <location filename="ui/parameters/parameter_panel.cpp"/>
+        <location filename="ui/parameters/parameter_menus.cpp"/>
         <source>Paste all</source>
         <translation>Alle einfügen</translation>
     </message>
     <message>
-        <location filename="ui/parameters/parameter_panel.cpp"/>
+        <location filename="ui/parameters/parameter_menus.cpp"/>
         <source>Paste all values</source>
         <translation>Alle Werte einfügen</translation>
     </message>
@@ -12920,6 +13160,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Path of a glTF object that wears the ring's coat in place of the ring; models/teddy.glb is supplied.</source>
         <extracomment>tables</extracomment>
         <translation>Pfad eines glTF-Objekts, das statt des Rings dessen Fell trägt; models/teddy.glb liegt bei.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <source>Path of a palette: of GIMP (.gpl), Lospec (.hex) or Paint Shop Pro (.pal, JASC), or a picture, of which all colors are taken, or 256 main ones.</source>
+        <translation>Pfad einer Palette: von GIMP (.gpl), Lospec (.hex) oder Paint Shop Pro (.pal, JASC), oder eines Bildes, von dem alle Farben genommen werden oder 256 Hauptfarben.</translation>
     </message>
     <message>
         <location filename="exhibits/hall/hall_table.h"/>
@@ -13162,6 +13407,16 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="ui/print/source_bar.cpp"/>
         <source>Pictures…</source>
         <translation>Bilder…</translation>
+    </message>
+    <message>
+        <location filename="ui/parameters/parameter_menus.cpp"/>
+        <source>Pin under the essentials</source>
+        <translation>Unter dem Wesentlichen anheften</translation>
+    </message>
+    <message>
+        <location filename="ui/parameters/parameter_panel.cpp"/>
+        <source>Pinned</source>
+        <translation>Angeheftet</translation>
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
@@ -13496,9 +13751,9 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Jetzt: %1, Fehler %2, Kosten %3.</translation>
     </message>
     <message>
-        <location filename="ui/window/palette_entries.cpp"/>
-        <source>Preset: %1</source>
-        <translation>Preset: %1</translation>
+        <location filename="ui/window/search_entries.cpp"/>
+        <source>Preset of %1</source>
+        <translation>Preset von %1</translation>
     </message>
     <message>
         <location filename="ui/presets/preset_list.cpp"/>
@@ -13528,12 +13783,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Drücken Sie das neue Tastenkürzel des Befehls.</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Press the red button</source>
         <translation>Den roten Knopf drücken</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Press the red button you look at, or that of the exhibit you visit</source>
         <translation>Den roten Knopf drücken, den Sie ansehen, oder den des besuchten Exponats</translation>
     </message>
@@ -14577,7 +14832,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Alle zurücksetzen</translation>
     </message>
     <message>
-        <location filename="ui/parameters/parameter_panel.cpp"/>
+        <location filename="ui/parameters/parameter_menus.cpp"/>
         <location filename="ui/parameters/parameter_row.cpp"/>
         <source>Reset to %1</source>
         <translation>Auf %1 zurücksetzen</translation>
@@ -14672,7 +14927,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Stellt die üblichen Tastenkürzel des Befehls wieder her.</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Return to where you stood before</source>
         <translation>Zurück dorthin, wo Sie vorher standen</translation>
     </message>
@@ -14748,7 +15003,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Spiegelungen rechts</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Right drag</source>
         <translation>Rechts ziehen</translation>
     </message>
@@ -14794,7 +15049,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Schrittgrenze rechts</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Right stick</source>
         <translation>Rechter Stick</translation>
     </message>
@@ -15298,6 +15553,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>%1 gespeichert. Dateien daneben: %2.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <source>Saved palette</source>
+        <translation>Gespeicherte Palette</translation>
+    </message>
+    <message>
         <location filename="ui/tree/tree_file.cpp"/>
         <source>Saved to %1.</source>
         <translation>In %1 gespeichert.</translation>
@@ -15463,6 +15723,16 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Seeigel</translation>
     </message>
     <message>
+        <location filename="ui/window/search_dialog.cpp"/>
+        <source>Search</source>
+        <translation>Suche</translation>
+    </message>
+    <message>
+        <location filename="ui/window/search_dialog.cpp"/>
+        <source>Search parameters, presets, commands and pages</source>
+        <translation>Parameter, Presets, Befehle und Seiten suchen</translation>
+    </message>
+    <message>
         <source>Second model</source>
         <extracomment>tables</extracomment>
         <translation>Modell 2</translation>
@@ -15569,7 +15839,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>semi-implizit</translation>
     </message>
     <message>
-        <location filename="ui/parameters/parameter_panel.cpp"/>
+        <location filename="ui/parameters/way_to_act.cpp"/>
         <location filename="ui/study/study_view.cpp"/>
         <source>Set %1</source>
         <translation>%1 setzen</translation>
@@ -16058,12 +16328,12 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Tastenkürzel</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Shortcuts</source>
         <translation>Tastenkürzel</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Shoulders</source>
         <translation>Schultertasten</translation>
     </message>
@@ -16111,7 +16381,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Nur B &amp;zeigen</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Show B instead of A</source>
         <translation>B statt A zeigen</translation>
     </message>
@@ -16196,11 +16466,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <location filename="ui/parameters/parameter_panel.cpp"/>
-        <source>Shows only parameters whose name, group, help or choices contain these words. Enter goes to the first, Esc clears, Esc again leaves.</source>
-        <translation>Zeigt nur Parameter, deren Name, Gruppe, Hilfe oder Auswahl diese Wörter enthält. Eingabe geht zum ersten, Esc leert das Feld, noch einmal Esc verlässt es.</translation>
-    </message>
-    <message>
-        <location filename="ui/parameters/parameter_panel.cpp"/>
         <source>Shows only parameters whose value is not the initial one.</source>
         <translation>Zeigt nur Parameter, deren Wert nicht der Ausgangswert ist.</translation>
     </message>
@@ -16233,6 +16498,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="ui/study/kept_studies.cpp"/>
         <source>Shows the fronts of the ticked studies over each other, and how they differ.</source>
         <translation>Zeigt die Fronten der angehakten Studien übereinander, und worin sie sich unterscheiden.</translation>
+    </message>
+    <message>
+        <location filename="ui/window/window_actions.cpp"/>
+        <source>Shows the parameter with the focus under the essential ones, or puts it back to its group.</source>
+        <translation>Zeigt den Parameter mit dem Fokus unter dem Wesentlichen oder stellt ihn in seine Gruppe zurück.</translation>
     </message>
     <message>
         <location filename="ui/study/study_dock.cpp"/>
@@ -16801,7 +17071,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Sterne</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
         <source>Start</source>
         <translation>Anfang</translation>
@@ -16944,17 +17214,17 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Stillleben</translation>
     </message>
     <message>
-        <location filename="ui/parameters/parameter_panel.cpp"/>
+        <location filename="ui/parameters/parameter_menus.cpp"/>
         <source>Stop %1</source>
         <translation>%1 beenden</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Stop and start the exhibits' clock</source>
         <translation>Die Uhr der Exponate anhalten und starten</translation>
     </message>
     <message>
-        <location filename="ui/parameters/parameter_panel.cpp"/>
+        <location filename="ui/parameters/parameter_menus.cpp"/>
         <source>Stop here</source>
         <translation>Hier beenden</translation>
     </message>
@@ -17771,7 +18041,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Was es kostet, den Fehler zu halbieren, lässt sich aus so wenigen und so stark schwankenden Punkten nicht schätzen; messen Sie mehr Werte.</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>The cross moves, A presses, B closes</source>
         <translation>Das Kreuz bewegt, A drückt, B schließt</translation>
     </message>
@@ -17784,6 +18054,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
         <source>the cut leaves nothing; raise it above -radius</source>
         <translation>der Schnitt lässt nichts übrig; heben Sie ihn über -radius</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/reading.cpp"/>
+        <source>The default of “{1}” is outside of its range; change one of them.</source>
+        <translation>Der Anfangswert von „{=1}“ liegt außerhalb des Bereichs; ändern Sie eines von beiden.</translation>
     </message>
     <message>
         <location filename="exhibits/crepuscular_rays/rays_scene.cpp"/>
@@ -17891,6 +18166,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>die Datei endet zu früh</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/guest_reader.cpp"/>
+        <source>The file has more than {1} bytes; shorten it.</source>
+        <translation>Die Datei hat mehr als {1} Bytes; kürzen Sie sie.</translation>
+    </message>
+    <message>
         <location filename="render/files/strict_json.cpp"/>
         <source>the file has {1} bytes, more than the {2} allowed for JSON</source>
         <translation>die Datei hat {1} Bytes, mehr als die für JSON erlaubten {2}</translation>
@@ -17906,6 +18186,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>die Datei ist leer; sie sollte JSON enthalten</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/guest_reader.cpp"/>
+        <source>The file is empty; write a shader into it.</source>
+        <translation>Die Datei ist leer; schreiben Sie einen Shader hinein.</translation>
+    </message>
+    <message>
         <location filename="render/files/atomic_write.cpp"/>
         <source>the file is read-only; choose another name.</source>
         <translation>die Datei ist schreibgeschützt; wählen Sie einen anderen Namen.</translation>
@@ -17916,6 +18201,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>die Datei ist UTF-16; speichern Sie sie als UTF-8</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/guest_reader.cpp"/>
+        <source>The file is UTF-16; save it as UTF-8.</source>
+        <translation>Die Datei ist UTF-16; speichern Sie sie als UTF-8.</translation>
+    </message>
+    <message>
         <location filename="render/image/oiio/write.cpp"/>
         <source>the file lost a channel</source>
         <translation>die Datei hat einen Kanal verloren</translation>
@@ -17924,6 +18214,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="render/files/strict_json.cpp"/>
         <source>the file starts with two byte order marks; delete one</source>
         <translation>die Datei beginnt mit zwei Byte-Reihenfolge-Markierungen; löschen Sie eine</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/isf_reader.cpp"/>
+        <source>The first comment holds no JSON object; begin it with {.</source>
+        <translation>Der erste Kommentar enthält kein JSON-Objekt; beginnen Sie es mit {.</translation>
     </message>
     <message>
         <location filename="exhibits/hall/hall_floor.cpp"/>
@@ -17959,6 +18254,12 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="render/gl/program_cache.cpp"/>
         <source>The generated shader {1}, line {2}: {3}</source>
         <translation>Der erzeugte Shader {=1}, Zeile {2}: {=3}</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/guest_glsl.cpp"/>
+        <location filename="exhibits/your_shader/shader_check.cpp"/>
+        <source>The GLSL compiler says: {1}.</source>
+        <translation>Der GLSL-Compiler meldet: {=1}.</translation>
     </message>
     <message>
         <location filename="render/gl/resources.cpp"/>
@@ -18053,9 +18354,29 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>das Bild hat eine andere Form</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/isf_reader.cpp"/>
+        <source>The import “{1}” cannot be read: {2}.</source>
+        <translation>Der Import „{=1}“ lässt sich nicht lesen: {2}.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/isf_reader.cpp"/>
+        <source>The import “{1}” has no PATH; name a picture beside the shader.</source>
+        <translation>Der Import „{=1}“ hat keinen PATH; nennen Sie ein Bild neben dem Shader.</translation>
+    </message>
+    <message>
         <location filename="exhibits/printing/print_layout.cpp"/>
         <source>the ink's spread is {1}; give 0 or more</source>
         <translation>der Tintenverlauf ist {1}; geben Sie 0 oder mehr an</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/isf_reader.cpp"/>
+        <source>The input “{1}” has more than {2} VALUES; remove some.</source>
+        <translation>Der Eingang „{=1}“ hat mehr als {2} VALUES; entfernen Sie einige.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/isf_reader.cpp"/>
+        <source>The input “{1}” has the unknown TYPE “{2}”; use float, bool, long, color, point2D, event, image, audio or audioFFT.</source>
+        <translation>Der Eingang „{=1}“ hat den unbekannten TYPE „{=2}“; verwenden Sie float, bool, long, color, point2D, event, image, audio oder audioFFT.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/kit/job.h"/>
@@ -18099,6 +18420,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>der größte Radius ist mehr als das 1000-fache des kleinsten; bringen Sie sie näher zusammen</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/sprite/palette_file.cpp"/>
+        <source>the last one: fewer colors follow than line 3 says</source>
+        <translation>die letzte: es folgen weniger Farben, als Zeile 3 sagt</translation>
+    </message>
+    <message>
         <location filename="render/image/oiio/read.cpp"/>
         <source>the layer &quot;{1}&quot;</source>
         <translation>die Ebene „{1}“</translation>
@@ -18127,6 +18453,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/sdf_scenes/asked_scene.cpp"/>
         <source>the lists of near shapes are still being computed</source>
         <translation>die Listen naher Formen werden noch berechnet</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/macro_sizes.cpp"/>
+        <source>The macro “{1}” expands to more than {2} words; write a function or a loop.</source>
+        <translation>Das Makro „{=1}“ wird zu mehr als {2} Wörtern; schreiben Sie eine Funktion oder eine Schleife.</translation>
     </message>
     <message>
         <location filename="render/image/oiio/read.cpp"/>
@@ -18211,6 +18542,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/sdf_scenes/source_shapes.cpp"/>
         <source>the normal is 0, 0, 0; give a direction</source>
         <translation>die Normale ist 0, 0, 0; geben Sie eine Richtung an</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/sprite/palette_file.cpp"/>
+        <source>the number of colors</source>
+        <translation>die Anzahl der Farben</translation>
     </message>
     <message>
         <location filename="render/files/strict_json.cpp"/>
@@ -18398,6 +18734,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>der Radius</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/reading.cpp"/>
+        <source>The range of “{1}” is empty; write the lower number first.</source>
+        <translation>Der Bereich von „{=1}“ ist leer; schreiben Sie die kleinere Zahl zuerst.</translation>
+    </message>
+    <message>
         <location filename="exhibits/kit/sdf_exhibit.cpp"/>
         <source>The rasterized mesh</source>
         <translation>Das rasterisierte Netz</translation>
@@ -18468,7 +18809,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>in beiden gleich</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>The same with what is in the middle of the picture</source>
         <translation>Dasselbe mit dem, was in der Mitte des Bildes ist</translation>
     </message>
@@ -18526,6 +18867,58 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/crepuscular_rays/crepuscular_rays.cpp"/>
         <source>the selected technique does not make them</source>
         <translation>die gewählte Technik erzeugt sie nicht</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/shader_check.cpp"/>
+        <source>The shader cannot be translated: {1}; make it simpler.</source>
+        <translation>Der Shader lässt sich nicht übersetzen: {=1}; vereinfachen Sie ihn.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/shader_compiler.cpp"/>
+        <source>The shader could not be read: the GLSL compiler answered nonsense; install or build Vitrine again.</source>
+        <translation>Der Shader ließ sich nicht lesen: Der GLSL-Compiler gab eine unverständliche Antwort; installieren oder bauen Sie Vitrine neu.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/shader_compiler.cpp"/>
+        <source>The shader could not be read: the GLSL compiler failed on it; make it simpler, for example with fewer nested brackets.</source>
+        <translation>Der Shader ließ sich nicht lesen: Der GLSL-Compiler ist daran gescheitert; vereinfachen Sie ihn, etwa durch weniger verschachtelte Klammern.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/shader_compiler.cpp"/>
+        <source>The shader could not be read: the GLSL compiler needs more than 5 s for it; make it shorter.</source>
+        <translation>Der Shader ließ sich nicht lesen: Der GLSL-Compiler braucht mehr als 5 s dafür; kürzen Sie ihn.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/shader_compiler.cpp"/>
+        <source>The shader could not be read: the GLSL compiler needs more than 512 MB for it; make it shorter.</source>
+        <translation>Der Shader ließ sich nicht lesen: Der GLSL-Compiler braucht mehr als 512 MB dafür; kürzen Sie ihn.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/reading.cpp"/>
+        <source>The shader has more than {1} inputs of one kind, or more than {2} in all; remove some.</source>
+        <translation>Der Shader hat mehr als {1} Eingänge einer Art oder mehr als {2} insgesamt; entfernen Sie einige.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/isf_reader.cpp"/>
+        <location filename="exhibits/your_shader/plain_reader.cpp"/>
+        <location filename="exhibits/your_shader/shadertoy_reader.cpp"/>
+        <source>The shader has more than {1} passes; remove some.</source>
+        <translation>Der Shader hat mehr als {1} Passes; entfernen Sie einige.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/shader_check.cpp"/>
+        <source>The shader has {1} instructions when every call is replaced by its function, more than the {2} that drivers can take; let functions call each other less often.</source>
+        <translation>Der Shader hat {1} Anweisungen, wenn jeder Aufruf durch seine Funktion ersetzt wird, mehr als die {2}, die Treiber bewältigen; lassen Sie Funktionen einander seltener aufrufen.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/isf_reader.cpp"/>
+        <source>The shader imports more than {1} pictures; remove some.</source>
+        <translation>Der Shader importiert mehr als {1} Bilder; entfernen Sie einige.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/reading.cpp"/>
+        <source>The shader includes more than {1} files; join some of them.</source>
+        <translation>Der Shader bindet mehr als {1} Dateien ein; fassen Sie einige zusammen.</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/asked_scene.cpp"/>
@@ -18591,6 +18984,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="app/serve/listener.cpp"/>
         <source>the socket cannot be used ({1}).</source>
         <translation>Der Socket lässt sich nicht verwenden ({1}).</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/shadertoy_reader.cpp"/>
+        <source>The sound pass is left out; pictures have no sound.</source>
+        <translation>Der Sound-Pass wird ausgelassen; Bilder haben keinen Ton.</translation>
     </message>
     <message>
         <location filename="exhibits/printing/chart.cpp"/>
@@ -18754,9 +19152,24 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Die zwölf Kanten eines Quaders.</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/plain_reader.cpp"/>
+        <source>The uniform “{1}” has the type “{2}”, which no slider can set; use a number, a vector, bool or sampler2D.</source>
+        <translation>Die Uniform-Variable „{=1}“ hat den Typ „{=2}“, den kein Regler setzen kann; verwenden Sie eine Zahl, einen Vektor, bool oder sampler2D.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/plain_reader.cpp"/>
+        <source>The uniform “{1}” is an array, which no slider can set; use single uniforms.</source>
+        <translation>Die Uniform-Variable „{=1}“ ist ein Feld, das kein Regler setzen kann; verwenden Sie einzelne Variablen.</translation>
+    </message>
+    <message>
         <location filename="exhibits/jobs/kit/given_values.cpp"/>
         <source>the values of a job must be an object; correct it there.</source>
         <translation>die Werte eines Auftrags müssen ein Objekt sein; berichtigen Sie das dort.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/shader_check.cpp"/>
+        <source>The variables of the shader need {1} bytes for each pixel, more than {2}; make the arrays smaller.</source>
+        <translation>Die Variablen des Shaders brauchen {1} Bytes je Pixel, mehr als {2}; verkleinern Sie die Felder.</translation>
     </message>
     <message>
         <location filename="render/scene/gltf_convert.cpp"/>
@@ -18897,6 +19310,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Farbschema, Schriftgröße, Bewegung, Maus, was ein Bild kosten darf, Tasten, zuletzt geöffnete Dateien.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/sprite/sprite_job.cpp"/>
+        <source>There are compass points for at most 16 directions; choose fewer directions, or numbers as names.</source>
+        <translation>Es gibt Himmelsrichtungen für höchstens 16 Richtungen; wähle weniger Richtungen oder Zahlen als Namen.</translation>
+    </message>
+    <message>
         <location filename="exhibits/sdf_scenes/scene_reader.cpp"/>
         <source>there are more than 16 lights; leave some out</source>
         <translation>es gibt mehr als 16 Lichter; lassen Sie einige weg</translation>
@@ -18961,6 +19379,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="render/scene/gltf_animation.cpp"/>
         <source>there are too few; export the file again.</source>
         <translation>es sind zu wenige; exportieren Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/reading.cpp"/>
+        <source>There are two inputs “{1}”; rename one of them.</source>
+        <translation>Es gibt zwei Eingänge „{=1}“; benennen Sie einen um.</translation>
     </message>
     <message>
         <location filename="exhibits/printing/print_layout.cpp"/>
@@ -19057,6 +19480,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/hall/hall_passes.cpp"/>
         <source>there is no hall to cast it</source>
         <translation>es gibt keine Halle, die ihn wirft</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/size_expression.cpp"/>
+        <source>there is no input “{1}” with a number; declare it in INPUTS</source>
+        <translation>es gibt keinen Eingang „{=1}“ mit einer Zahl; vereinbaren Sie ihn in INPUTS</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/sdf_scenes.cpp"/>
@@ -19491,6 +19919,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>das sind keine Einstellungen eines Auftrags; geben Sie eine Datei an, die ein Auftrag von Vitrine geschrieben hat.</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/guest_reader.cpp"/>
+        <source>This is no shader: it has neither main() nor mainImage(), and no JSON in its first comment; write one of them.</source>
+        <translation>Das ist kein Shader: Es gibt weder main() noch mainImage() noch JSON im ersten Kommentar; schreiben Sie eines davon.</translation>
+    </message>
+    <message>
         <location filename="exhibits/study/kept_study.cpp"/>
         <source>this is no study; choose a file that `vitrine study` wrote.</source>
         <translation>das ist keine Studie; wählen Sie eine Datei, die `vitrine study` geschrieben hat.</translation>
@@ -19529,6 +19962,16 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/sdf_scenes/field_reader.cpp"/>
         <source>this is {1}; give {2}</source>
         <translation>hier steht {1}; geben Sie {2} an</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/shadertoy_reader.cpp"/>
+        <source>This JSON has no list “renderpass”; export the shader from Shadertoy again.</source>
+        <translation>Dieses JSON hat keine Liste „renderpass“; exportieren Sie den Shader erneut aus Shadertoy.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/shadertoy_reader.cpp"/>
+        <source>This JSON has no pass of type “image”; add the pass that draws the picture.</source>
+        <translation>Dieses JSON hat keinen Pass vom Typ „image“; ergänzen Sie den Pass, der das Bild zeichnet.</translation>
     </message>
     <message>
         <location filename="render/files/strict_json.cpp"/>
@@ -19914,6 +20357,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Diese Folie ist für Wechselbilder gemacht, und ihre Linsen stehen aufrecht: Jedes Auge sieht ein anderes Bild. Legen Sie sie für einen Wechsel quer (Richtung 90°).</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/size_expression.cpp"/>
+        <source>this size is longer than {1} bytes; shorten it</source>
+        <translation>diese Größe ist länger als {1} Bytes; kürzen Sie sie</translation>
+    </message>
+    <message>
         <location filename="exhibits/framework/files/lesson.cpp"/>
         <source>this step has &quot;### {1}&quot; already; put both into one, or make two steps.</source>
         <translation>dieser Schritt hat schon „### {=1}“; legen Sie beide zusammen, oder machen Sie zwei Schritte daraus.</translation>
@@ -19973,6 +20421,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/study/kept_study.cpp"/>
         <source>this was written by a newer Vitrine; open it there.</source>
         <translation>das wurde von einem neueren Vitrine geschrieben; öffnen Sie es dort.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/sprite/palette_file.cpp"/>
+        <source>three numbers from 0 to 255: red, green and blue</source>
+        <translation>drei Zahlen von 0 bis 255: Rot, Grün und Blau</translation>
     </message>
     <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
@@ -20236,7 +20689,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Dreiecke</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Triggers</source>
         <translation>Trigger</translation>
     </message>
@@ -20442,7 +20895,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Geben Sie drei Zahlen ein: x, y, z.</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Type: 1/3, 2*pi, 30deg</source>
         <translation>Tippen: 1/3, 2*pi, 30deg</translation>
     </message>
@@ -20482,6 +20935,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <source>Unevenness of the paper: 0 is smooth, 1 shows fibers.</source>
         <extracomment>tables</extracomment>
         <translation>Ungleichmäßigkeit des Papiers: 0 ist glatt, 1 zeigt Fasern.</translation>
+    </message>
+    <message>
+        <location filename="ui/parameters/parameter_menus.cpp"/>
+        <source>Unfold all groups</source>
+        <translation>Alle Gruppen aufklappen</translation>
     </message>
     <message>
         <location filename="exhibits/fur/fur_table.h"/>
@@ -20525,14 +20983,19 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>unbekannt ({1}): {=2}</translation>
     </message>
     <message>
-        <location filename="ui/parameters/parameter_panel.cpp"/>
+        <location filename="ui/parameters/parameter_menus.cpp"/>
         <source>Unlock</source>
         <translation>Entsperren</translation>
     </message>
     <message>
-        <location filename="ui/parameters/parameter_panel.cpp"/>
+        <location filename="ui/parameters/parameter_menus.cpp"/>
         <source>Unlock the group</source>
         <translation>Die Gruppe entsperren</translation>
+    </message>
+    <message>
+        <location filename="ui/parameters/parameter_menus.cpp"/>
+        <source>Unpin</source>
+        <translation>Lösen</translation>
     </message>
     <message>
         <location filename="ui/tree/tree_dock.cpp"/>
@@ -20550,12 +21013,17 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Oben</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <source>up</source>
+        <translation>nach oben</translation>
+    </message>
+    <message>
         <location filename="exhibits/hall/hall.cpp"/>
         <source>up into the vault</source>
         <translation>hinauf ins Gewölbe</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Up, Down, wheel</source>
         <translation>Auf, Ab, Mausrad</translation>
     </message>
@@ -20689,6 +21157,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/study/study_table.h"/>
         <source>Values</source>
         <translation>Werte</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/isf_reader.cpp"/>
+        <source>VALUES of the input “{1}” must be whole numbers.</source>
+        <translation>VALUES des Eingangs „{=1}“ müssen ganze Zahlen sein.</translation>
     </message>
     <message>
         <location filename="exhibits/study/study_table.h"/>
@@ -20879,17 +21352,17 @@ oder aus einem Bild mit einem Raster von Ansichten geschnitten werden. Ein Ordne
         <translation>Besuchen Sie zuerst ein Exponat; jede Lektion handelt von einem.</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Visit an exhibit, press a button</source>
         <translation>Ein Exponat besuchen, einen Knopf drücken</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Visit the previous or the next exhibit</source>
         <translation>Das vorige oder das nächste Exponat besuchen</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Visit what is in the middle of the picture, or press its button</source>
         <translation>Besuchen, was in der Mitte des Bildes ist, oder dessen Knopf drücken</translation>
     </message>
@@ -20966,7 +21439,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>W A S D zum Gehen; klicken Sie ein Exponat an, um es einzustellen</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>W A S D, arrows</source>
         <translation>W A S D, Pfeiltasten</translation>
     </message>
@@ -21010,12 +21483,12 @@ steht in assets/SOURCES.md.</translation>
         <translation>Gehen Sie, bis die Sonne das Bild verlässt: Diese Strahlen verblassen, denn was nicht zu sehen ist, kann nicht scheinen.</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Walk; Shift runs</source>
         <translation>Gehen; Umschalt läuft</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Walk; the right trigger, or pressing the stick, runs</source>
         <translation>Gehen; der rechte Trigger, oder ein Druck auf den Stick, läuft</translation>
     </message>
@@ -21124,7 +21597,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>Was als exakt gilt, ist nicht geprüft: {1}</translation>
     </message>
     <message>
-        <location filename="ui/parameters/parameter_panel.cpp"/>
+        <location filename="ui/parameters/parameter_menus.cpp"/>
         <location filename="ui/parameters/parameter_row.cpp"/>
         <source>What does accuracy cost?</source>
         <translation>Was kostet Genauigkeit?</translation>
@@ -21203,7 +21676,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>Was zu sehen ist</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Wheel, + and −</source>
         <translation>Mausrad, + und −</translation>
     </message>
@@ -21480,7 +21953,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>während das neue Programm gebaut wird</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>While two settings are compared</source>
         <translation>Während zwei Einstellungen verglichen werden</translation>
     </message>
@@ -21669,7 +22142,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>Mit --reverse kehrt sich die Tiefe gerenderter Ansichten um.</translation>
     </message>
     <message>
-        <location filename="ui/window/command_palette.cpp"/>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>With a gamepad</source>
         <translation>Mit einem Gamepad</translation>
     </message>
@@ -21777,6 +22250,11 @@ steht in assets/SOURCES.md.</translation>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <source>Write a description file with the place of every frame, as JSON in Aseprite's format.</source>
         <translation>Schreibt eine Beschreibungsdatei mit der Lage jedes Bildes, als JSON in Aseprites Format.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <source>Write a resource of Godot 4 (.tres): SpriteFrames with an animation for each direction, lit by the normal map.</source>
+        <translation>Schreibt eine Ressource für Godot 4 (.tres): SpriteFrames mit einer Animation je Richtung, mit den Normalen beleuchtet.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
@@ -22254,6 +22732,16 @@ steht in assets/SOURCES.md.</translation>
         <translation>{1} Nichts wurde gewählt; erlauben Sie mehr, oder untersuchen Sie andere Parameter.</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/isf_reader.cpp"/>
+        <source>{1} of a pass: {2}.</source>
+        <translation>{=1} eines Passes: {2}.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/isf_reader.cpp"/>
+        <source>{1} of the input “{2}” must have {3} numbers.</source>
+        <translation>{=1} des Eingangs „{=2}“ muss {3} Zahlen haben.</translation>
+    </message>
+    <message>
         <location filename="render/plan/contribution_bound.cpp"/>
         <source>{1} of the light of white</source>
         <translation>{1} des Lichts von Weiß</translation>
@@ -22624,11 +23112,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1}` nimmt kein weiteres Argument, und &quot;{=2}&quot; ist eines; `{=3} --help` sagt, was es nimmt.</translation>
     </message>
     <message>
-        <location filename="exhibits/jobs/sprite/sprite_sheet.cpp"/>
-        <source>{1}direction {2}</source>
-        <translation>{=1}direction {=2}</translation>
-    </message>
-    <message>
         <location filename="ui/compare/compare_bar.cpp"/>
         <source>× %1</source>
         <translation>× %1</translation>
@@ -22639,9 +23122,24 @@ steht in assets/SOURCES.md.</translation>
         <translation>„%1“ wird bereits gezeigt: Beide Seiten sind gleich.</translation>
     </message>
     <message>
-        <location filename="ui/parameters/parameter_panel.cpp"/>
-        <source>“%1”: %2</source>
-        <translation>„%1“: %2</translation>
+        <location filename="ui/parameters/way_to_act.cpp"/>
+        <source>“%1” to %2</source>
+        <translation>„%1“ auf %2</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/size_expression.cpp"/>
+        <source>“{1}” gives more than {2} pixels; choose a smaller size</source>
+        <translation>„{=1}“ ergibt mehr als {2} Pixel; wählen Sie eine kleinere Größe</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/isf_reader.cpp"/>
+        <source>“{1}” has no MIN and MAX; the slider goes from 0 to 1, or as far as its default.</source>
+        <translation>„{=1}“ hat kein MIN und MAX; der Regler geht von 0 bis 1 oder bis zum Anfangswert.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/plain_reader.cpp"/>
+        <source>“{1}” has no range; write one behind it, such as // 0 .. 2, default 1.</source>
+        <translation>„{=1}“ hat keinen Bereich; schreiben Sie einen dahinter, etwa // 0 .. 2, default 1.</translation>
     </message>
     <message>
         <location filename="exhibits/framework/table/acting.cpp"/>
@@ -22649,9 +23147,34 @@ steht in assets/SOURCES.md.</translation>
         <translation>„{1}“ über {2} liegt</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/shadertoy_reader.cpp"/>
+        <source>“{1}” is no channel; there are iChannel0 to iChannel3.</source>
+        <translation>„{=1}“ ist kein Kanal; es gibt iChannel0 bis iChannel3.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/reading.cpp"/>
+        <source>“{1}” is no name of a variable; use letters, digits and _.</source>
+        <translation>„{=1}“ ist kein Name einer Variablen; verwenden Sie Buchstaben, Ziffern und _.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/size_expression.cpp"/>
+        <source>“{1}” is no size; write an expression of numbers, $WIDTH, $HEIGHT and inputs, such as floor($WIDTH/2)</source>
+        <translation>„{=1}“ ist keine Größe; schreiben Sie einen Ausdruck aus Zahlen, $WIDTH, $HEIGHT und Eingängen, etwa floor($WIDTH/2)</translation>
+    </message>
+    <message>
         <location filename="exhibits/framework/table/acting.cpp"/>
         <source>“{1}” is not {2}</source>
         <translation>„{1}“ nicht auf {2} steht</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/reading.cpp"/>
+        <source>“{1}” is unknown here; after the range of “{2}” follow default, exact, a unit or a label in quotes.</source>
+        <translation>„{=1}“ ist hier unbekannt; nach dem Bereich von „{=2}“ folgen default, exact, eine Einheit oder eine Beschriftung in Anführungszeichen.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/shadertoy_reader.cpp"/>
+        <source>“{1}” is wrong here; write #iUniform float name = 0.5 in {0.0, 1.0}.</source>
+        <translation>„{=1}“ ist hier falsch; schreiben Sie #iUniform float name = 0.5 in {0.0, 1.0}.</translation>
     </message>
     <message>
         <location filename="exhibits/framework/table/acting.cpp"/>
@@ -22662,6 +23185,11 @@ steht in assets/SOURCES.md.</translation>
         <location filename="exhibits/framework/table/acting.cpp"/>
         <source>“{1}” names a file</source>
         <translation>„{1}“ eine Datei nennt</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/shadertoy_reader.cpp"/>
+        <source>“{1}” names no file; write #iChannel0 &quot;file://name.png&quot;.</source>
+        <translation>„{=1}“ nennt keine Datei; schreiben Sie #iChannel0 &quot;file://name.png&quot;.</translation>
     </message>
     <message>
         <location filename="ui/compare/compare_bar.cpp"/>
