@@ -1,6 +1,10 @@
 #pragma once
 
+#include "app/queue/parts.h"
 #include "exhibits/jobs/kit/job.h"
+#include "exhibits/study/study_parts.h"
+
+#include <memory>
 
 namespace vitrine::app {
 
@@ -12,6 +16,8 @@ struct JobFolder {
     void (*write)(const std::filesystem::path&, const jobs::JobRun&);
     /// Prints what it made, unless `quietly`, and what it did not reach. Returns the exit code.
     int (*tell)(const std::filesystem::path&, const jobs::JobRun&, bool quietly);
+    /// Returns the measures in the parts of the output. `isPart`: this process makes one part; otherwise it merges.
+    std::unique_ptr<StudyParts> (*measures)(Parts&, bool isPart);
 };
 
 /// Returns null for a job that writes its files itself.

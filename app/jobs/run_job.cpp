@@ -4,7 +4,6 @@
 #include "app/kit/progress.h"
 #include "app/kit/say.h"
 #include "app/kit/stop_signal.h"
-#include "app/queue/study_in_parts.h"
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
 #include "render/gl/context.h"
@@ -127,8 +126,9 @@ int runPartOf(const jobs::Job& job, jobs::JobOrder order, const jobs::JobPlan& p
 {
     return runPart(order.out, shard, [&](Parts& parts) -> std::optional<std::string> {
         render::gl::ContextInfo drawn;
-        StudyInParts measures(parts, true);
-        order.share.measures = &measures;
+        const JobFolder* folder = folderOf(job);
+        const std::unique_ptr<StudyParts> measures = folder ? folder->measures(parts, true) : nullptr;
+        order.share.measures = measures.get();
         order.out = parts.file(job.partItems(order.out));
         order.backend = [&drawn] { return headlessBackend(&drawn); };
         const std::unique_ptr<jobs::JobRun> run = finishedRun(job, std::move(order), plan);
@@ -161,19 +161,20 @@ int runJob(const jobs::Job& job, jobs::JobOrder order, const jobs::JobPlan& plan
     render::gl::ContextInfo drawn;
     order.backend = [&drawn] { return headlessBackend(&drawn); };
     order.machine = [&drawn] { return render::gl::machineJson(drawn); };
+    const JobFolder* folder = folderOf(job);
     std::optional<Parts> made;
-    std::optional<StudyInParts> measures;
+    std::unique_ptr<StudyParts> measures;
     if (part.fromParts) {
         made.emplace(out);
         order.share.from = made->file(items);
-        order.share.measures = &measures.emplace(*made, false);
+        if (folder) measures = folder->measures(*made, false);
+        order.share.measures = measures.get();
     }
     if (!part.shard.empty()) {
         const Shard shard = parseShard(part.shard);
         order.share.makes = [shard](int k) { return shard.makes(static_cast<std::size_t>(k)); };
         if (!items.empty()) return runPartOf(job, std::move(order), plan, shard);
     }
-    const JobFolder* folder = folderOf(job);
     if (folder) order.writeFolder = [&](const jobs::JobRun& run) { folder->write(out, run); };
     for (const jobs::PlannedFile& file : plan.files)
         if (!folder || file.path != out) const render::PartFile writable(file.path);

@@ -36,7 +36,7 @@ std::string operationText(const NodeKind& kind, const std::vector<std::string>& 
 {
     const std::string text = "{\"kind\": " + quoted(std::string(kind.name)) + ", ";
     if (takesOne(kind)) return text + "\"child\": " + children.front() + "}";
-    return text + "\"children\": [" + joined(children) + "]}";
+    return text + "\"children\": [" + vitrine::joined(children) + "]}";
 }
 
 /// Returns a number of a field as written in files, in its unit.

@@ -226,15 +226,11 @@ void JobDialog::recall()
 void JobDialog::remember()
 {
     remembered_ = true;
-    try {
-        setup_.remember();
-        QSettings places(iniPath(jobPlaces()), QSettings::IniFormat);
-        places.beginGroup(text(job_.name()));
-        places.setValue(QStringLiteral("geometry"), saveGeometry());
-        places.setValue(QStringLiteral("folder"), QFileInfo(path()).absolutePath());
-    } catch (const std::exception& failure) {
-        qWarning("%s", failure.what());  // The dialog is closing; nothing else depends on it.
-    }
+    setup_.remember();
+    QSettings places(iniPath(jobPlaces()), QSettings::IniFormat);
+    places.beginGroup(text(job_.name()));
+    places.setValue(QStringLiteral("geometry"), saveGeometry());
+    places.setValue(QStringLiteral("folder"), QFileInfo(path()).absolutePath());
 }
 
 void JobDialog::complain(const QString& why)

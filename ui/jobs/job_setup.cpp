@@ -47,7 +47,11 @@ void JobSetup::recall()
 
 void JobSetup::remember() const
 {
-    render::atomicWriteMakingFolder(rememberedDocument(job_), documentText(job_, jobs::JobOrder{values()}, {}));
+    try {
+        render::atomicWriteMakingFolder(rememberedDocument(job_), documentText(job_, jobs::JobOrder{values()}, {}));
+    } catch (const Failure& failure) {
+        qWarning("%s", failure.what());  // Next time the dialog begins with older values.
+    }
 }
 
 }  // namespace vitrine::ui

@@ -22,6 +22,7 @@ public:
 
     /// Restores what `remember` wrote, without an undo step. An unreadable document is ignored.
     void recall();
+    /// Writes the values as the settings document. A failure is logged: nothing else depends on it.
     void remember() const;
 
 signals:

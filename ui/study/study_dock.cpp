@@ -185,11 +185,7 @@ void StudyDock::connectParts()
 StudyDock::~StudyDock()
 {
     stop();
-    try {
-        setup_.remember();
-    } catch (const std::exception& failure) {
-        qWarning("%s", failure.what());  // The window is closing; nothing else depends on it.
-    }
+    setup_.remember();
 }
 
 StudyChart& StudyDock::chart() const
