@@ -37,6 +37,10 @@ using render::Json;
 
 namespace {
 
+// Names by which the kind of light of an answer is selected; no file is written.
+constexpr const char* answerOfLight = "answer.exr";
+constexpr const char* answerOnDisplay = "answer.png";
+
 Json textsJson(const std::vector<std::string>& texts)
 {
     Json json = Json::array();
@@ -68,7 +72,6 @@ const std::vector<Service::Entry>& Service::methods()
          "its values follow as bytes; with frame_report, what ran"},
         {"compare", &Service::comparePictures,
          "{reference, test, pixels_per_degree}: distance of two picture files by every metric"},
-        {"study", &Service::runStudy, "{exhibit, parameters, values, ...} as of `vitrine study`: its study.json"},
         {"events", nullptr, "notifications of progress and of changes by other connections; {off: true}: no more"},
         {"cancel", nullptr, "{id}: stops that request of this connection at its next step; without it, all of them"}};
     return all;
@@ -337,7 +340,7 @@ Json Service::renderPicture(const Json& params, const Watch& watch)
     readParams(options, "render", params);
     requireRawChannels(raw, picture.channels);
     const bool inAnswer = picture.out.empty();
-    if (inAnswer) picture.out = raw == rawLinear ? "answer.exr" : "answer.png";  // Selects the kind of light; no file.
+    if (inAnswer) picture.out = raw == rawLinear ? answerOfLight : answerOnDisplay;
     const render::PictureFormat format = pictureFormat("--out", picture.out, sixteenBit);
     const RequestedPicture job = requestedPicture(museum_, picture, sceneState_, cameraOf(picture.subject));
     PictureMaker maker(museum_, renderer_, job.sceneState, job.request);

@@ -84,7 +84,7 @@ bool PadCorners::ready() const
 
 std::vector<std::pair<QString, QString>> PadCorners::presets() const
 {
-    return shelf_.choices();
+    return shelf_.choices(workbench_.shown());
 }
 
 std::array<double, PadCorners::count> PadCorners::weightsAt(const QPointF& place)

@@ -84,7 +84,6 @@ std::vector<HostileLine> linesThatAreNoRequests()
         {R"({"jsonrpc":"2.0","id":1,"method":"list","params":null})", -32602, "by name"},
         {asking("", "{}"), -32601, "list, get, set"},
         {asking("shutdown", "{}"), -32601, "shutdown"},
-        {asking("rpc.discover", "{}"), -32601, "rpc.discover"},
     };
 }
 

@@ -27,7 +27,7 @@ TEST_F(FurLight, BareSkinIsLitAndNotBlack)
 {
     const auto shot = [](const auto& change) {
         FurShot s;
-        s.request.frame.averageIn = AverageIn::display;
+        s.withoutFilm();
         change(s);
         return s.take();
     };

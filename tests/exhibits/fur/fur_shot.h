@@ -2,6 +2,7 @@
 
 #include "exhibits/fur/coat.h"
 #include "tests/support/gallery.h"
+#include "tests/support/tables.h"
 
 namespace vitrine::test {
 
@@ -20,6 +21,13 @@ struct FurShot : ExhibitShot<FurTable> {
     {
         shells(256, FurSilhouette::march);
         values().set(table().samplesBetween, 32);
+        return *this;
+    }
+    /// Shows light as a display does without a film curve, whose contrast is not the coat's.
+    FurShot& withoutFilm()
+    {
+        request.frame.averageIn = AverageIn::display;
+        hall().set(hallTable().toneCurve, ToneCurve::none);
         return *this;
     }
     FurShot& hand(const glm::dvec3& tipOffset, double turn)

@@ -90,7 +90,7 @@ TEST_F(NearPicture, OfMoreNumbersThanABlockHoldsIsDrawn)
     SceneShot many = balls(4200, "[0, 58, 150]");
     ASSERT_GT(many.shown().program->wordCount() * 4, 65'536U);
     EXPECT_LT(passOf(many).blocks.at(6).size(), 16'384U);
-    const test::Picture p = many.take();
+    const test::Picture p = many.size(192, 108).take();
     int solid = 0;
     p.each([&](int x, int y) { solid += p.depth(x, y) < 1000; });
     EXPECT_GT(solid, 10);
@@ -98,7 +98,7 @@ TEST_F(NearPicture, OfMoreNumbersThanABlockHoldsIsDrawn)
 
 TEST_F(NearPicture, ShowsHowManyShapesWereAsked)
 {
-    SceneShot shot = balls(60);
+    SceneShot shot = balls(70);
     shot.values().set(scenesTable().heatMap, SceneHeatMap::shapes);
     shot.request.frame.channels.evaluations = true;
     const auto asked = [&](SceneEvaluation way) {

@@ -173,6 +173,8 @@ TEST_F(ScenePicture, WhatIsBehindTheLightKeepsNothingAway)
         EXPECT_NEAR(middle(behind, look), lit, 0.01) << look;
         SceneShot shaded = sourceShot(folder_, before, light, look);
         SceneShot open = sourceShot(folder_, "", light, look);
+        shaded.size(96, 96);
+        open.size(96, 96);
         // The board hides the center of the ball from the eye, and more of it from the light.
         const test::Picture with = shaded.take(), without = open.take();
         double darker = 0;
