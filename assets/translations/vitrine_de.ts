@@ -262,6 +262,11 @@
         <translation>%1 (jetzt)</translation>
     </message>
     <message>
+        <location filename="ui/record/bookmarks_dialog.cpp"/>
+        <source>%1 (not set)</source>
+        <translation>%1 (nicht gesetzt)</translation>
+    </message>
+    <message>
         <location filename="ui/preferences/key_bindings.cpp"/>
         <source>%1 alone is used for typing and walking. Add Ctrl or Alt, or use a function key.</source>
         <translation>%1 allein ist zum Tippen und Gehen da. Nehmen Sie Strg oder Alt dazu, oder eine Funktionstaste.</translation>
@@ -663,11 +668,6 @@ Zeiten nach: %2.</translation>
         <translation>&amp;Zurück</translation>
     </message>
     <message>
-        <location filename="ui/window/window_actions.cpp"/>
-        <source>&amp;Bookmarks</source>
-        <translation>Lese&amp;zeichen</translation>
-    </message>
-    <message>
         <location filename="ui/window/recent_files.cpp"/>
         <source>&amp;Clear the list</source>
         <translation>Liste &amp;leeren</translation>
@@ -693,9 +693,9 @@ Zeiten nach: %2.</translation>
         <translation>&amp;Kosten:</translation>
     </message>
     <message>
-        <location filename="ui/window/window_actions.cpp"/>
-        <source>&amp;Delete all bookmarks</source>
-        <translation>Alle Lesezeichen &amp;löschen</translation>
+        <location filename="ui/record/bookmarks_dialog.cpp"/>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
     </message>
     <message>
         <location filename="ui/explore/explore_dock.cpp"/>
@@ -733,14 +733,24 @@ Zeiten nach: %2.</translation>
         <translation>Wec&amp;hselbild</translation>
     </message>
     <message>
+        <location filename="ui/window/dock_title.cpp"/>
+        <source>&amp;Float or dock</source>
+        <translation>Ab&amp;lösen oder andocken</translation>
+    </message>
+    <message>
+        <location filename="ui/record/bookmarks_dialog.cpp"/>
+        <source>&amp;Go there</source>
+        <translation>&amp;Dorthin gehen</translation>
+    </message>
+    <message>
+        <location filename="ui/window/window_actions.cpp"/>
+        <source>&amp;Go to bookmark</source>
+        <translation>Zu &amp;Lesezeichen gehen</translation>
+    </message>
+    <message>
         <location filename="ui/window/window_actions.cpp"/>
         <source>&amp;Help</source>
         <translation>&amp;Hilfe</translation>
-    </message>
-    <message>
-        <location filename="ui/window/theme_menu.cpp"/>
-        <source>&amp;High contrast</source>
-        <translation>Hoher &amp;Kontrast</translation>
     </message>
     <message>
         <location filename="ui/compare/compare_actions.cpp"/>
@@ -758,24 +768,14 @@ Zeiten nach: %2.</translation>
         <translation>&amp;Tastatur, Maus und Gamepad</translation>
     </message>
     <message>
-        <location filename="ui/kit/language.cpp"/>
-        <source>&amp;Language</source>
-        <translation>&amp;Sprache</translation>
-    </message>
-    <message>
         <location filename="ui/lessons/lesson_desk.cpp"/>
         <source>&amp;Leave the lesson</source>
         <translation>Lektion &amp;verlassen</translation>
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
-        <source>&amp;Lesson</source>
-        <translation>&amp;Lektion</translation>
-    </message>
-    <message>
-        <location filename="ui/window/theme_menu.cpp"/>
-        <source>&amp;Light</source>
-        <translation>&amp;Hell</translation>
+        <source>&amp;Manage bookmarks…</source>
+        <translation>Lesezeichen ver&amp;walten …</translation>
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
@@ -788,19 +788,9 @@ Zeiten nach: %2.</translation>
         <translation>Mehr &amp;wie diese</translation>
     </message>
     <message>
-        <location filename="ui/window/focus_areas.cpp"/>
-        <source>&amp;Move panel</source>
-        <translation>Bedienfeld verschi&amp;eben</translation>
-    </message>
-    <message>
-        <location filename="ui/window/focus_areas.cpp"/>
+        <location filename="ui/window/dock_title.cpp"/>
         <source>&amp;Narrower</source>
         <translation>&amp;Schmaler</translation>
-    </message>
-    <message>
-        <location filename="ui/window/window_actions.cpp"/>
-        <source>&amp;Next panel</source>
-        <translation>Nächstes Be&amp;dienfeld</translation>
     </message>
     <message>
         <location filename="ui/lessons/lesson_desk.cpp"/>
@@ -874,7 +864,12 @@ Zeiten nach: %2.</translation>
         <translation>&amp;Startwert</translation>
     </message>
     <message>
-        <location filename="ui/window/focus_areas.cpp"/>
+        <location filename="ui/record/bookmarks_dialog.cpp"/>
+        <source>&amp;Set to this view</source>
+        <translation>Auf diese Ansicht &amp;setzen</translation>
+    </message>
+    <message>
+        <location filename="ui/window/dock_title.cpp"/>
         <source>&amp;Shorter</source>
         <translation>&amp;Niedriger</translation>
     </message>
@@ -894,14 +889,14 @@ Zeiten nach: %2.</translation>
         <translation>&amp;Tags des Presets…</translation>
     </message>
     <message>
-        <location filename="ui/window/focus_areas.cpp"/>
-        <source>&amp;Taller</source>
-        <translation>&amp;Höher</translation>
+        <location filename="ui/compare/compare_actions.cpp"/>
+        <source>Ta&amp;ke B from</source>
+        <translation>&amp;B nehmen von</translation>
     </message>
     <message>
-        <location filename="ui/window/theme_menu.cpp"/>
-        <source>&amp;Theme</source>
-        <translation>&amp;Farbschema</translation>
+        <location filename="ui/window/dock_title.cpp"/>
+        <source>&amp;Taller</source>
+        <translation>&amp;Höher</translation>
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
@@ -924,7 +919,7 @@ Zeiten nach: %2.</translation>
         <translation>&amp;Ansicht</translation>
     </message>
     <message>
-        <location filename="ui/window/focus_areas.cpp"/>
+        <location filename="ui/window/dock_title.cpp"/>
         <source>&amp;Wider</source>
         <translation>&amp;Breiter</translation>
     </message>
@@ -2379,6 +2374,16 @@ Zeiten nach: %2.</translation>
         <translation>Abbe-Zahl des Kunststoffs: Niedrige Werte fächern Farben weit auf, hohe kaum. Acryl hat 57, Polycarbonat 30.</translation>
     </message>
     <message>
+        <location filename="ui/window/exhibit_list.cpp"/>
+        <source>About</source>
+        <translation>Über</translation>
+    </message>
+    <message>
+        <location filename="ui/window/exhibit_list.cpp"/>
+        <source>About %1</source>
+        <translation>Über %1</translation>
+    </message>
+    <message>
         <location filename="ui/kit/time_left.cpp"/>
         <source>About %1 min left</source>
         <translation>Noch etwa %1 min</translation>
@@ -2445,6 +2450,11 @@ Zeiten nach: %2.</translation>
         <translation>Genauigkeit</translation>
     </message>
     <message>
+        <location filename="ui/window/window_docks.cpp"/>
+        <source>Accuracy and cost</source>
+        <translation>Genauigkeit und Kosten</translation>
+    </message>
+    <message>
         <location filename="exhibits/hall/hall_table.h"/>
         <source>ACES</source>
         <extracomment>tables</extracomment>
@@ -2465,6 +2475,11 @@ Zeiten nach: %2.</translation>
         <location filename="ui/tree/tree_dock.cpp"/>
         <source>Add %1</source>
         <translation>%1 hinzufügen</translation>
+    </message>
+    <message>
+        <location filename="ui/window/window_actions.cpp"/>
+        <source>Add &amp;bookmark</source>
+        <translation>Lesezeichen &amp;hinzufügen</translation>
     </message>
     <message>
         <location filename="render/video/ffmpeg/writer.cpp"/>
@@ -2584,6 +2599,11 @@ Zeiten nach: %2.</translation>
         <location filename="ui/parameters/parameter_section.cpp"/>
         <source>All its parameters are excluded from randomizing.</source>
         <translation>Alle ihre Parameter sind vom zufälligen Ändern ausgenommen.</translation>
+    </message>
+    <message>
+        <location filename="ui/record/bookmarks.cpp"/>
+        <source>All nine bookmarks are set: replace or delete one in View &gt; Manage bookmarks.</source>
+        <translation>Alle neun Lesezeichen sind gesetzt: Ersetzen oder löschen Sie eines unter Ansicht &gt; Lesezeichen verwalten.</translation>
     </message>
     <message>
         <location filename="exhibits/study/kept_study.cpp"/>
@@ -3168,16 +3188,6 @@ Zeiten nach: %2.</translation>
         <translation>Wie in der Halle gesetzt</translation>
     </message>
     <message>
-        <location filename="ui/window/theme_menu.cpp"/>
-        <source>As the &amp;desktop</source>
-        <translation>Wie der &amp;Desktop</translation>
-    </message>
-    <message>
-        <location filename="ui/kit/language.cpp"/>
-        <source>As the &amp;system</source>
-        <translation>Wie das &amp;System</translation>
-    </message>
-    <message>
         <location filename="ui/preferences/preferences_dialog.cpp"/>
         <source>As the desktop</source>
         <translation>Wie der Desktop</translation>
@@ -3585,6 +3595,11 @@ Zeiten nach: %2.</translation>
         <location filename="exhibits/recording/tour.cpp"/>
         <source>Bookmark {1}</source>
         <translation>Lesezeichen {1}</translation>
+    </message>
+    <message>
+        <location filename="ui/record/bookmarks_dialog.cpp"/>
+        <source>Bookmarks</source>
+        <translation>Lesezeichen</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/record/record_table.h"/>
@@ -5186,6 +5201,11 @@ Zeiten nach: %2.</translation>
         <translation>Farbe</translation>
     </message>
     <message>
+        <location filename="ui/viewport/pixel_inspector.cpp"/>
+        <source>Color  %1 %2 %3  %4</source>
+        <translation>Farbe  %1 %2 %3  %4</translation>
+    </message>
+    <message>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
         <source>Color above, as linear values.</source>
         <translation>Farbe oben, in linearen Werten.</translation>
@@ -5835,6 +5855,11 @@ Zeiten nach: %2.</translation>
         <translation>Kosten</translation>
     </message>
     <message>
+        <location filename="ui/viewport/pixel_inspector.cpp"/>
+        <source>Cost  %1 evaluations</source>
+        <translation>Kosten  %1 Auswertungen</translation>
+    </message>
+    <message>
         <location filename="exhibits/study/study_table.h"/>
         <source>Cost in chart.svg and chart.png: ms (milliseconds per picture) or work (counted). Auto: ms if the clock is reliable. The page shows both.</source>
         <translation>Kosten in chart.svg und chart.png: ms (Millisekunden je Bild) oder work (gezählt). Automatisch: ms, wenn die Uhr zuverlässig ist. Die Seite zeigt beide.</translation>
@@ -6041,11 +6066,6 @@ Zeiten nach: %2.</translation>
         <translation>D</translation>
     </message>
     <message>
-        <location filename="ui/window/theme_menu.cpp"/>
-        <source>D&amp;ark</source>
-        <translation>D&amp;unkel</translation>
-    </message>
-    <message>
         <source>Dahlia</source>
         <translation>Dahlie</translation>
     </message>
@@ -6126,6 +6146,11 @@ Zeiten nach: %2.</translation>
         <translation>%1 löschen</translation>
     </message>
     <message>
+        <location filename="ui/record/bookmarks_dialog.cpp"/>
+        <source>Delete &amp;all</source>
+        <translation>&amp;Alle löschen</translation>
+    </message>
+    <message>
         <location filename="ui/print/sheet_bar.cpp"/>
         <source>Delete sheet</source>
         <translation>Folie löschen</translation>
@@ -6136,7 +6161,7 @@ Zeiten nach: %2.</translation>
         <translation>Die Studie %1 löschen</translation>
     </message>
     <message>
-        <location filename="ui/window/window_actions.cpp"/>
+        <location filename="ui/record/bookmarks_dialog.cpp"/>
         <source>Deletes all nine bookmarks.</source>
         <translation>Löscht alle neun Lesezeichen.</translation>
     </message>
@@ -6144,6 +6169,11 @@ Zeiten nach: %2.</translation>
         <location filename="ui/tree/tree_dock.cpp"/>
         <source>Deletes the node with everything in it.</source>
         <translation>Löscht den Knoten mit allem, was er enthält.</translation>
+    </message>
+    <message>
+        <location filename="ui/record/bookmarks_dialog.cpp"/>
+        <source>Deletes the selected bookmark.</source>
+        <translation>Löscht das gewählte Lesezeichen.</translation>
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
@@ -6489,6 +6519,11 @@ Zeiten nach: %2.</translation>
         <source>distance</source>
         <extracomment>tables</extracomment>
         <translation>Abstand</translation>
+    </message>
+    <message>
+        <location filename="ui/viewport/pixel_inspector.cpp"/>
+        <source>Distance  %1 m</source>
+        <translation>Entfernung  %1 m</translation>
     </message>
     <message>
         <location filename="exhibits/noise/noise_table.h"/>
@@ -7332,6 +7367,16 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Exportiert die jetzige Ansicht mit den Einstellungen des letzten Exports, unter dem nächsten freien Namen.</translation>
     </message>
     <message>
+        <location filename="ui/window/window_actions.cpp"/>
+        <source>Expose less</source>
+        <translation>Weniger belichten</translation>
+    </message>
+    <message>
+        <location filename="ui/window/window_actions.cpp"/>
+        <source>Expose more</source>
+        <translation>Mehr belichten</translation>
+    </message>
+    <message>
         <location filename="exhibits/hall/hall_table.h"/>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
         <source>Exposure</source>
@@ -7731,11 +7776,6 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <location filename="ui/compare/compare_overlay.cpp"/>
         <source>FLIP of A and B × %1</source>
         <translation>FLIP von A und B × %1</translation>
-    </message>
-    <message>
-        <location filename="ui/window/dock_title.cpp"/>
-        <source>Float or dock %1</source>
-        <translation>%1 ablösen oder andocken</translation>
     </message>
     <message>
         <location filename="exhibits/hall/hall_table.h"/>
@@ -8253,6 +8293,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="ui/lessons/lesson_desk.cpp"/>
         <source>Goes to the previous step of the lesson.</source>
         <translation>Geht zum vorigen Schritt der Lektion.</translation>
+    </message>
+    <message>
+        <location filename="ui/record/bookmarks_dialog.cpp"/>
+        <source>Goes to the view of the selected bookmark.</source>
+        <translation>Geht zur Ansicht des gewählten Lesezeichens.</translation>
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
@@ -8897,6 +8942,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="ui/parameters/color_picker.cpp"/>
         <source>Hue %1 degrees, saturation %2 %, brightness %3 %.</source>
         <translation>Farbton %1 Grad, Sättigung %2 %, Helligkeit %3 %.</translation>
+    </message>
+    <message>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
+        <source>I, held</source>
+        <translation>I, gehalten</translation>
     </message>
     <message>
         <location filename="render/image/png_rows.cpp"/>
@@ -10276,6 +10326,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="ui/lessons/lesson_bar.cpp"/>
+        <location filename="ui/window/exhibit_list.cpp"/>
         <source>Lesson</source>
         <translation>Lektion</translation>
     </message>
@@ -10283,11 +10334,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="ui/lessons/lesson_desk.cpp"/>
         <source>Lesson step %1</source>
         <translation>Lektion, Schritt %1</translation>
-    </message>
-    <message>
-        <location filename="ui/lessons/lesson_desk.cpp"/>
-        <source>Lesson: %1</source>
-        <translation>Lektion: %1</translation>
     </message>
     <message>
         <location filename="ui/lessons/lesson_desk.cpp"/>
@@ -10329,6 +10375,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>light</source>
         <translation>Licht</translation>
+    </message>
+    <message>
+        <location filename="ui/viewport/pixel_inspector.cpp"/>
+        <source>Light  %1</source>
+        <translation>Licht  %1</translation>
     </message>
     <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
@@ -10669,6 +10720,16 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/jobs/mesh/mesh_job.h"/>
         <source>Make a closed mesh of a scene's surface, for other programs and 3D printers</source>
         <translation>Macht ein geschlossenes Netz aus der Oberfläche einer Szene, für andere Programme und 3D-Drucker</translation>
+    </message>
+    <message>
+        <location filename="ui/window/window_actions.cpp"/>
+        <source>Makes the picture brighter by a quarter of a stop.</source>
+        <translation>Macht das Bild um eine Viertelblende heller.</translation>
+    </message>
+    <message>
+        <location filename="ui/window/window_actions.cpp"/>
+        <source>Makes the picture darker by a quarter of a stop.</source>
+        <translation>Macht das Bild um eine Viertelblende dunkler.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_job.cpp"/>
@@ -11271,6 +11332,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Weiterbewegen</translation>
     </message>
     <message>
+        <location filename="ui/window/dock_title.cpp"/>
+        <source>Move or resize %1</source>
+        <translation>%1 verschieben oder in der Größe ändern</translation>
+    </message>
+    <message>
         <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Move the focus to the next or the previous panel</source>
         <translation>Den Fokus ins nächste oder vorige Bedienfeld setzen</translation>
@@ -11396,6 +11462,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Newsprint</source>
         <translation>Zeitungsdruck</translation>
+    </message>
+    <message>
+        <location filename="ui/window/window_actions.cpp"/>
+        <source>Next panel</source>
+        <translation>Nächstes Bedienfeld</translation>
     </message>
     <message>
         <location filename="ui/lessons/lesson_bar.cpp"/>
@@ -11798,6 +11869,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Normale</translation>
     </message>
     <message>
+        <location filename="ui/viewport/pixel_inspector.cpp"/>
+        <source>Normal  %1</source>
+        <translation>Normale  %1</translation>
+    </message>
+    <message>
         <location filename="exhibits/kit/sdf_rows.h"/>
         <source>Normal method</source>
         <extracomment>tables</extracomment>
@@ -11897,6 +11973,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/study/study_table.h"/>
         <source>nothing</source>
         <translation>nichts</translation>
+    </message>
+    <message>
+        <location filename="ui/viewport/pixel_inspector.cpp"/>
+        <source>Nothing but the sky</source>
+        <translation>Nichts als der Himmel</translation>
     </message>
     <message>
         <location filename="ui/viewport/render_thread.cpp"/>
@@ -12804,7 +12885,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <location filename="ui/lessons/lesson_desk.cpp"/>
         <source>Order of the lessons (for &amp;teachers)</source>
-        <translation>Reihenfolge der Lektionen (für Lehren&amp;de)</translation>
+        <translation>Reihenfolge der &amp;Lektionen (für Lehrende)</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
@@ -13111,6 +13192,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="ui/window/status_line.cpp"/>
+        <location filename="ui/window/window_docks.cpp"/>
         <source>Passes</source>
         <translation>Passes</translation>
     </message>
@@ -13604,6 +13686,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Position</translation>
     </message>
     <message>
+        <location filename="ui/viewport/pixel_inspector.cpp"/>
+        <source>Position  %1 m</source>
+        <translation>Ort  %1 m</translation>
+    </message>
+    <message>
         <location filename="exhibits/fur/fur_table.h"/>
         <source>Position along the strand where the color changes from root to tip: low near the root, high near the tip.</source>
         <extracomment>tables</extracomment>
@@ -13719,11 +13806,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Pfostendraht</translation>
     </message>
     <message>
-        <location filename="ui/window/window_actions.cpp"/>
-        <source>Pre&amp;vious panel</source>
-        <translation>V&amp;origes Bedienfeld</translation>
-    </message>
-    <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <source>Precision of the depth buffer: 16 bits make visible errors in normals.</source>
         <extracomment>tables</extracomment>
@@ -13806,6 +13888,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="ui/presets/preset_preview.cpp"/>
         <source>Preview of a preset</source>
         <translation>Vorschau eines Presets</translation>
+    </message>
+    <message>
+        <location filename="ui/window/window_actions.cpp"/>
+        <source>Previous panel</source>
+        <translation>Voriges Bedienfeld</translation>
     </message>
     <message>
         <location filename="ui/print/print_dialog.cpp"/>
@@ -15459,7 +15546,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Als %1 speichern</translation>
     </message>
     <message>
-        <location filename="ui/window/window_actions.cpp"/>
+        <location filename="ui/record/bookmarks_dialog.cpp"/>
         <source>Save as a &amp;tour…</source>
         <translation>Als &amp;Rundgang speichern…</translation>
     </message>
@@ -15681,7 +15768,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
-        <source>Screen&amp;shot</source>
+        <source>Screens&amp;hot</source>
         <translation>Bildschirmf&amp;oto</translation>
     </message>
     <message>
@@ -15850,11 +15937,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Lesezeichen %1 setzen</translation>
     </message>
     <message>
-        <location filename="ui/window/window_actions.cpp"/>
-        <source>Set bookmark %1 to this view</source>
-        <translation>Lesezeichen %1 auf diese Ansicht setzen</translation>
-    </message>
-    <message>
         <location filename="exhibits/fur/fur.cpp"/>
         <source>set by hand</source>
         <translation>von Hand gesetzt</translation>
@@ -15867,8 +15949,8 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/record/record_job.cpp"/>
-        <source>Set two bookmarks at least: one where you stand, then another elsewhere (Bookmarks menu).</source>
-        <translation>Setzen Sie mindestens zwei Lesezeichen: eines, wo Sie stehen, dann ein anderes anderswo (Menü „Lesezeichen“).</translation>
+        <source>Set two bookmarks at least: one where you stand, then another elsewhere (View &gt; Add bookmark).</source>
+        <translation>Setzen Sie mindestens zwei Lesezeichen: eines, wo Sie stehen, dann ein anderes anderswo (Ansicht &gt; Lesezeichen hinzufügen).</translation>
     </message>
     <message>
         <location filename="ui/study/study_view.cpp"/>
@@ -15902,6 +15984,16 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
+        <source>Sets the first free one of the nine bookmarks to the current view.</source>
+        <translation>Setzt das erste freie der neun Lesezeichen auf die jetzige Ansicht.</translation>
+    </message>
+    <message>
+        <location filename="ui/record/bookmarks_dialog.cpp"/>
+        <source>Sets the selected bookmark to the current view.</source>
+        <translation>Setzt das gewählte Lesezeichen auf die jetzige Ansicht.</translation>
+    </message>
+    <message>
+        <location filename="ui/window/window_actions.cpp"/>
         <source>Sets this bookmark to the current view and replaces the old one.</source>
         <translation>Setzt dieses Lesezeichen auf die jetzige Ansicht und ersetzt die alte.</translation>
     </message>
@@ -15909,6 +16001,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="ui/print/place_bar.cpp"/>
         <source>Sets turn and shift of this view to 0.</source>
         <translation>Setzt Drehung und Verschiebung dieser Ansicht auf 0.</translation>
+    </message>
+    <message>
+        <location filename="ui/window/window_actions.cpp"/>
+        <source>Sets, visits and deletes bookmarks, and saves them as a tour.</source>
+        <translation>Setzt, besucht und löscht Lesezeichen und speichert sie als Tour.</translation>
     </message>
     <message>
         <location filename="ui/study/picture_panes.cpp"/>
@@ -16392,10 +16489,25 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Quader zeigen</translation>
     </message>
     <message>
+        <location filename="ui/window/window_actions.cpp"/>
+        <source>Show charts</source>
+        <translation>Diagramme zeigen</translation>
+    </message>
+    <message>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
+        <source>Show color, light, position, normal, distance and cost of the pixel below the pointer</source>
+        <translation>Farbe, Licht, Ort, Normale, Entfernung und Kosten des Pixels unter dem Zeiger zeigen</translation>
+    </message>
+    <message>
         <location filename="ui/export/screenshot_dialog.cpp"/>
         <location filename="ui/kit/message_strip.cpp"/>
         <source>Show in folder</source>
         <translation>Im Ordner zeigen</translation>
+    </message>
+    <message>
+        <location filename="ui/window/window_actions.cpp"/>
+        <source>Show log</source>
+        <translation>Meldungen zeigen</translation>
     </message>
     <message>
         <location filename="ui/study/large_pictures.cpp"/>
@@ -16438,6 +16550,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="exhibits/kit/sdf_passes.cpp"/>
         <source>shown instead of the field</source>
         <translation>anstelle des Felds gezeigt</translation>
+    </message>
+    <message>
+        <location filename="ui/window/window_actions.cpp"/>
+        <source>Shows all messages since the start, beside the frame report.</source>
+        <translation>Zeigt alle Meldungen seit dem Start, neben dem Frame-Protokoll.</translation>
     </message>
     <message>
         <location filename="ui/tree/tree_dock.cpp"/>
@@ -16488,6 +16605,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="ui/window/window_actions.cpp"/>
         <source>Shows or hides this panel.</source>
         <translation>Blendet dieses Bedienfeld ein oder aus.</translation>
+    </message>
+    <message>
+        <location filename="ui/window/window_actions.cpp"/>
+        <source>Shows the charts of the visited exhibit's values, beside its study.</source>
+        <translation>Zeigt die Diagramme der Werte des besuchten Exponats, neben seiner Studie.</translation>
     </message>
     <message>
         <location filename="ui/compare/compare_bar.cpp"/>
@@ -17090,6 +17212,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
         <source>Start radius</source>
         <translation>Radius am Anfang</translation>
+    </message>
+    <message>
+        <location filename="ui/window/exhibit_list.cpp"/>
+        <source>Start the lesson on %1</source>
+        <translation>Lektion zu „%1“ beginnen</translation>
     </message>
     <message>
         <location filename="ui/jobs/job_dialog.cpp"/>
@@ -17895,6 +18022,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>der Aufbau ist noch nicht so weit</translation>
     </message>
     <message>
+        <location filename="ui/viewport/pixel_inspector.cpp"/>
+        <source>The building</source>
+        <translation>Das Gebäude</translation>
+    </message>
+    <message>
         <location filename="exhibits/lenticular/lenticular.cpp"/>
         <source>The built-in print is shown until it can be read.</source>
         <translation>Bis er gelesen werden kann, wird der mitgelieferte Druck gezeigt.</translation>
@@ -18408,11 +18540,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/hall/vault_lamps.cpp"/>
         <source>the lamps are switched off</source>
         <translation>die Lampen sind ausgeschaltet</translation>
-    </message>
-    <message>
-        <location filename="ui/kit/language.cpp"/>
-        <source>The language of the window will be %1 after the next start.</source>
-        <translation>Die Sprache des Fensters ist ab dem nächsten Start %1.</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
@@ -19341,8 +19468,8 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
-        <source>There are no bookmarks yet.</source>
-        <translation>Es gibt noch keine Lesezeichen.</translation>
+        <source>There are no bookmarks yet</source>
+        <translation>Es gibt noch keine Lesezeichen</translation>
     </message>
     <message>
         <location filename="exhibits/printing/view_files.cpp"/>
@@ -19432,8 +19559,8 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <location filename="ui/record/bookmarks.cpp"/>
-        <source>There is no bookmark %1 yet: Bookmarks &gt; Set bookmark %1 makes one of where you are.</source>
-        <translation>Ein Lesezeichen %1 gibt es noch nicht: Lesezeichen &gt; Lesezeichen %1 setzen macht eines von dort, wo Sie sind.</translation>
+        <source>There is no bookmark %1 yet: Ctrl+Alt+%1 makes one of where you are.</source>
+        <translation>Ein Lesezeichen %1 gibt es noch nicht: Strg+Alt+%1 setzt es dorthin, wo Sie sind.</translation>
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
@@ -20576,17 +20703,17 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Bis</translation>
     </message>
     <message>
-        <location filename="ui/window/focus_areas.cpp"/>
+        <location filename="ui/window/dock_title.cpp"/>
         <source>To the &amp;bottom</source>
         <translation>Nach &amp;unten</translation>
     </message>
     <message>
-        <location filename="ui/window/focus_areas.cpp"/>
+        <location filename="ui/window/dock_title.cpp"/>
         <source>To the &amp;left</source>
         <translation>Nach &amp;links</translation>
     </message>
     <message>
-        <location filename="ui/window/focus_areas.cpp"/>
+        <location filename="ui/window/dock_title.cpp"/>
         <source>To the &amp;right</source>
         <translation>Nach &amp;rechts</translation>
     </message>
@@ -22267,7 +22394,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>Schreibt einen dritten Bogen mit der Tiefe: nah ist weiß.</translation>
     </message>
     <message>
-        <location filename="ui/window/window_actions.cpp"/>
+        <location filename="ui/record/bookmarks_dialog.cpp"/>
         <source>Writes the bookmarks to a file that `vitrine record` follows.</source>
         <translation>Schreibt die Lesezeichen in eine Datei, der `vitrine record` folgt.</translation>
     </message>

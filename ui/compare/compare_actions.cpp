@@ -109,7 +109,11 @@ void CompareActions::addSources()
             if (action->menu() && action->menu()->objectName() == QLatin1String("steps"))
                 action->menu()->popup(QCursor::pos());
     });
-    sources_ = new QMenu(desk_.window());
+    for (QAction* source : {preset_, file_, step_}) {
+        all_.removeOne(source);
+        more_ << source;
+    }
+    sources_ = new QMenu(tr("Ta&ke B from"), desk_.window());
     sources_->setAccessibleName(tr("Where B comes from"));
     connect(sources_, &QMenu::aboutToShow, this, &CompareActions::fillSources);
 }

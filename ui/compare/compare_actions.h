@@ -25,6 +25,8 @@ public:
 
     /// Returns the commands in the order of the menu; null is a separator.
     [[nodiscard]] const QList<QAction*>& all() const { return all_; }
+    /// Returns the commands that are in the menu of sources, or in no menu.
+    [[nodiscard]] const QList<QAction*>& more() const { return more_; }
     [[nodiscard]] QAction& mode(CompareMode mode) const { return *modes_.at(static_cast<std::size_t>(mode)); }
     /// Returns the command "Selected preset as B", which the list of presets also offers.
     [[nodiscard]] QAction* preset() const { return preset_; }
@@ -51,7 +53,7 @@ private:
     void fillSources();
 
     CompareDesk& desk_;
-    QList<QAction*> all_;
+    QList<QAction*> all_, more_;
     QAction* hold_ = nullptr;
     QAction* preset_ = nullptr;
     QAction* file_ = nullptr;

@@ -5,12 +5,10 @@
 #include "ui/kit/ini_file.h"
 #include "ui/kit/text.h"
 
-#include <QActionGroup>
 #include <QCoreApplication>
 #include <QFile>
 #include <QLibraryInfo>
 #include <QLocale>
-#include <QMenu>
 #include <QSettings>
 #include <QTranslator>
 
@@ -188,31 +186,6 @@ std::string saidInLocale(const Message& message)
     const std::unique_ptr<QTranslator> translator = translatorFor(code);
     const std::shared_ptr<const Catalog> texts = translator ? catalogOf(code, *translator) : nullptr;
     return texts ? texts->translated(message) : message.english();
-}
-
-QMenu* languageMenu(QWidget* parent, const std::function<void(const QString& message)>& chosen)
-{
-    auto* menu = new QMenu(QMenu::tr("&Language"), parent);
-    auto* group = new QActionGroup(menu);
-    const auto add = [&](const QString& words, const QString& code) {
-        QAction* action = menu->addAction(words, menu, [code, chosen] {
-            keepLanguage(code);
-            if (chosen && languageOfWindow() != spokenLanguage())
-                chosen(QMenu::tr("The language of the window will be %1 after the next start.")
-                           .arg(nameOfLanguage(languageOfWindow())));
-        });
-        action->setCheckable(true);
-        action->setData(code);
-        group->addAction(action);
-    };
-    add(QMenu::tr("As the &system"), {});
-    for (const QString& code : languages()) add(nameOfLanguage(code), code);
-    const auto check = [group] {
-        for (QAction* action : group->actions()) action->setChecked(action->data().toString() == savedLanguage());
-    };
-    check();
-    QObject::connect(menu, &QMenu::aboutToShow, menu, check);
-    return menu;
 }
 
 }  // namespace vitrine::ui

@@ -5,10 +5,8 @@
 #include <QString>
 #include <QStringList>
 
-#include <functional>
 #include <string>
 
-class QMenu;
 class QWidget;
 
 namespace vitrine::ui {
@@ -41,9 +39,5 @@ void speak(const QString& code);
 [[nodiscard]] QString within(const QString& name);
 /// Translates a failure's sentence to the locale's language, for standard error.
 [[nodiscard]] std::string saidInLocale(const Message&);
-
-/// Makes the menu "Language" with the system's language and all others. Calls `chosen` with a message after a choice,
-/// which takes effect at the next start.
-[[nodiscard]] QMenu* languageMenu(QWidget* parent, const std::function<void(const QString& message)>& chosen);
 
 }  // namespace vitrine::ui

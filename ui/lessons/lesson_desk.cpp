@@ -78,7 +78,7 @@ QAction* LessonDesk::add(const QString& id, const QString& text, const QList<QKe
     action->setShortcuts(keys);
     action->setToolTip(tip);
     action->setStatusTip(tip);
-    actions_ << action;
+    menu_ << action;
     return action;
 }
 
@@ -94,7 +94,9 @@ void LessonDesk::addActions()
     connect(add(QStringLiteral("open"), tr("&Open lesson…"), {},
                 tr("Opens a lesson of your own (Markdown); the manual explains the format.")),
             &QAction::triggered, this, &LessonDesk::askForFile);
-    actions_ << nullptr;
+    connect(add(QStringLiteral("syllabus"), tr("Order of the lessons (for &teachers)"), {},
+                tr("Opens a page with all lessons: their order, aims, times and prerequisites.")),
+            &QAction::triggered, this, &LessonDesk::syllabusAsked);
     back_ = add(QStringLiteral("back"), tr("Step &back"), {QKeySequence(Qt::CTRL | Qt::Key_PageUp)},
                 tr("Goes to the previous step of the lesson."));
     connect(back_, &QAction::triggered, this, &LessonDesk::back);
@@ -108,16 +110,9 @@ void LessonDesk::addActions()
                   tr("Shows or hides the answer to the question of this step."));
     answer_->setCheckable(true);
     connect(answer_, &QAction::toggled, this, &LessonDesk::show);
-    actions_ << nullptr;
-    connect(add(QStringLiteral("syllabus"), tr("Order of the lessons (for &teachers)"), {},
-                tr("Opens a page with all lessons: their order, aims, times and prerequisites.")),
-            &QAction::triggered, this, &LessonDesk::syllabusAsked);
-    for (const auto& [i, exhibit] : window_.museum().exhibits()) {
-        QAction* action =
-            add(text(exhibit.name()), tr("Lesson: %1").arg(said(exhibit.title())), {}, said(exhibit.summary()));
-        std::error_code ignored;
-        action->setEnabled(std::filesystem::exists(shippedLesson(exhibit.name()), ignored));
-        connect(action, &QAction::triggered, this, [this, index = i] { start(index); });
+    for (QAction* step : {back_, next_, leave_, answer_}) {
+        menu_.removeOne(step);
+        steps_ << step;
     }
 }
 

@@ -35,7 +35,9 @@ public:
     /// Returns the bar above the picture. Put it into a layout, which then owns it.
     [[nodiscard]] LessonBar& bar() const { return *bar_; }
     /// Returns the commands in the order of the menu; null is a separator.
-    [[nodiscard]] const QList<QAction*>& actions() const { return actions_; }
+    [[nodiscard]] const QList<QAction*>& menu() const { return menu_; }
+    /// Returns the commands of the strip with the steps, which have keys and are in no menu.
+    [[nodiscard]] const QList<QAction*>& steps() const { return steps_; }
     [[nodiscard]] QAction& nextAction() const { return *next_; }
     [[nodiscard]] QAction& backAction() const { return *back_; }
     [[nodiscard]] QAction& leaveAction() const { return *leave_; }
@@ -106,7 +108,7 @@ private:
     Workbench& window_;
     Place place_;
     LessonBar* bar_ = nullptr;
-    QList<QAction*> actions_;
+    QList<QAction*> menu_, steps_;
     QAction* next_ = nullptr;
     QAction* back_ = nullptr;
     QAction* leave_ = nullptr;

@@ -9,6 +9,8 @@
 
 #include <QLockFile>
 
+#include <algorithm>
+
 namespace vitrine::ui {
 
 Bookmarks::Bookmarks(Workbench& window, QObject* parent) : QObject(parent), window_(window), file_(bookmarksFile())
@@ -79,9 +81,28 @@ void Bookmarks::go(int number)
     if (const std::optional<Bookmark>& there = place(number))
         window_.viewport().goTo(there->camera);
     else
-        window_.say(
-            MessageStrip::Mood::notice,
-            tr("There is no bookmark %1 yet: Bookmarks > Set bookmark %1 makes one of where you are.").arg(number));
+        window_.say(MessageStrip::Mood::notice,
+                    tr("There is no bookmark %1 yet: Ctrl+Alt+%1 makes one of where you are.").arg(number));
+}
+
+void Bookmarks::add()
+{
+    const auto free = std::find(places_.begin(), places_.end(), std::nullopt);
+    if (free != places_.end())
+        set(static_cast<int>(free - places_.begin()) + 1);
+    else
+        window_.say(MessageStrip::Mood::notice,
+                    tr("All nine bookmarks are set: replace or delete one in View > Manage bookmarks."));
+}
+
+void Bookmarks::forget(int number)
+{
+    change([&] { place(number).reset(); });
+}
+
+bool Bookmarks::hasSome() const
+{
+    return std::any_of(places_.begin(), places_.end(), [](const auto& there) { return there.has_value(); });
 }
 
 void Bookmarks::forgetAll()

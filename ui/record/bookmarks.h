@@ -29,7 +29,11 @@ public:
     void set(int number);
     /// Glides to a bookmark; shows a message if it is not set.
     void go(int number);
+    /// Sets the first bookmark that is not set to the current view; shows a message if all are.
+    void add();
+    void forget(int number);
     void forgetAll();
+    [[nodiscard]] bool hasSome() const;
     /// Returns the name of a bookmark; empty if it is not set.
     [[nodiscard]] QString name(int number) const;
     /// Returns the bookmarks that are set, by number.

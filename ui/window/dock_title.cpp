@@ -3,14 +3,24 @@
 #include "ui/kit/theme.h"
 #include "ui/kit/type_size.h"
 
+#include <QApplication>
+#include <QContextMenuEvent>
 #include <QDockWidget>
 #include <QHBoxLayout>
+#include <QMainWindow>
+#include <QMenu>
 #include <QPainter>
+#include <QPointer>
 #include <QToolButton>
 
 namespace vitrine::ui {
+namespace {
 
-DockTitle::DockTitle(QDockWidget* dock) : QWidget(dock), dock_(dock)
+constexpr int growth = 40;  // Pixels by which a panel grows and shrinks.
+
+}  // namespace
+
+DockTitle::DockTitle(QDockWidget* dock) : QWidget(dock), dock_(dock), menu_(new QMenu(this))
 {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 2, 4, 2);
@@ -28,10 +38,48 @@ DockTitle::DockTitle(QDockWidget* dock) : QWidget(dock), dock_(dock)
         return made;
     };
     const QString name = dock->windowTitle();
-    connect(button(QStringLiteral("▫"), tr("Float or dock %1").arg(name)), &QToolButton::clicked, dock,
-            [dock] { dock->setFloating(!dock->isFloating()); });
+    QToolButton* moves = button(QStringLiteral("⋯"), tr("Move or resize %1").arg(name));
+    moves->setMenu(menu_);
+    moves->setPopupMode(QToolButton::InstantPopup);
+    moves->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
+    addMoves();
     connect(button(QStringLiteral("✕"), tr("Close %1").arg(name)), &QToolButton::clicked, dock, &QDockWidget::close);
     showTheme();
+}
+
+void DockTitle::addMoves()
+{
+    const auto addSide = [&](const QString& text, Qt::DockWidgetArea side) {
+        menu_->addAction(text, this, [this, side] {
+            // Moving the dock takes the focus from its content.
+            const QPointer<QWidget> focus = QApplication::focusWidget();
+            dock_->setFloating(false);
+            if (auto* window = qobject_cast<QMainWindow*>(dock_->parentWidget())) window->addDockWidget(side, dock_);
+            if (focus) focus->setFocus(Qt::OtherFocusReason);
+        });
+    };
+    const auto addSize = [&](const QString& text, Qt::Orientation along, int by) {
+        menu_->addAction(text, this, [this, along, by] {
+            const int size = along == Qt::Horizontal ? dock_->width() : dock_->height();
+            if (auto* window = qobject_cast<QMainWindow*>(dock_->parentWidget()))
+                window->resizeDocks({dock_}, {size + by}, along);
+        });
+    };
+    menu_->setAccessibleName(tr("Move or resize %1").arg(dock_->windowTitle()));
+    addSide(tr("To the &left"), Qt::LeftDockWidgetArea);
+    addSide(tr("To the &right"), Qt::RightDockWidgetArea);
+    addSide(tr("To the &bottom"), Qt::BottomDockWidgetArea);
+    menu_->addAction(tr("&Float or dock"), this, [this] { dock_->setFloating(!dock_->isFloating()); });
+    menu_->addSeparator();
+    addSize(tr("&Wider"), Qt::Horizontal, growth);
+    addSize(tr("&Narrower"), Qt::Horizontal, -growth);
+    addSize(tr("&Taller"), Qt::Vertical, growth);
+    addSize(tr("&Shorter"), Qt::Vertical, -growth);
+}
+
+void DockTitle::contextMenuEvent(QContextMenuEvent* event)
+{
+    menu_->popup(event->globalPos());
 }
 
 QSize DockTitle::sizeHint() const

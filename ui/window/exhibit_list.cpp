@@ -1,16 +1,22 @@
 #include "ui/window/exhibit_list.h"
 
+#include "exhibits/framework/files/lesson.h"
 #include "ui/kit/language.h"
 #include "ui/kit/text.h"
 #include "ui/kit/tile_delegate.h"
 
+#include <QHBoxLayout>
+#include <QToolButton>
+
 #include <algorithm>
+#include <filesystem>
 #include <limits>
 
 namespace vitrine::ui {
 namespace {
 
 constexpr int exhibitRole = Qt::UserRole;
+constexpr int nameRole = Qt::UserRole + 3;  // Name of the exhibit in files.
 
 }  // namespace
 
@@ -25,6 +31,39 @@ ExhibitList::ExhibitList(QWidget* parent) : QListWidget(parent)
             [this](QListWidgetItem* item) { emit chosen(item->data(exhibitRole).toULongLong()); });
     connect(this, &QListWidget::itemClicked, this,
             [this](QListWidgetItem* item) { emit chosen(item->data(exhibitRole).toULongLong()); });
+    connect(this, &QListWidget::currentItemChanged, this, &ExhibitList::showButtons);
+}
+
+void ExhibitList::showButtons(QListWidgetItem* row, QListWidgetItem* before)
+{
+    if (QWidget* old = before ? itemWidget(before) : nullptr) {
+        old->hide();  // It is destroyed later.
+        removeItemWidget(before);
+    }
+    if (!row || row->flags() == Qt::NoItemFlags) return;
+    auto* buttons = new QWidget;
+    setItemWidget(row, buttons);  // Before the order of tabs, which holds within one window.
+    auto* layout = new QHBoxLayout(buttons);
+    layout->setContentsMargins(0, 0, 4, 2);
+    layout->setSpacing(2);
+    layout->addStretch(1);
+    const std::size_t exhibit = row->data(exhibitRole).toULongLong();
+    QWidget* last = this;
+    const auto button = [&](const QString& face, const QString& tip, void (ExhibitList::*asked)(std::size_t)) {
+        auto* made = new QToolButton(buttons);
+        made->setText(face);
+        made->setAutoRaise(true);
+        made->setToolTip(tip);
+        made->setAccessibleName(tip);
+        layout->addWidget(made, 0, Qt::AlignBottom);
+        setTabOrder(last, made);
+        last = made;
+        connect(made, &QToolButton::clicked, this, [this, asked, exhibit] { emit(this->*asked)(exhibit); });
+    };
+    std::error_code ignored;
+    if (std::filesystem::exists(shippedLesson(row->data(nameRole).toString().toStdString()), ignored))
+        button(tr("Lesson"), tr("Start the lesson on %1").arg(row->text()), &ExhibitList::lessonAsked);
+    button(tr("About"), tr("About %1").arg(row->text()), &ExhibitList::pageAsked);
 }
 
 void ExhibitList::fill(const Museum& museum)
@@ -53,6 +92,7 @@ void ExhibitList::fill(const Museum& museum)
         const Subject& subject = museum.subject(*entry.subject);
         item->setText(said(subject.title()));
         item->setData(exhibitRole, static_cast<qulonglong>(*entry.subject));
+        item->setData(nameRole, text(subject.name()));
         item->setData(TileDelegate::secondLine, numbered               ? tr("Place %1").arg(entry.place)
                                                 : entry.place == depot ? tr("In storage: shown alone")
                                                                        : QString());

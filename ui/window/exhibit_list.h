@@ -9,7 +9,7 @@
 namespace vitrine::ui {
 
 /// List of the hall and all exhibits in the order of their places: picture, number, title. Empty places are gray.
-/// Exhibits without a place follow as the depot.
+/// Exhibits without a place follow as the depot. The current row has buttons that open its lesson and its page.
 class ExhibitList final : public QListWidget {
     Q_OBJECT
 
@@ -24,8 +24,12 @@ public:
 
 signals:
     void chosen(std::size_t exhibit);
+    void lessonAsked(std::size_t exhibit);
+    void pageAsked(std::size_t exhibit);
 
 private:
+    /// Moves the buttons from one row to another.
+    void showButtons(QListWidgetItem* row, QListWidgetItem* before);
     [[nodiscard]] QListWidgetItem* itemOf(std::size_t exhibit) const;
 };
 

@@ -11,12 +11,9 @@
 
 #include <QApplication>
 #include <QDockWidget>
-#include <QMenu>
-#include <QPointer>
 #include <QStatusBar>
 
 #include <algorithm>
-#include <functional>
 
 namespace vitrine::ui {
 namespace {
@@ -52,55 +49,7 @@ QList<QWidget*> docksInOrder(const MainWindow& window)
     return docks;
 }
 
-/// Returns the dock that has the focus; null: none.
-QDockWidget* dockWithFocus(const MainWindow& window)
-{
-    const QWidget* now = QApplication::focusWidget();
-    for (QDockWidget* dock : window.docks().all())
-        if (now && dock->isAncestorOf(now)) return dock;
-    return nullptr;
-}
-
-constexpr int growth = 40;  // Pixels by which a panel grows and shrinks.
-
 }  // namespace
-
-QMenu* panelMenu(MainWindow& window)
-{
-    auto* menu = new QMenu(MainWindow::tr("&Move panel"), &window);
-    const auto add = [&](const QString& text, const std::function<void(QDockWidget&)>& work) {
-        menu->addAction(text, &window, [&window, work] {
-            if (QDockWidget* dock = dockWithFocus(window)) work(*dock);
-        });
-    };
-    const auto addSide = [&](const QString& text, Qt::DockWidgetArea side) {
-        add(text, [&window, side](QDockWidget& dock) {
-            // Moving the dock takes the focus from its content.
-            const QPointer<QWidget> focus = QApplication::focusWidget();
-            dock.setFloating(false);
-            window.addDockWidget(side, &dock);
-            if (focus) focus->setFocus(Qt::OtherFocusReason);
-        });
-    };
-    const auto addSize = [&](const QString& text, Qt::Orientation along, int by) {
-        add(text, [&window, along, by](QDockWidget& dock) {
-            window.resizeDocks({&dock}, {(along == Qt::Horizontal ? dock.width() : dock.height()) + by}, along);
-        });
-    };
-    addSide(MainWindow::tr("To the &left"), Qt::LeftDockWidgetArea);
-    addSide(MainWindow::tr("To the &right"), Qt::RightDockWidgetArea);
-    addSide(MainWindow::tr("To the &bottom"), Qt::BottomDockWidgetArea);
-    menu->addSeparator();
-    addSize(MainWindow::tr("&Wider"), Qt::Horizontal, growth);
-    addSize(MainWindow::tr("&Narrower"), Qt::Horizontal, -growth);
-    addSize(MainWindow::tr("&Taller"), Qt::Vertical, growth);
-    addSize(MainWindow::tr("&Shorter"), Qt::Vertical, -growth);
-    // The entries need a dock with the focus.
-    QObject::connect(menu, &QMenu::aboutToShow, menu, [menu, &window] {
-        for (QAction* each : menu->actions()) each->setEnabled(dockWithFocus(window) != nullptr);
-    });
-    return menu;
-}
 
 void focusNextArea(MainWindow& window, int step)
 {

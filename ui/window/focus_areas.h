@@ -1,7 +1,5 @@
 #pragma once
 
-class QMenu;
-
 namespace vitrine::ui {
 
 class MainWindow;
@@ -9,8 +7,5 @@ class MainWindow;
 /// Gives the focus to the next area of the window (1), or the one before (-1): the picture, the bars above and below
 /// it, visible docks, the clock. An area that had the focus before focuses the same widget again.
 void focusNextArea(MainWindow&, int step);
-
-/// Returns a menu that moves the focused dock to another side of the window, and makes it larger or smaller.
-[[nodiscard]] QMenu* panelMenu(MainWindow&);
 
 }  // namespace vitrine::ui

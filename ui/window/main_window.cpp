@@ -25,6 +25,7 @@
 #include "ui/report/log_view.h"
 #include "ui/study/study_dock.h"
 #include "ui/tree/tree_file.h"
+#include "ui/viewport/pixel_inspector.h"
 #include "ui/viewport/row_drag.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/about_dialog.h"
@@ -85,6 +86,7 @@ MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* pare
     again_ = new ExportAgain(*this, *this);
     new RowDrag(
         museum_, history_, *viewport_, [this] { return chosen_; }, this);
+    new PixelInspector(museum_, history_, renderers, *viewport_, this);
     // After all others that take the picture's events: side by side, they get them as of the whole picture.
     comparison_ = new CompareDesk(*this, *shelf_, this);
     centralWidget()->layout()->addWidget(&comparison_->bar());
@@ -168,6 +170,8 @@ void MainWindow::connectParts()
     guard_->setUnsaved([this] { return docks_->treeFile().unsaved(); }, [this] { return docks_->treeFile().save(); });
     connect(files_, &FileOpener::printFound, dialogs_, &WindowDialogs::openPrint);
     connect(&docks_->exhibits(), &ExhibitList::chosen, this, &MainWindow::visit);
+    connect(&docks_->exhibits(), &ExhibitList::lessonAsked, lessons_, qOverload<std::size_t>(&LessonDesk::start));
+    connect(&docks_->exhibits(), &ExhibitList::pageAsked, dialogs_, qOverload<std::size_t>(&WindowDialogs::openPage));
     connect(&docks_->study(), &StudyDock::failed, this,
             [this](const QString& why) { setProblems(QStringLiteral("study"), {why}); });
     connect(&docks_->study(), &StudyDock::finished, this, [this] { setProblems(QStringLiteral("study"), {}); });

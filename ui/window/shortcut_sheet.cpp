@@ -60,6 +60,8 @@ void addUsual(QTreeWidget& tree)
             ShortcutSheet::tr("Press the red button you look at, or that of the exhibit you visit"));
     addLine(tree, QStringLiteral("Esc"), ShortcutSheet::tr("Leave the exhibit and walk on"));
     addLine(tree, ShortcutSheet::tr("Backspace, Alt+Left"), ShortcutSheet::tr("Return to where you stood before"));
+    addLine(tree, ShortcutSheet::tr("I, held"),
+            ShortcutSheet::tr("Show color, light, position, normal, distance and cost of the pixel below the pointer"));
     addLine(tree, ShortcutSheet::tr("1 to 9"), ShortcutSheet::tr("Glide to that bookmark"));
     addLine(tree, ShortcutSheet::tr("F6, Shift+F6"),
             ShortcutSheet::tr("Move the focus to the next or the previous panel"));

@@ -18,6 +18,7 @@
 #include "ui/presets/preset_list.h"
 #include "ui/presets/preset_shelf.h"
 #include "ui/record/bookmarks.h"
+#include "ui/record/bookmarks_dialog.h"
 #include "ui/study/table_export.h"
 #include "ui/tree/tree_dock.h"
 #include "ui/tree/tree_editor.h"
@@ -32,7 +33,6 @@
 #include "ui/window/recent_files.h"
 #include "ui/window/search_entries.h"
 #include "ui/window/shortcut_sheet.h"
-#include "ui/window/theme_menu.h"
 #include "ui/window/window_dialogs.h"
 #include "ui/window/window_docks.h"
 #include "ui/window/window_preferences.h"
@@ -112,10 +112,12 @@ public:
     }
     void take(QAction* action)
     {
-        menu_->addAction(action);
+        if (menu_) menu_->addAction(action);
         window_.addAction(action);
         all_ << action;
     }
+    /// Adds the following actions to no menu: they have keys and are found by the search.
+    void noMenu() { menu_ = nullptr; }
     /// Restricts an action's shortcut to the picture having the focus: for plain letters and Tab.
     void inViewport(QAction* action)
     {
@@ -149,6 +151,31 @@ void chooseFile(MainWindow& window)
     dialog->open();
 }
 
+/// Makes the menu of the bookmarks that are set.
+QMenu* bookmarksMenu(QWidget* parent, Bookmarks& bookmarks)
+{
+    auto* menu = new QMenu(tr("&Go to bookmark"), parent);
+    QObject::connect(menu, &QMenu::aboutToShow, menu, [menu, &bookmarks] {
+        menu->clear();
+        for (int number = 1; number <= Bookmarks::most; ++number)
+            if (const QString name = bookmarks.name(number); !name.isEmpty())
+                menu->addAction(menuText(name), menu, [&bookmarks, number] { bookmarks.go(number); });
+        if (menu->isEmpty()) menu->addAction(tr("There are no bookmarks yet"))->setEnabled(false);
+    });
+    return menu;
+}
+
+/// Changes the exposure of the picture by this many stops.
+void expose(MainWindow& window, double stops)
+{
+    const ParameterValues& hall = window.history().sceneState().hall();
+    const std::optional<std::size_t> row = hall.table().find("exposure");
+    if (!row) return;  // The museum of a test has another hall.
+    const ParameterInfo& info = hall.table().rows()[*row];
+    const double next = std::get<double>(hall.row(*row)) + stops;
+    window.history().set(hallIndex, *row, nearestLegal(info, next).value_or(hall.row(*row)), newGesture());
+}
+
 /// Sets the shown exhibit's parameters to their initial values.
 void resetShown(MainWindow& window)
 {
@@ -169,9 +196,8 @@ WindowActions::WindowActions(MainWindow& window)
     addViewMenu(make, window);
     addCompareMenu(make, window.comparison().actions());
     addExhibitMenu(make, window);
-    addLessonMenu(make, window.lessons());
-    addBookmarkMenu(make, window);
     addHelpMenu(make, window);
+    addWithoutMenu(make, window);
     watch(window);
 }
 
@@ -199,7 +225,6 @@ void WindowActions::watch(MainWindow& window) const
     QObject::connect(&window.viewport(), &Viewport::looked, &watching_, follow);
     QObject::connect(&window.shelf(), &PresetShelf::marked, &watching_, follow);
     QObject::connect(&window.docks().presets(), &PresetList::selectedChanged, &watching_, follow);
-    QObject::connect(&window.bookmarks(), &Bookmarks::changed, &watching_, follow);
     QObject::connect(&window.docks().tree().editor(), &TreeEditor::treeChanged, &watching_, follow);
     QObject::connect(&window.again(), &ExportAgain::noted, &watching_, follow);
     refresh();
@@ -217,7 +242,7 @@ void WindowActions::addFileMenu(Maker& make, MainWindow& window)
              tr("Saves everything in one file: all exhibits, the hall and where you stand."),
              [&window] { window.shelf().saveExhibition(); });
     make.separator();
-    make.add(tr("Screen&shot"), {QKeySequence(Qt::Key_F12)}, tr("Saves the picture as PNG in your pictures folder."),
+    make.add(tr("Screens&hot"), {QKeySequence(Qt::Key_F12)}, tr("Saves the picture as PNG in your pictures folder."),
              [&window] { saveScreenshot(window, window); });
     make.add(tr("&Copy picture"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C)},
              tr("Copies the picture to the clipboard."), [&window] { copyPicture(window); });
@@ -354,12 +379,7 @@ void WindowActions::addViewMenu(Maker& make, MainWindow& window)
         make.take(toggle);
     }
     make.separator();
-    make.add(tr("&Next panel"), {QKeySequence(Qt::Key_F6)},
-             tr("Moves the focus to the next part of the window: picture, panels, clock."),
-             [&window] { focusNextArea(window, 1); });
-    make.add(tr("Pre&vious panel"), {QKeySequence(Qt::SHIFT | Qt::Key_F6)},
-             tr("Moves the focus to the previous part of the window."), [&window] { focusNextArea(window, -1); });
-    make.submenu(panelMenu(window));
+    addBookmarks(make, window);
     make.separator();
     addScreenAndClock(make, window);
 }
@@ -371,10 +391,6 @@ void WindowActions::addScreenAndClock(Maker& make, MainWindow& window)
             window.setWindowState(on ? window.windowState() | Qt::WindowFullScreen
                                      : window.windowState() & ~Qt::WindowFullScreen);
         });
-    make.submenu(themeMenu(&window, window.preferences().values()));
-    make.submenu(
-        languageMenu(&window, [&window](const QString& message) { window.say(MessageStrip::Mood::notice, message); }));
-    make.separator();
     pause = make.toggle(tr("Pause &clock"), {QKeySequence(Qt::Key_Space), QKeySequence(Qt::Key_Pause)},
                         tr("Stops and starts the exhibits' clock."),
                         [&window](bool on) { window.viewport().setPaused(on); });
@@ -389,6 +405,7 @@ void WindowActions::addScreenAndClock(Maker& make, MainWindow& window)
 void WindowActions::addCompareMenu(Maker& make, const CompareActions& actions)
 {
     make.menu(tr("&Compare"));
+    make.submenu(&actions.sources());
     for (QAction* action : actions.all()) {
         if (action)
             make.take(action);
@@ -416,61 +433,22 @@ void WindowActions::addExhibitMenu(Maker& make, MainWindow& window)
         [&window] { return window.viewport().canPress(); }, tr("There is no red button in front of you."));
     make.submenu(ownObjectsMenu(window));
     make.separator();
-    for (const auto& [i, exhibit] : window.museum().exhibits()) {
-        const int place = exhibit.place();
-        const bool hasKey = window.museum().isInHall(i) && place <= 10;  // Alt+0 stands for place 10.
-        const Keys keys = hasKey ? Keys{QKeySequence(Qt::ALT | static_cast<Qt::Key>(Qt::Key_0 + place % 10))} : Keys{};
-        make.add(QStringLiteral("visit-") + text(exhibit.name()), tr("Visit %1").arg(said(exhibit.title())), keys,
-                 said(exhibit.summary()), [&window, index = i] { window.visit(index); });
-    }
+    for (QAction* action : window.lessons().menu()) make.take(action);
 }
 
-void WindowActions::addBookmarkMenu(Maker& make, MainWindow& window)
+void WindowActions::addBookmarks(Maker& make, MainWindow& window)
 {
-    make.menu(tr("&Bookmarks"));
     Bookmarks& bookmarks = window.bookmarks();
-    const auto key = [](int number) { return static_cast<Qt::Key>(Qt::Key_0 + number); };
-    for (int number = 1; number <= Bookmarks::most; ++number) {
-        QAction* go = make.add(
-            QStringLiteral("go-to-bookmark-%1").arg(number), {}, {QKeySequence(Qt::CTRL | key(number))},
-            tr("Goes to the view of this bookmark; if it is not set, sets it to the current view."),
-            [&bookmarks, number] { bookmarks.name(number).isEmpty() ? bookmarks.set(number) : bookmarks.go(number); });
-        const auto name = [go, &bookmarks, number] {
-            const QString there = bookmarks.name(number);
-            go->setText(there.isEmpty() ? tr("Set bookmark %1 to this view").arg(number)
-                                        : tr("Go to bookmark %1").arg(menuText(there)));
-        };
-        name();
-        QObject::connect(&bookmarks, &Bookmarks::changed, go, name);
-    }
+    make.add(tr("Add &bookmark"), {}, tr("Sets the first free one of the nine bookmarks to the current view."),
+             [&bookmarks] { bookmarks.add(); });
+    make.submenu(bookmarksMenu(&window, bookmarks));
+    make.add(tr("&Manage bookmarks…"), {}, tr("Sets, visits and deletes bookmarks, and saves them as a tour."),
+             [&window, &bookmarks] {
+                 auto* dialog = new BookmarksDialog(bookmarks, &window);
+                 QObject::connect(dialog, &BookmarksDialog::tourAsked, &window.dialogs(), &WindowDialogs::saveTour);
+                 dialog->show();
+             });
     QObject::connect(&window.viewport(), &Viewport::bookmarkAsked, &bookmarks, &Bookmarks::go);
-    make.separator();
-    for (int number = 1; number <= Bookmarks::most; ++number)
-        make.add(QStringLiteral("set-bookmark-%1").arg(number), tr("Set bookmark %1").arg(number),
-                 {QKeySequence(Qt::CTRL | Qt::ALT | key(number))},
-                 tr("Sets this bookmark to the current view and replaces the old one."),
-                 [&bookmarks, number] { bookmarks.set(number); });
-    make.separator();
-    QAction* save = make.add(tr("Save as a &tour…"), {},
-                             tr("Writes the bookmarks to a file that `vitrine record` "
-                                "follows."),
-                             [&window] { window.dialogs().saveTour(); });
-    QAction* forget = make.add(QStringLiteral("forget-all-bookmarks"), tr("&Delete all bookmarks"), {},
-                               tr("Deletes all nine bookmarks."), [&bookmarks] { bookmarks.forgetAll(); });
-    for (QAction* action : {save, forget})
-        enableOnly(
-            action, [&bookmarks] { return !bookmarks.tour().bookmarks.empty(); }, tr("There are no bookmarks yet."));
-}
-
-void WindowActions::addLessonMenu(Maker& make, const LessonDesk& lessons)
-{
-    make.menu(tr("&Lesson"));
-    for (QAction* action : lessons.actions()) {
-        if (action)
-            make.take(action);
-        else
-            make.separator();
-    }
 }
 
 void WindowActions::addHelpMenu(Maker& make, MainWindow& window)
@@ -489,6 +467,48 @@ void WindowActions::addHelpMenu(Maker& make, MainWindow& window)
     read->setEnabled(!manual.isEmpty());
     make.separator();
     make.add(tr("&About Vitrine"), {}, tr("Version, libraries, license."), [&window] { window.dialogs().openAbout(); });
+}
+
+void WindowActions::addWithoutMenu(Maker& make, MainWindow& window)
+{
+    make.noMenu();
+    make.add(tr("Next panel"), {QKeySequence(Qt::Key_F6)},
+             tr("Moves the focus to the next part of the window: picture, panels, clock."),
+             [&window] { focusNextArea(window, 1); });
+    make.add(tr("Previous panel"), {QKeySequence(Qt::SHIFT | Qt::Key_F6)},
+             tr("Moves the focus to the previous part of the window."), [&window] { focusNextArea(window, -1); });
+    make.add(tr("Show charts"), {}, tr("Shows the charts of the visited exhibit's values, beside its study."),
+             [&window] { window.docks().showCharts(); });
+    make.add(tr("Show log"), {}, tr("Shows all messages since the start, beside the frame report."),
+             [&window] { window.docks().showLog(); });
+    for (const int way : {1, -1})
+        make.inViewport(make.add(way > 0 ? tr("Expose more") : tr("Expose less"),
+                                 {QKeySequence(way > 0 ? Qt::Key_BracketRight : Qt::Key_BracketLeft)},
+                                 way > 0 ? tr("Makes the picture brighter by a quarter of a stop.")
+                                         : tr("Makes the picture darker by a quarter of a stop."),
+                                 [&window, way] { expose(window, 0.25 * way); }));
+    for (QAction* action : window.lessons().steps()) make.take(action);
+    for (QAction* action : window.comparison().actions().more()) make.take(action);
+    for (const auto& [i, exhibit] : window.museum().exhibits()) {
+        const int place = exhibit.place();
+        const bool hasKey = window.museum().isInHall(i) && place <= 10;  // Alt+0 stands for place 10.
+        const Keys keys = hasKey ? Keys{QKeySequence(Qt::ALT | static_cast<Qt::Key>(Qt::Key_0 + place % 10))} : Keys{};
+        make.add(QStringLiteral("visit-") + text(exhibit.name()), tr("Visit %1").arg(said(exhibit.title())), keys,
+                 said(exhibit.summary()), [&window, index = i] { window.visit(index); });
+    }
+    Bookmarks& bookmarks = window.bookmarks();
+    const auto key = [](int number) { return static_cast<Qt::Key>(Qt::Key_0 + number); };
+    for (int number = 1; number <= Bookmarks::most; ++number) {
+        make.add(
+            QStringLiteral("go-to-bookmark-%1").arg(number), tr("Go to bookmark %1").arg(number),
+            {QKeySequence(Qt::CTRL | key(number))},
+            tr("Goes to the view of this bookmark; if it is not set, sets it to the current view."),
+            [&bookmarks, number] { bookmarks.name(number).isEmpty() ? bookmarks.set(number) : bookmarks.go(number); });
+        make.add(QStringLiteral("set-bookmark-%1").arg(number), tr("Set bookmark %1").arg(number),
+                 {QKeySequence(Qt::CTRL | Qt::ALT | key(number))},
+                 tr("Sets this bookmark to the current view and replaces the old one."),
+                 [&bookmarks, number] { bookmarks.set(number); });
+    }
 }
 
 }  // namespace vitrine::ui

@@ -12,7 +12,6 @@ class QAction;
 namespace vitrine::ui {
 
 class CompareActions;
-class LessonDesk;
 class MainWindow;
 class PresetShelf;
 
@@ -50,9 +49,9 @@ private:
     void addScreenAndClock(Maker&, MainWindow&);
     void addCompareMenu(Maker&, const CompareActions&);
     void addExhibitMenu(Maker&, MainWindow&);
-    void addBookmarkMenu(Maker&, MainWindow&);
-    void addLessonMenu(Maker&, const LessonDesk&);
+    void addBookmarks(Maker&, MainWindow&);
     void addHelpMenu(Maker&, MainWindow&);
+    void addWithoutMenu(Maker&, MainWindow&);
 
     std::vector<Conditional> conditional_;
     /// Declared last, so that it is destroyed first: later signals of the window's parts are not received.

@@ -29,6 +29,7 @@
 #include <QMainWindow>
 #include <QScrollArea>
 #include <QTabBar>
+#include <QTabWidget>
 #include <QTimer>
 
 #include <algorithm>
@@ -72,6 +73,20 @@ void WindowDocks::followSmallerType()
         }
         window_.resizeDocks(besides, widths, Qt::Horizontal);
     });
+}
+
+QTabWidget* WindowDocks::tabs(std::initializer_list<std::pair<QString, QWidget*>> pages)
+{
+    auto* tabs = new QTabWidget;
+    tabs->setDocumentMode(true);
+    tabs->tabBar()->setDrawBase(false);
+    QStringList titles;
+    for (const auto& [title, page] : pages) {
+        tabs->addTab(page, title);
+        titles << title;
+    }
+    tabs->setAccessibleName(titles.join(QStringLiteral(", ")));
+    return tabs;
 }
 
 QDockWidget* WindowDocks::add(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area)
@@ -134,7 +149,9 @@ void WindowDocks::addStudy()
     room->setWidget(study_);
     room->setWidgetResizable(true);
     room->setFrameShape(QFrame::NoFrame);
-    studyDock_ = add(tr("Study"), "study", room, Qt::BottomDockWidgetArea);
+    charts_ = new ChartsDock(workbench_.museum(), workbench_.history());
+    studyTabs_ = tabs({{tr("Accuracy and cost"), room}, {tr("Charts"), charts_}});
+    studyDock_ = add(tr("Study"), "study", studyTabs_, Qt::BottomDockWidgetArea);
     studyDock_->hide();
     ParameterPanel& panel = parameters_->panel();
     connect(&panel, &ParameterPanel::accuracyAsked, this, [this](std::size_t row) {
@@ -154,18 +171,16 @@ void WindowDocks::addFrameReportAndLog()
     frameReport_->view().setTitles(titles);
     connect(frameReport_, &FrameReportDock::runEverythingAsked, &viewport, &Viewport::setRunEverything);
     log_ = new LogView;
-    charts_ = new ChartsDock(workbench_.museum(), workbench_.history());
-    QDockWidget* charts = add(tr("Charts"), "charts", charts_, Qt::BottomDockWidgetArea);
-    QDockWidget* frameReport = add(tr("Frame report"), "frame-report", frameReport_, Qt::BottomDockWidgetArea);
-    QDockWidget* log = add(tr("Log"), "log", log_, Qt::BottomDockWidgetArea);
-    window_.tabifyDockWidget(studyDock_, charts);
-    window_.tabifyDockWidget(charts, frameReport);
-    window_.tabifyDockWidget(frameReport, log);
-    charts->hide();
-    frameReport->hide();
-    log->hide();
-    // Passes are timed only while the report is visible, because that is slower.
-    connect(frameReport, &QDockWidget::visibilityChanged, &viewport, &Viewport::setStepsTimed);
+    reportTabs_ = tabs({{tr("Passes"), frameReport_}, {tr("Log"), log_}});
+    reportDock_ = add(tr("Frame report"), "frame-report", reportTabs_, Qt::BottomDockWidgetArea);
+    window_.tabifyDockWidget(studyDock_, reportDock_);
+    reportDock_->hide();
+    // Passes are timed only while their list is visible, because that is slower.
+    const auto time = [this, &viewport] {
+        viewport.setStepsTimed(reportDock_->isVisible() && reportTabs_->currentWidget() == frameReport_);
+    };
+    connect(reportDock_, &QDockWidget::visibilityChanged, this, time);
+    connect(reportTabs_, &QTabWidget::currentChanged, this, time);
 }
 
 void WindowDocks::addExplore(PresetShelf& shelf)
@@ -216,11 +231,25 @@ void WindowDocks::showParameters()
 
 void WindowDocks::showStudy()
 {
+    studyTabs_->setCurrentIndex(0);
     studyDock_->show();
     studyDock_->raise();
     // High enough for the chart with its axes, but not above half of the window.
     if (studyDock_->height() < 300)
         window_.resizeDocks({studyDock_}, {std::clamp(window_.height() * 45 / 100, 320, 420)}, Qt::Vertical);
+}
+
+void WindowDocks::showCharts()
+{
+    showStudy();
+    studyTabs_->setCurrentWidget(charts_);
+}
+
+void WindowDocks::showLog()
+{
+    reportTabs_->setCurrentWidget(log_);
+    reportDock_->show();
+    reportDock_->raise();
 }
 
 }  // namespace vitrine::ui

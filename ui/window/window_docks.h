@@ -4,8 +4,11 @@
 #include <QObject>
 
 #include <cstddef>
+#include <initializer_list>
+#include <utility>
 
 class QDockWidget;
+class QTabWidget;
 class QMainWindow;
 
 namespace vitrine::ui {
@@ -56,8 +59,13 @@ public:
     void showParameters();
     /// Shows the study in the same way, large enough for its chart.
     void showStudy();
+    /// Shows the charts of the visited exhibit, a tab of the study's dock.
+    void showCharts();
+    /// Shows the log, a tab of the frame report's dock.
+    void showLog();
 
 private:
+    [[nodiscard]] static QTabWidget* tabs(std::initializer_list<std::pair<QString, QWidget*>> pages);
     QDockWidget* add(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea);
     void addLists();
     void addStudy();
@@ -72,6 +80,9 @@ private:
     int typeHeight_ = 0;  // Font height of the window in pixels.
     QDockWidget* parametersDock_ = nullptr;
     QDockWidget* studyDock_ = nullptr;
+    QTabWidget* studyTabs_ = nullptr;
+    QDockWidget* reportDock_ = nullptr;
+    QTabWidget* reportTabs_ = nullptr;
     ExhibitList* exhibits_ = nullptr;
     PresetList* presets_ = nullptr;
     ParameterTabs* parameters_ = nullptr;

@@ -180,7 +180,7 @@ std::string refusalOf(const ParameterValues& values, const JobScene& scene, cons
     if (path != RecordPath::bookmarks) return {};
     if (!inputs.bookmarksProblem.empty()) return inputs.bookmarksProblem;
     if (inputs.bookmarks && inputs.bookmarks->bookmarks.size() > 1) return {};
-    return "Set two bookmarks at least: one where you stand, then another elsewhere (Bookmarks menu).";
+    return "Set two bookmarks at least: one where you stand, then another elsewhere (View > Add bookmark).";
 }
 
 }  // namespace

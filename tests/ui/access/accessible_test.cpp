@@ -46,7 +46,7 @@ private slots:
             complaints << test::complaintsOf(dock);
             ++docks;
         });
-        QVERIFY(docks >= 8);
+        QVERIFY(docks >= 7);
         complaints.removeDuplicates();
         QVERIFY2(complaints.isEmpty(), qPrintable('\n' + complaints.join('\n')));
     }

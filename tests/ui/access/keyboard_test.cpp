@@ -5,12 +5,15 @@
 
 #include "ui/compare/compare_desk.h"
 #include "ui/compare/compare_overlay.h"
+#include "ui/window/dock_title.h"
 #include "ui/window/window_docks.h"
 
 #include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
 #include <QStatusBar>
+
+#include <functional>
 
 using namespace vitrine;
 using namespace vitrine::ui;
@@ -128,31 +131,28 @@ private slots:
         // Messages, the comparison and newly opened panels are included.
         window_->say(MessageStrip::Mood::problem, "Something went wrong.");
         window_->comparison().holdPresent();
-        auto* log = window_->findChild<QDockWidget*>("log");
-        log->show();
-        QTRY_VERIFY(!log->visibleRegion().isEmpty());
+        auto* report = window_->findChild<QDockWidget*>("frame-report");
+        report->show();
+        QTRY_VERIFY(!report->visibleRegion().isEmpty());
         window_->viewport().setFocus();
         int parts = 1;
         for (pressF6(); !window_->viewport().hasFocus() && parts < 20; pressF6()) ++parts;
         QCOMPARE(parts, 8);
     }
 
-    void panelsAreMovedAndResizedFromTheMenu()
+    void panelsAreMovedAndResizedFromTheMenuOfTheirTitle()
     {
-        const auto entry = [this](const char* name) {
-            for (QMenu* menu : window_->findChildren<QMenu*>())
-                if (menu->title().remove('&') == "Move panel")
-                    for (QAction* each : menu->actions())
-                        if (each->text().remove('&') == QLatin1String(name)) return each;
+        auto* presets = window_->findChild<QDockWidget*>("presets");
+        const auto entry = [presets](const char* name) {
+            for (QAction* each : presets->findChild<DockTitle*>()->menu().actions())
+                if (each->text().remove('&') == QLatin1String(name)) return each;
             return static_cast<QAction*>(nullptr);
         };
-        auto* presets = window_->findChild<QDockWidget*>("presets");
-        window_->viewport().setFocus();
-        entry("To the right")->trigger();  // No panel has the focus.
-        QCOMPARE(window_->dockWidgetArea(presets), Qt::LeftDockWidgetArea);
-        presets->findChild<QListWidget*>()->setFocus();
+        auto* list = presets->findChild<QListWidget*>();
+        list->setFocus();
         entry("To the right")->trigger();
         QCOMPARE(window_->dockWidgetArea(presets), Qt::RightDockWidgetArea);
+        QVERIFY(list->hasFocus());
         entry("To the left")->trigger();
         QCOMPARE(window_->dockWidgetArea(presets), Qt::LeftDockWidgetArea);
         const int width = presets->width();
@@ -160,6 +160,25 @@ private slots:
         QTRY_VERIFY(presets->width() > width);
         entry("Narrower")->trigger();
         QTRY_COMPARE(presets->width(), width);
+        entry("Float or dock")->trigger();
+        QVERIFY(presets->isFloating());
+        entry("Float or dock")->trigger();
+        QVERIFY(!presets->isFloating());
+    }
+
+    void theMenusAreShort()
+    {
+        int entries = 0;
+        const std::function<void(const QMenu&)> count = [&](const QMenu& menu) {
+            for (const QAction* each : menu.actions()) {
+                if (each->isSeparator() || !each->isVisible()) continue;
+                ++entries;
+                if (each->menu()) count(*each->menu());
+            }
+        };
+        for (const QAction* top : window_->menuBar()->actions()) count(*top->menu());
+        QVERIFY2(entries > 40 && entries <= 70, qPrintable(QString::number(entries)));
+        QVERIFY(window_->findChildren<DockTitle*>().size() <= 7);
     }
 
     void keysOfMenusAreUniqueWithinEachMenu()

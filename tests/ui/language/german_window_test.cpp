@@ -70,8 +70,7 @@ private slots:
         startIn(QStringLiteral("de"));
         QStringList menus;
         for (const QAction* action : window_->menuBar()->actions()) menus << action->text().remove(QLatin1Char('&'));
-        for (const char* title :
-             {"Datei", "Bearbeiten", "Preset", "Ansicht", "Vergleich", "Exponat", "Lektion", "Hilfe"})
+        for (const char* title : {"Datei", "Bearbeiten", "Preset", "Ansicht", "Vergleich", "Exponat", "Hilfe"})
             QVERIFY2(menus.contains(QString::fromUtf8(title)), title);
         QVERIFY(action("Alle Parameter zurücksetzen"));
         QVERIFY(!action("Reset all parameters"));

@@ -15,7 +15,6 @@
 #include "render/text/translation.h"
 #include "tests/ui/patience.h"
 
-#include <QMenu>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QXmlStreamReader>
@@ -298,26 +297,6 @@ private slots:
         QCOMPARE(ui::languageOfWindow(), QStringLiteral("de"));
         qputenv("LC_ALL", "C.UTF-8");
         QCOMPARE(ui::languageOfWindow(), QStringLiteral("en"));
-    }
-
-    void theMenuKeepsTheChoiceAndSaysWhenItCounts()
-    {
-        const QTemporaryDir home;
-        for (const char* name : {"HOME", "XDG_CONFIG_HOME"}) qputenv(name, home.path().toLocal8Bit());
-        qputenv("LC_ALL", "C.UTF-8");
-        QString message;
-        const std::unique_ptr<QMenu> menu(ui::languageMenu(nullptr, [&](const QString& said) { message = said; }));
-        QStringList names;
-        for (const QAction* action : menu->actions()) names << action->text().remove(QLatin1Char('&'));
-        QCOMPARE(names, QStringList({"As the system", "English", "Deutsch"}));
-        QVERIFY(menu->actions().front()->isChecked());
-        menu->actions().back()->trigger();
-        QCOMPARE(ui::savedLanguage(), QStringLiteral("de"));
-        QVERIFY2(message.contains(QStringLiteral("Deutsch")), qPrintable(message));
-        message.clear();
-        menu->actions().front()->trigger();
-        QCOMPARE(ui::savedLanguage(), QString());
-        QVERIFY2(message.isEmpty(), "English is what it speaks already");
     }
 
     void aLanguageIsSpokenAtOnceAndAnUnknownOneIsEnglish()

@@ -392,7 +392,7 @@ private slots:
     void theMenuLeadsToTheSyllabusWhoseLinksStartLessons()
     {
         QAction* syllabus = nullptr;
-        for (QAction* action : desk().actions())
+        for (QAction* action : desk().menu())
             if (action && action->objectName() == "lesson-syllabus") syllabus = action;
         QVERIFY(syllabus);
         syllabus->trigger();

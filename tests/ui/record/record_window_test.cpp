@@ -13,9 +13,12 @@
 #include "ui/parameters/parameter_panel.h"
 #include "ui/parameters/parameter_row.h"
 #include "ui/record/bookmarks.h"
+#include "ui/record/bookmarks_dialog.h"
 
 #include <QClipboard>
 #include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
 #include <QSignalSpy>
 
 #include <fstream>
@@ -94,7 +97,7 @@ private slots:
         stand(-0.5);
         press(Qt::Key_4, Qt::NoModifier);  // There is no bookmark, so the camera stays.
         QCOMPARE(camera().eye.x, -0.5);
-        QVERIFY(action("Set bookmark 4 to this view"));
+        QVERIFY(window_->bookmarks().name(4).isEmpty());
         press(Qt::Key_4, Qt::ControlModifier);  // The camera becomes the bookmark.
         QCOMPARE(window_->bookmarks().name(4).left(1), QStringLiteral("4"));
         stand(0.25);
@@ -111,8 +114,46 @@ private slots:
         QVERIFY(glm::length(glm::normalize(camera().target - camera().eye) - glm::normalize(kept.target - kept.eye)) <
                 1e-9);
         QVERIFY2(window_->viewport().canGoBack(), "Backspace leads back");
-        action("Delete all bookmarks")->trigger();
+        window_->bookmarks().forgetAll();
         QVERIFY(window_->bookmarks().tour().bookmarks.empty());
+    }
+
+    void bookmarksAreAddedVisitedAndDeletedInTheirDialog()
+    {
+        action("Manage bookmarks…")->trigger();
+        auto* dialog = window_->findChild<BookmarksDialog*>();
+        auto* list = dialog->findChild<QListWidget*>();
+        const auto button = [dialog](const char* text) {
+            for (QPushButton* each : dialog->findChildren<QPushButton*>())
+                if (each->text().remove('&') == QString::fromUtf8(text)) return each;
+            return static_cast<QPushButton*>(nullptr);
+        };
+        QCOMPARE(list->count(), Bookmarks::most);
+        for (const char* text : {"Go there", "Delete", "Save as a tour…", "Delete all"})
+            QVERIFY2(!button(text)->isEnabled(), text);
+        stand(0.5);
+        action("Add bookmark")->trigger();
+        stand(-0.5);
+        action("Add bookmark")->trigger();
+        for (const char* text : {"Go there", "Delete", "Save as a tour…", "Delete all"})
+            QVERIFY2(button(text)->isEnabled(), text);
+        QVERIFY(list->item(1)->text().startsWith("2 ") && list->item(2)->text().startsWith("3 (not set"));
+        list->setCurrentRow(0);
+        button("Go there")->click();
+        QTRY_COMPARE(camera().eye.x, 0.5);
+        button("Delete")->click();
+        QVERIFY(window_->bookmarks().name(1).isEmpty() && !window_->bookmarks().name(2).isEmpty());
+        QCOMPARE(list->currentRow(), 0);
+        list->setCurrentRow(3);
+        button("Set to this view")->click();
+        QVERIFY(!window_->bookmarks().name(4).isEmpty());
+        button("Delete all")->click();
+        QVERIFY(!window_->bookmarks().hasSome());
+        for (int k = 0; k < Bookmarks::most; ++k) window_->bookmarks().add();
+        window_->bookmarks().add();
+        QVERIFY(!window_->findChild<MessageStrip*>()->texts().filter("All nine bookmarks").isEmpty());
+        window_->bookmarks().forgetAll();
+        dialog->close();
     }
 
     void bookmarksThatCannotBeReadAreLeftAsTheyAre()

@@ -23,6 +23,7 @@
 #include "ui/study/study_dock.h"
 #include "ui/viewport/gl_probe.h"
 #include "ui/viewport/museum_renderers.h"
+#include "ui/viewport/pixel_inspector.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/file_opener.h"
 #include "ui/window/main_window.h"
@@ -35,6 +36,7 @@
 #include <QDockWidget>
 #include <QEventLoop>
 #include <QListWidget>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -154,6 +156,8 @@ private slots:
         int read = 0;
         for (std::size_t i = 0; i < museum_->subjects().size(); ++i) {
             window_->choose(i);
+            for (const ParameterInfo& info : window_->panel().values().table().rows())
+                window_->panel().reveal(info.name);
             QTest::qWait(20);
             for (ParameterRow* row : window_->panel().findChildren<ParameterRow*>()) {
                 const auto* label = row->findChild<RowLabel*>();
@@ -316,7 +320,7 @@ private slots:
         QVERIFY(charted != 0);
         auto* charts = window_->findChild<ChartsDock*>();
         window_->visit(charted);
-        window_->findChild<QDockWidget*>("charts")->show();
+        window_->docks().showCharts();
         QTRY_VERIFY(!charts->charts().empty());
         QCOMPARE(charts->plots().size(), charts->charts().size());
         const ChartCurve before = charts->charts()[0].curves[0];
@@ -329,6 +333,32 @@ private slots:
         window_->visit(exhibit_);
         QTRY_VERIFY(charts->charts().empty());
         QVERIFY(!charts->note().isEmpty());
+    }
+
+    void theKeyIShowsWhatIsAtAPixelWhileItIsHeld()
+    {
+        Viewport& viewport = window_->viewport();
+        (void)pictureAtRest();
+        viewport.setFocus();
+        const auto* inspector = window_->findChild<PixelInspector*>();
+        QVERIFY(inspector->text().isEmpty());
+        QTest::keyPress(&viewport, Qt::Key_I);
+        QTRY_VERIFY2_WITH_TIMEOUT(inspector->text().contains("Distance"), qPrintable(inspector->text()),
+                                  vitrine::test::patience);
+        // The point lies on the ray through the middle of the picture, which is the pixel without a pointer.
+        const QRegularExpression form(R"(Position  (\S+)  (\S+)  (\S+) m\n(?s:.*)Distance  (\S+) m)");
+        const QRegularExpressionMatch found = form.match(inspector->text());
+        QVERIFY2(found.hasMatch(), qPrintable(inspector->text()));
+        const glm::dvec3 point(found.captured(1).toDouble(), found.captured(2).toDouble(),
+                               found.captured(3).toDouble());
+        const double distance = found.captured(4).toDouble();
+        const render::View view = viewport.view();
+        QVERIFY(distance > 0.2);
+        const QPointF middle = viewport.rect().center();
+        const glm::dvec2 ndc(2 * middle.x() / viewport.width() - 1, 1 - 2 * middle.y() / viewport.height());
+        QVERIFY(glm::length(point - view.eye - glm::normalize(view.direction(ndc)) * distance) < 0.003);
+        QTest::keyRelease(&viewport, Qt::Key_I);
+        QVERIFY(inspector->text().isEmpty());
     }
 
     void aCanceledExportLeavesNoFile()

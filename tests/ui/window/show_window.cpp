@@ -233,8 +233,7 @@ int main(int argc, char** argv)
                 if (capability<HasCharts>(shown->subject(i)) == nullptr) continue;
                 auto* charts = window.findChild<ui::ChartsDock*>();
                 window.visit(i);
-                window.findChild<QDockWidget*>(QStringLiteral("charts"))->show();
-                window.findChild<QDockWidget*>(QStringLiteral("charts"))->raise();
+                window.docks().showCharts();
                 QEventLoop made;
                 QObject::connect(charts, &ui::ChartsDock::renewed, &made, &QEventLoop::quit);
                 if (charts->charts().empty()) made.exec();

@@ -112,10 +112,11 @@ private slots:
         setType(percent);
         fits(*window_, "window");
         look(*window_, "window");
-        for (const char* name : {"study", "charts", "frame-report", "log"}) {
-            auto* dock = window_->findChild<QDockWidget*>(name);
-            dock->show();
-            dock->raise();
+        WindowDocks& docks = window_->docks();
+        const std::pair<const char*, void (WindowDocks::*)()> panels[]{
+            {"study", &WindowDocks::showStudy}, {"charts", &WindowDocks::showCharts}, {"log", &WindowDocks::showLog}};
+        for (const auto& [name, show] : panels) {
+            (docks.*show)();
             settle();
             fits(*window_, name);
             look(*window_, name);
@@ -147,7 +148,7 @@ private slots:
         QFETCH(int, percent);
         setType(percent);
         for (const char* command :
-             {"Export picture…", "Record…", "Export lenticular print…", "Commands…", "Keyboard, mouse and gamepad",
+             {"Export picture…", "Record…", "Export lenticular print…", "Search…", "Keyboard, mouse and gamepad",
               "About this exhibit", "About Vitrine", "Preferences…"})
             lookAtDialogOf(command);
         action("Preferences…")->trigger();

@@ -88,7 +88,7 @@ private slots:
 
     void theViewMenuListsEveryPanelAndAParameterOpensAClosedOne()
     {
-        for (const char* panel : {"Exhibits", "Presets", "Parameters", "Study", "Charts", "Frame report", "Log"})
+        for (const char* panel : {"Exhibits", "Presets", "Parameters", "Study", "Frame report"})
             QVERIFY2(menu("View").contains(QLatin1String(panel)), panel);
         auto* parameters = window_->findChild<QDockWidget*>("parameters");
         action("Parameters")->trigger();

@@ -4,7 +4,6 @@
 #include "ui/export/export_again.h"
 #include "ui/kit/message_strip.h"
 #include "ui/kit/preferences.h"
-#include "ui/kit/theme.h"
 #include "ui/kit/tile_delegate.h"
 #include "ui/parameters/color_picker.h"
 #include "ui/parameters/number_field.h"
@@ -142,21 +141,6 @@ private slots:
         QCOMPARE(list->item(0)->data(TileDelegate::secondLine).toString(), QString("Yours"));
         for (int i = 1; i < list->count(); ++i)
             QCOMPARE(list->item(i)->data(TileDelegate::secondLine).toString(), QString());
-    }
-
-    void theThemeIsChosenInTheViewMenuAndKept()
-    {
-        QVERIFY(theme().dark);
-        action("Light")->trigger();
-        QVERIFY(!theme().dark);
-        QVERIFY(QApplication::palette().color(QPalette::Window) == lightTheme().window);
-        closeWindow();
-        openWindow();
-        QVERIFY(action("Light")->isChecked());
-        QCOMPARE(Preferences::saved().theme, ThemeChoice::light);
-        action("Dark")->trigger();
-        QVERIFY(theme().dark);
-        QCOMPARE(Preferences::saved().theme, ThemeChoice::dark);
     }
 
     void lockedRowsComeBackAndAreLeftOutWhenTheOthersAreVaried()
@@ -313,9 +297,9 @@ private slots:
     void actionsWithNothingToDoAreGrayAndSayWhy()
     {
         window_->choose(1);
-        for (const char* name : {"Save scene as…", "Export picture again", "Export measurements…", "Back",
-                                 "Save as a tour…", "Delete all bookmarks", "Rename preset", "Tags of preset…",
-                                 "Duplicate preset", "Delete preset", "Export preset…"}) {
+        for (const char* name :
+             {"Save scene as…", "Export picture again", "Export measurements…", "Back", "Rename preset",
+              "Tags of preset…", "Duplicate preset", "Delete preset", "Export preset…"}) {
             QVERIFY2(!action(name)->isEnabled(), name);
             QVERIFY2(!action(name)->toolTip().isEmpty(), name);
         }
@@ -324,10 +308,6 @@ private slots:
         window_->again().note({});
         QVERIFY(action("Export picture again")->isEnabled());
         QVERIFY(action("Export picture again")->toolTip() != gray);
-        action("Set bookmark 1")->trigger();
-        QVERIFY(action("Save as a tour…")->isEnabled() && action("Delete all bookmarks")->isEnabled());
-        action("Delete all bookmarks")->trigger();
-        QVERIFY(!action("Save as a tour…")->isEnabled() && !action("Delete all bookmarks")->isEnabled());
         window_->visit(1);
         QVERIFY(action("Back")->isEnabled());
         QTRY_VERIFY(action("Press the exhibit's button")->isEnabled());
