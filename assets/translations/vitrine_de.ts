@@ -889,11 +889,6 @@ Zeiten nach: %2.</translation>
         <translation>&amp;Tags des Presets…</translation>
     </message>
     <message>
-        <location filename="ui/compare/compare_actions.cpp"/>
-        <source>Ta&amp;ke B from</source>
-        <translation>&amp;B nehmen von</translation>
-    </message>
-    <message>
         <location filename="ui/window/dock_title.cpp"/>
         <source>&amp;Taller</source>
         <translation>&amp;Höher</translation>
@@ -10879,10 +10874,20 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>mittleres FLIP</translation>
     </message>
     <message>
+        <location filename="render/measure/distance.cpp"/>
+        <source>mean relative error</source>
+        <translation>mittlerer relativer Fehler</translation>
+    </message>
+    <message>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
         <source>Mean size</source>
         <extracomment>tables</extracomment>
         <translation>Mittelungsgröße</translation>
+    </message>
+    <message>
+        <location filename="render/measure/distance.cpp"/>
+        <source>mean squared relative error</source>
+        <translation>mittlerer quadratischer relativer Fehler</translation>
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
@@ -17598,6 +17603,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Streifen</translation>
     </message>
     <message>
+        <location filename="render/measure/distance.cpp"/>
+        <source>structural dissimilarity, (1 − SSIM) / 2</source>
+        <translation>strukturelle Unähnlichkeit, (1 − SSIM) / 2</translation>
+    </message>
+    <message>
         <location filename="exhibits/study/study_situation.cpp"/>
         <source>Studied with {1} at {2} instead of {3}, so that {4} acts.</source>
         <translation>Untersucht mit {1} auf {2} statt {3}, damit {4} wirkt.</translation>
@@ -17778,6 +17788,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="ui/model/other_settings.cpp"/>
         <source>Swap A and B</source>
         <translation>A und B vertauschen</translation>
+    </message>
+    <message>
+        <location filename="ui/compare/compare_actions.cpp"/>
+        <source>Ta&amp;ke B from</source>
+        <translation>&amp;B nehmen von</translation>
     </message>
     <message>
         <location filename="ui/study/table_export.cpp"/>

@@ -1,5 +1,7 @@
 #include "render/measure/distance.h"
 
+#include "render/measure/structure.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -46,6 +48,28 @@ double shareBeyond(const ColorDifference& d)
 std::optional<Image> mapOfColor(const Pictures& p)
 {
     return differenceMap(p.reference(), p.test());
+}
+
+double relative(const ColorDifference& d)
+{
+    return d.mape;
+}
+double relativeSquare(const ColorDifference& d)
+{
+    return d.relativeMse;
+}
+std::optional<Image> mapOfRelative(const Pictures& p)
+{
+    return relativeDifferenceMap(p.reference(), p.test());
+}
+
+std::optional<double> dissimilarityOf(const Pictures& p)
+{
+    return dissimilarity(p.reference(), p.test());
+}
+std::optional<Image> mapOfDissimilarity(const Pictures& p)
+{
+    return dissimilarityMap(p.reference(), p.test());
 }
 
 std::optional<double> flipOf(const Pictures& p)
@@ -120,6 +144,10 @@ const std::vector<MetricInfo>& allMetrics()
          .falls = true},
         {Metric::max, "max", "largest error of linear light", ofColor<largest>, mapOfColor, P::largest},
         {Metric::beyond, "beyond", "share of pixels off by more than 1/255", ofColor<shareBeyond>, mapOfColor},
+        {Metric::mape, "mape", "mean relative error", ofColor<relative>, mapOfRelative},
+        {Metric::relmse, "relmse", "mean squared relative error", ofColor<relativeSquare>, mapOfRelative},
+        {Metric::dssim, "dssim", "structural dissimilarity, (1 − SSIM) / 2", dissimilarityOf, mapOfDissimilarity,
+         P::mean, 1.0},
         {Metric::flip, "flip", "mean FLIP", flipOf, mapOfFlip, P::mean, 1.0},
         {.metric = Metric::normal,
          .name = "normal",

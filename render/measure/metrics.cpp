@@ -1,6 +1,7 @@
 #include "render/measure/metrics.h"
 
 #include "render/image/srgb.h"
+#include "render/measure/color_at.h"
 
 #include <glm/glm.hpp>
 
@@ -15,17 +16,6 @@ namespace vitrine::render {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-
-/// Returns the color of a pixel over black. One or two channels: gray. The second of two and the fourth are alpha.
-glm::dvec3 colorAt(const Image& image, int x, int y)
-{
-    const bool gray = image.channels < 3;
-    const bool hasAlpha = image.channels == 2 || image.channels >= 4;
-    const double alpha = hasAlpha ? image.at(x, y, gray ? 1 : 3) : 1.0;
-    if (alpha == 0) return glm::dvec3(0);
-    if (gray) return glm::dvec3(image.at(x, y, 0)) * alpha;
-    return glm::dvec3(image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)) * alpha;
-}
 
 double distance(double a, double b)
 {
@@ -81,15 +71,25 @@ ColorDifference colorDifference(const Image& a, const Image& b)
     ColorDifference result;
     double squares = 0;
     double beyond = 0;
+    double shares = 0, relativeSquares = 0;
     eachPixel(a, [&](int x, int y) {
         const glm::dvec3 d = distances(a, b, x, y);
         squares += glm::dot(d, d);
+        const glm::dvec3 reference = colorAt(a, x, y);
+        for (int c = 0; c < 3; ++c) {
+            if (d[c] == 0) continue;  // Also where both are infinite.
+            const double light = std::isfinite(reference[c]) ? std::abs(reference[c]) : 0;
+            shares += d[c] / (light + relativeFloor);
+            relativeSquares += d[c] * d[c] / (light * light + relativeFloor);
+        }
         result.max = std::max({result.max, d.x, d.y, d.z});
         if (differsVisibly(colorAt(a, x, y), colorAt(b, x, y))) beyond += 1;
     });
     const double pixels = static_cast<double>(a.width) * a.height;
     result.rmse = std::sqrt(shareOf(squares, 3 * pixels));
     result.beyond = shareOf(beyond, pixels);
+    result.mape = shareOf(shares, 3 * pixels);
+    result.relativeMse = shareOf(relativeSquares, 3 * pixels);
     return result;
 }
 
@@ -139,6 +139,20 @@ DepthDifference depthDifference(const Image& a, const Image& b, int channel)
     result.rms = std::sqrt(shareOf(squares, both));
     result.missing = shareOf(either - both, either);
     return result;
+}
+
+Image relativeDifferenceMap(const Image& a, const Image& b)
+{
+    assert(sameSize(a, b));
+    Image map(a.width, a.height, 1);
+    eachPixel(a, [&](int x, int y) {
+        const glm::dvec3 d = distances(a, b, x, y), reference = colorAt(a, x, y);
+        double sum = 0;
+        for (int c = 0; c < 3; ++c)
+            if (d[c] != 0) sum += d[c] / ((std::isfinite(reference[c]) ? std::abs(reference[c]) : 0) + relativeFloor);
+        map.at(x, y) = static_cast<float>(sum / 3);
+    });
+    return map;
 }
 
 Image differenceMap(const Image& a, const Image& b)

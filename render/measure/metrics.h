@@ -10,7 +10,7 @@ namespace vitrine::render {
 
 /// Metric for the distance of a picture from its reference. All are 0 for equal pictures and grow with the difference,
 /// except `psnr`, which falls and is infinite for equal pictures. `allMetrics` (distance.h) declares them.
-enum class Metric : std::uint8_t { rmse, psnr, max, beyond, flip, normal, depth };
+enum class Metric : std::uint8_t { rmse, psnr, max, beyond, mape, relmse, dssim, flip, normal, depth };
 
 /// Returns the name in options and files: "rmse", "psnr", ...
 [[nodiscard]] std::string_view toString(Metric);
@@ -18,11 +18,18 @@ enum class Metric : std::uint8_t { rmse, psnr, max, beyond, flip, normal, depth 
 /// Returns the name for people, with its unit: "RMS error of linear light", "mean angle between normals, degrees".
 [[nodiscard]] std::string_view title(Metric);
 
+/// Keeps relative errors finite where the reference is black; of linear light, peak 1.
+inline constexpr double relativeFloor = 0.01;
+
 /// Distance of the colors of two pictures.
 struct ColorDifference {
     double rmse = 0;    ///< Root of the mean squared difference of linear R, G and B; peak 1.
     double max = 0;     ///< Largest difference of one component.
     double beyond = 0;  ///< Share of pixels with a component whose sRGB code differs by more than 1/255; 0 to 1.
+    double mape = 0;    ///< Mean of |test - reference| / (|reference| + `relativeFloor`) over all components.
+    /// Mean of (test - reference)² / (reference² + `relativeFloor`) over all components (Rousselle, Knaus and Zwicker
+    /// 2011, "Adaptive Sampling and Reconstruction using Greedy Error Minimization").
+    double relativeMse = 0;
 
     /// Peak signal to noise ratio in decibels, 20 log10(1 / rmse); infinite for equal pictures.
     [[nodiscard]] double psnr() const;
@@ -51,6 +58,8 @@ struct DepthDifference {
 
 /// Returns the color error of each pixel, one channel: the root mean squared difference of the three components.
 [[nodiscard]] Image differenceMap(const Image& a, const Image& b);
+/// The same of relative errors: the mean over the components of |b - a| / (|a| + `relativeFloor`).
+[[nodiscard]] Image relativeDifferenceMap(const Image& a, const Image& b);
 
 /// Returns a false-color picture of one-channel errors, as linear light: black at 0, through violet and orange to white
 /// at `full` and beyond; values that are not finite are green. `full` must be positive.

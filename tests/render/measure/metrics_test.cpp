@@ -3,6 +3,7 @@
 #include "render/measure/distance.h"
 
 #include "render/image/srgb.h"
+#include "render/measure/structure.h"
 
 #include <gtest/gtest.h>
 
@@ -124,6 +125,77 @@ TEST(Metrics, DepthsAreComparedWhereBothHitSomething)
     EXPECT_NEAR(d.missing, 1.0 / 3, 1e-12);
 }
 
+TEST(Metrics, RelativeErrorsAreThoseOfTheFormulas)
+{
+    Image a(2, 1, 3, 0.5F), b = a;
+    b.at(0, 0, 1) = 0.75F;
+    a.at(1, 0, 2) = 0;
+    b.at(1, 0, 2) = 0.01F;
+    const ColorDifference d = colorDifference(a, b);
+    EXPECT_NEAR(d.mape, (0.25 / 0.51 + 0.01 / 0.01) / 6, 1e-7);
+    EXPECT_NEAR(d.relativeMse, (0.0625 / 0.26 + 0.0001 / 0.01) / 6, 1e-8);
+    const Image map = relativeDifferenceMap(a, b);
+    EXPECT_NEAR(map.at(0, 0), 0.25 / 0.51 / 3, 1e-6);
+    EXPECT_NEAR(map.at(1, 0), 1.0 / 3, 1e-6);
+    a.at(0, 0, 0) = std::numeric_limits<float>::infinity();
+    EXPECT_EQ(colorDifference(a, b).mape, std::numeric_limits<double>::infinity());
+    b.at(0, 0, 0) = std::numeric_limits<float>::infinity();
+    EXPECT_NEAR(colorDifference(a, b).mape, d.mape, 1e-7) << "equal infinities are no difference";
+}
+
+/// Structural similarity as in the paper, written out for one pixel: sums over the window of 11 x 11.
+double similarityAt(const Image& a, const Image& b, int x, int y)
+{
+    double all = 0, meanA = 0, meanB = 0;
+    const auto eachInWindow = [&](const auto& visit) {
+        for (int v = y - 5; v <= y + 5; ++v)
+            for (int u = x - 5; u <= x + 5; ++u)
+                visit(std::exp(-(std::pow(u - x, 2) + std::pow(v - y, 2)) / (2 * 1.5 * 1.5)),
+                      srgbFromLinear(a.at(u, v)), srgbFromLinear(b.at(u, v)));
+    };
+    eachInWindow([&](double w, double p, double q) {
+        all += w;
+        meanA += w * p;
+        meanB += w * q;
+    });
+    meanA /= all;
+    meanB /= all;
+    double varianceA = 0, varianceB = 0, covariance = 0;
+    eachInWindow([&](double w, double p, double q) {
+        varianceA += w / all * (p - meanA) * (p - meanA);
+        varianceB += w / all * (q - meanB) * (q - meanB);
+        covariance += w / all * (p - meanA) * (q - meanB);
+    });
+    return (2 * meanA * meanB + 1e-4) * (2 * covariance + 9e-4) /
+           ((meanA * meanA + meanB * meanB + 1e-4) * (varianceA + varianceB + 9e-4));
+}
+
+TEST(Metrics, DissimilarityIsThatOfThePaper)
+{
+    const Image a = noiseBetween(1, 3), b = noiseBetween(1, 4, 0.2, 0.9);
+    const Image map = dissimilarityMap(a, b);
+    double sum = 0;
+    int count = 0;
+    for (int y = 5; y < a.height - 5; ++y)
+        for (int x = 5; x < a.width - 5; ++x) {
+            const double expected = (1 - similarityAt(a, b, x, y)) / 2;
+            ASSERT_NEAR(map.at(x, y), expected, 1e-6) << x << ' ' << y;
+            sum += expected;
+            ++count;
+        }
+    EXPECT_NEAR(dissimilarity(a, b), sum / count, 1e-6);
+    EXPECT_EQ(dissimilarity(a, a), 0);
+    // Two even grays: the variances are 0.
+    const Image dark(16, 16, 3, static_cast<float>(linearFromSrgb(0.2)));
+    const Image light(16, 16, 3, static_cast<float>(linearFromSrgb(0.6)));
+    EXPECT_NEAR(dissimilarity(dark, light), 0.5 - 0.5 * (2 * 0.12 + 1e-4) / (0.04 + 0.36 + 1e-4), 1e-6);
+    EXPECT_GT(dissimilarity(Image(3, 2, 3, 0.1F), Image(3, 2, 3, 0.9F)), 0.05) << "smaller than the window";
+    Image broken = a;
+    broken.at(30, 20) = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_GT(dissimilarityMap(a, broken).at(30, 20), 0);
+    EXPECT_EQ(dissimilarity(broken, broken), 0);
+}
+
 TEST(Metrics, EveryNameNamesItsMetric)
 {
     for (const MetricInfo& m : allMetrics()) {
@@ -131,7 +203,7 @@ TEST(Metrics, EveryNameNamesItsMetric)
         EXPECT_EQ(&metricInfo(m.metric), &m);
         EXPECT_FALSE(m.title.empty());
     }
-    EXPECT_FALSE(metricNamed("ssim"));
+    EXPECT_FALSE(metricNamed("likeness"));
 }
 
 TEST(Metrics, AHeatMapGrowsLighterWithTheError)
@@ -171,7 +243,7 @@ TEST(Metrics, ErrorsOfViewsBecomeOneAsTheirMetricSays)
     const std::vector<double> errors{0.1, 0.2, 0.4};
     EXPECT_NEAR(pooledError(Metric::rmse, errors), std::sqrt((0.01 + 0.04 + 0.16) / 3), 1e-15);
     EXPECT_EQ(pooledError(Metric::max, errors), 0.4);
-    for (const Metric mean : {Metric::beyond, Metric::flip, Metric::normal, Metric::depth})
+    for (const Metric mean : {Metric::beyond, Metric::mape, Metric::dssim, Metric::flip, Metric::normal, Metric::depth})
         EXPECT_NEAR(pooledError(mean, errors), 0.7 / 3, 1e-15);
     for (const MetricInfo& m : allMetrics()) EXPECT_EQ(pooledError(m.metric, {}), 0) << m.name;
 }
@@ -180,7 +252,7 @@ TEST(Metrics, DistancesHaveEveryMetricWhoseChannelsThereAre)
 {
     const Image a(8, 8, 3, 0.25F), b(8, 8, 3, 0.375F);
     const std::map<Metric, double> found = distances({a, b, flipPixelsPerDegree});
-    EXPECT_EQ(found.size(), 5U);
+    EXPECT_EQ(found.size(), 8U);
     for (const MetricInfo& m : allMetrics()) {
         EXPECT_EQ(found.contains(m.metric), m.ofColor) << m.name;
         if (!m.ofColor) continue;
