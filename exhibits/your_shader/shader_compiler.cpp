@@ -23,9 +23,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Time for one request. The compiler limits its own processor time to 5 s; a busy machine needs longer.
-constexpr std::chrono::seconds mostTime{30};
-
 std::filesystem::path compilerFile()
 {
     namespace fs = std::filesystem;
@@ -82,7 +79,7 @@ Received receive(int socket, void* to, std::size_t size, Clock::time_point end)
 
 Message tooLong()
 {
-    return message("The shader could not be read: the GLSL compiler needs more than 5 s for it; make it shorter.");
+    return message("The shader could not be read: the GLSL compiler needs more than 2 s for it; make it shorter.");
 }
 
 }  // namespace
@@ -139,10 +136,9 @@ Message ShaderCompiler::endOfProcess()
         "nested brackets.");
 }
 
-ShaderCompiler::Result ShaderCompiler::compile(const CompilerRequest& request)
+ShaderCompiler::Result ShaderCompiler::compile(const CompilerRequest& request, Clock::time_point end)
 {
     if (process_ < 0) start();
-    const Clock::time_point end = Clock::now() + mostTime;
     const std::string bytes = packed(request);
     const auto size = static_cast<std::uint32_t>(bytes.size());
     if (!send(socket_, std::string(reinterpret_cast<const char*>(&size), sizeof size) + bytes))

@@ -5,6 +5,8 @@
 
 #include <sys/types.h>
 
+#include <chrono>
+
 namespace vitrine::guest {
 
 /// Compiler of visitors' shaders in a process of its own, vitrine_shader_compiler. The process is started with the
@@ -22,7 +24,13 @@ public:
         CompilerAnswer answer;
         Message problem;
     };
-    [[nodiscard]] Result compile(const CompilerRequest&);
+    /// Time for all passes of one shader, waiting included. The compiler ends itself after 2 s of processor time for a
+    /// pass, of which 19 of 20 shaders of the public ISF collection take less than 4 ms. A busy machine needs longer.
+    static constexpr std::chrono::seconds mostTime{30};
+    /// Translates one pass. If there is no answer before `end`, the process is ended.
+    [[nodiscard]] Result compile(const CompilerRequest&,
+                                 std::chrono::steady_clock::time_point end = std::chrono::steady_clock::now() +
+                                                                             mostTime);
 
 private:
     void start();

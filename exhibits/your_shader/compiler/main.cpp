@@ -28,7 +28,7 @@ namespace {
 using namespace vitrine::guest;
 
 constexpr rlim_t mostMemory = rlim_t{512} << 20U;
-constexpr rlim_t secondsPerRequest = 5;
+constexpr rlim_t secondsPerRequest = 2;
 
 void limitMemory()
 {
@@ -40,13 +40,13 @@ void limitMemory()
     ::setrlimit(RLIMIT_CORE, &none);
 }
 
-/// Gives the next request five seconds of processor time. SIGXCPU then ends the process.
+/// Gives the next request two to three seconds of processor time. SIGXCPU then ends the process.
 void limitTime()
 {
     rusage used{};
     ::getrusage(RUSAGE_SELF, &used);
     const auto now = static_cast<rlim_t>(used.ru_utime.tv_sec + used.ru_stime.tv_sec);
-    const rlimit time{now + secondsPerRequest, RLIM_INFINITY};
+    const rlimit time{now + secondsPerRequest + 1, RLIM_INFINITY};  // Whole seconds, rounded down above.
     ::setrlimit(RLIMIT_CPU, &time);
 }
 

@@ -217,8 +217,8 @@ TEST(ShadertoyReader, ReadsTheExportWithCommonBuffersCubesAndVolumes)
 TEST(ShadertoyReader, NamesThePassOfAnError)
 {
     EXPECT_EQ(errorsOf(checked(R"({"renderpass": [{"type": "common", "code": "float two() { return 2.0; }"},
- {"type": "image", "name": "Image", "code": "void mainImage(out vec4 c, in vec2 p)\n{\n  c = vec4(thre());\n}"}]})")),
-              "own.fs (Image):3:12: The GLSL compiler says: 'thre' : no matching overloaded function found.\n");
+ {"type": "image", "name": "Image", "code": "void mainImage(out vec4 c, in vec2 p)\n{\n  c = vec4(gray());\n}"}]})")),
+              "own.fs (Image):3:12: The GLSL compiler says: 'gray' : no matching overloaded function found.\n");
     EXPECT_EQ(errorsOf(checked("{\"a\": 1}")),
               "own.fs:1:1: This JSON has no list “renderpass”; export the shader from Shadertoy again.\n");
     EXPECT_EQ(errorsOf(checked("{\"a\":\n tru}")).substr(0, 10), "own.fs:2:5");
@@ -239,7 +239,8 @@ TEST(PlainReader, ReadsTheDialects)
     ASSERT_EQ(errorsOf(sandbox), "");
     EXPECT_TRUE(sandbox.shader->passes[0].isPersistent);
     const guest::CheckedShader modern =
-        checked("#version 330\nin vec2 uv; out vec4 color;\nuniform sampler2D u_tex0;\nuniform vec2 u_tex0Resolution;\n"
+        checked("#version 330\n"
+                "in vec2 uv; out vec4 color;\nuniform sampler2D u_tex0;\nuniform vec2 u_tex0Resolution;\n"
                 "void main() { color = texture(u_tex0, uv + 1.0 / u_tex0Resolution); }\n");
     EXPECT_EQ(errorsOf(modern), "");
     const guest::CheckedShader viewer =
@@ -278,8 +279,8 @@ TEST(PlainReader, MakesSlidersOfComments)
     EXPECT_EQ(inputs[3].name, "STEPS");
     EXPECT_EQ(inputs[3].type, InputType::integer);
     EXPECT_EQ(inputs[4].name, "GAIN");
-    EXPECT_EQ(errorsOf(checked("uniform float a; // 0 .. 1, defualt 0.5\nvoid main() {}")),
-              "own.fs:1:29: “defualt 0.5” is unknown here; after the range of “a” follow default, exact, a unit or a "
+    EXPECT_EQ(errorsOf(checked("uniform float a; // 0 .. 1, usually 0.5\nvoid main() {}")),
+              "own.fs:1:29: “usually 0.5” is unknown here; after the range of “a” follow default, exact, a unit or a "
               "label in "
               "quotes.\n");
     EXPECT_EQ(errorsOf(checked("uniform float a; // 1 .. 0\nvoid main() {}")),
