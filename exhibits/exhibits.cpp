@@ -9,6 +9,7 @@
 #include "exhibits/pixel_art/pixel_art.h"
 #include "exhibits/sdf_morph/sdf_morph.h"
 #include "exhibits/sdf_scenes/sdf_scenes.h"
+#include "exhibits/your_shader/your_shader.h"
 
 namespace vitrine {
 
@@ -24,6 +25,7 @@ std::vector<std::unique_ptr<Exhibit>> allExhibits()
     exhibits.push_back(std::make_unique<PixelArt>());
     exhibits.push_back(std::make_unique<IceCream>());
     exhibits.push_back(std::make_unique<PaperLanterns>());
+    exhibits.push_back(std::make_unique<YourShader>());
     return exhibits;
 }
 

@@ -18,7 +18,7 @@ PROGRAM = os.environ.get('VITRINE_PROGRAM', 'build/release/vitrine')
 
 # What looks like a text and is none: shader source, formats, what only the command line's help and tests say.
 NO_TEXT = re.compile(r'[;{}]\s*\n|\bvec[234]\b|\bfloat \w|^\s*#|</?\w+>|\bvoid \w|^\w+ = |^  +\w|\bsampler|^[.:#*@]|^\{\d\}$|'
-                     r'^[\w{}]+/[\w{}]|^[A-Z_]+ \{|^glb |^hdr exr|^tif tiff|^png jpg|^SceneStage|\buniform \w|\bconst \w+ \w+|^<|^--(?!.* .* )|&nbsp;|\\u00|^%|^[^A-Za-z{]*$')
+                     r'^[\w{}]+/[\w{}]|^[A-Z_]+ \{|^glb |^fs frag |^hdr exr|^tif tiff|^png jpg|^SceneStage|\buniform \w|\bconst \w+ \w+|^<|^--(?!.* .* )|&nbsp;|\\u00|^%|^[^A-Za-z{]*$')
 # Files of which nothing is shown to people in the window or as an error, or only in English by purpose.
 NOT_SHOWN = re.compile(r'/stability/|stability_|doctor_command|html_text|_page\.cpp|serve/(?!listener)|report|embed|'
                        r'image/oiio/(?!guarded|read|row|write)|shell_word|chart_font|_glsl\.cpp|'

@@ -1,6 +1,7 @@
 // Planning of a frame: exhibits in view, their prepared parts, and the passes of all.
 #include "exhibits/museum/museum.h"
 
+#include "exhibits/framework/scene/continues_state.h"
 #include "exhibits/framework/table/derive.h"
 #include "exhibits/framework/time/animation.h"
 #include "exhibits/hall/hall.h"
@@ -75,7 +76,7 @@ struct Museum::Frame {
     void lightLamps();
     void declareImages(render::FramePlan&) const;
     void planBuilding(render::FramePlan&) const;
-    void planExhibits();
+    void planExhibits(const render::PersistentState& kept);
     void finish(const render::PersistentState&);
     [[nodiscard]] FrameHistory history() const;
 
@@ -216,7 +217,7 @@ render::FramePlan Museum::plan(const Prepared& prepared, const FrameRequest& req
     planProbe(frame.scene, frame.light, frame.plan);
     if (!alone && !request.cutOut) planContactShadows(frame.scene, frame.plan);
     frame.planBuilding(frame.plan);
-    frame.planExhibits();
+    frame.planExhibits(kept);
     frame.finish(kept);
     return std::move(frame.plan);
 }
@@ -418,7 +419,7 @@ void Museum::Frame::makeContexts()
 }
 
 /// Plans the passes of all exhibits, then those that draw over the frame.
-void Museum::Frame::planExhibits()
+void Museum::Frame::planExhibits(const render::PersistentState& kept)
 {
     for (std::size_t i = 0; i < present.size(); ++i) {
         const Exhibit& exhibit = present[i].exhibit;
@@ -427,7 +428,10 @@ void Museum::Frame::planExhibits()
             exhibit.planShadow(contexts[i], plan);
         else
             plan.skip(name + "/shadow", present[i].noShadow);
-        if (present[i].hidden.empty())
+        const auto* continues = capability<ContinuesState>(exhibit);
+        if (present[i].hidden.empty() && continues)
+            continues->planFrom(contexts[i], kept, plan);
+        else if (present[i].hidden.empty())
             exhibit.plan(contexts[i], plan);
         else if (!capability<OverFrame>(exhibit))  // An OverFrame exhibit is drawn wherever its bounds are.
             plan.skip(name, whyHiddenOf(present[i].hidden, contexts[i].values));

@@ -1,6 +1,7 @@
 #include "exhibits/your_shader/guest_glsl.h"
 
 #include "exhibits/your_shader/glsl_lexer.h"
+#include "shaders/lib/bindings.glsl"
 
 #include <algorithm>
 #include <cctype>
@@ -186,11 +187,6 @@ std::string visitorsCode(const Shader& shader, const Code& code, bool isVertex)
     return text;
 }
 
-bool isPicture(const Input& input)
-{
-    return input.glslType.starts_with("sampler");
-}
-
 std::string inputBlock(const Shader& shader)
 {
     std::string members;
@@ -204,7 +200,9 @@ std::string inputBlock(const Shader& shader)
             members +=
                 "vec4 _" + input.name + "_imgRect; vec2 _" + input.name + "_imgSize; bool _" + input.name + "_flip; ";
     }
-    if (!members.empty()) members = "layout(std140, binding = 0) uniform GuestInputs { " + members + "};\n";
+    if (!members.empty())
+        members = "layout(std140, binding = " + std::to_string(BLOCK_PARAMETERS) + ") uniform GuestInputs { " +
+                  members + "};\n";
     return members;
 }
 
@@ -216,26 +214,18 @@ std::string frameBlock(const Shader& shader)
         if (builtIn.count > 0) members += '[' + std::to_string(builtIn.count) + ']';
         members += "; ";
     }
-    return members.empty() ? "" : "layout(std140, binding = 1) uniform GuestFrame { " + members + "};\n";
+    if (members.empty()) return "";
+    return "layout(std140, binding = " + std::to_string(BLOCK_EXHIBIT) + ") uniform GuestFrame { " + members + "};\n";
 }
 
 /// Declares the pictures of inputs, passes and imports. Both stages get the same numbers.
 std::string samplers(const Shader& shader, const Pass& pass)
 {
-    std::set<std::string> declared;
     std::string text;
-    const auto declare = [&](const std::string& name, const std::string& type) {
-        if (name.empty() || !declared.insert(name).second) return;
-        text += "layout(binding = " + std::to_string(declared.size() - 1) + ") uniform " + type + ' ' +
-                programName(name) + ";\n";
-    };
-    for (const Input& input : shader.inputs)
-        if (isPicture(input)) declare(input.name, input.glslType);
-    if (shader.form == Form::isf) {
-        for (const Pass& other : shader.passes) declare(other.target, "sampler2D");
-        for (const Import& import : shader.imports) declare(import.name, "sampler2D");
-    }
-    for (const Channel& channel : pass.channels) declare(channel.name, channel.glslType);
+    int unit = 0;
+    for (const PictureUse& use : picturesOf(shader, pass))
+        text += "layout(binding = " + std::to_string(unit++) + ") uniform " + use.glslType + ' ' +
+                programName(use.name) + ";\n";
     return text;
 }
 
@@ -357,6 +347,32 @@ std::string inVisitorsWords(std::string_view text)
 
 }  // namespace
 
+bool isPicture(const Input& input)
+{
+    return input.glslType.starts_with("sampler");
+}
+
+std::vector<PictureUse> picturesOf(const Shader& shader, const Pass& pass)
+{
+    using Source = PictureUse::Source;
+    std::vector<PictureUse> uses;
+    std::set<std::string> declared;
+    const auto declare = [&](Source source, std::size_t index, const std::string& name, const std::string& type) {
+        if (!name.empty() && declared.insert(name).second) uses.push_back({source, index, name, type});
+    };
+    for (std::size_t i = 0; i < shader.inputs.size(); ++i)
+        if (isPicture(shader.inputs[i])) declare(Source::input, i, shader.inputs[i].name, shader.inputs[i].glslType);
+    if (shader.form == Form::isf) {
+        for (std::size_t i = 0; i < shader.passes.size(); ++i)
+            declare(Source::target, i, shader.passes[i].target, "sampler2D");
+        for (std::size_t i = 0; i < shader.imports.size(); ++i)
+            declare(Source::import, i, shader.imports[i].name, "sampler2D");
+    }
+    for (std::size_t i = 0; i < pass.channels.size(); ++i)
+        declare(Source::channel, i, pass.channels[i].name, pass.channels[i].glslType);
+    return uses;
+}
+
 std::string programName(std::string_view name)
 {
     return reservedSince().contains(name) || name == "texture" ? std::string(prefix) + std::string(name)
@@ -406,7 +422,7 @@ std::vector<Finding> findingsOf(const Shader& shader, std::string_view log)
     return findings;
 }
 
-std::string withLoopGuard(const std::string& glsl, unsigned rounds)
+std::string withLoopGuard(const std::string& glsl)
 {
     std::string out;
     bool expectsBrace = false;
@@ -421,7 +437,7 @@ std::string withLoopGuard(const std::string& glsl, unsigned rounds)
         if (expectsBrace && code != "{") return "";
         out += line;
         out += '\n';
-        if (expectsBrace) out += "if (++guest_rounds > " + std::to_string(rounds) + "u) break;\n";
+        if (expectsBrace) out += "if (++guest_rounds > GUEST_ROUNDS) break;\n";
         expectsBrace = code.starts_with("for (") || code.starts_with("while (") || code == "do";
         // "} while (...);" ends a loop whose head was seen.
         if (code.starts_with("while (") && code.ends_with(";")) expectsBrace = false;

@@ -15,6 +15,21 @@ struct PassText {
     std::string vertex, fragment;
 };
 
+/// Picture that a pass may read. Its texture unit is its index in `picturesOf`.
+struct PictureUse {
+    enum class Source : std::uint8_t { input, target, import, channel };
+    Source source = Source::input;
+    std::size_t index = 0;  ///< Of the input, pass, import or channel.
+    std::string name;       ///< As the visitor wrote it.
+    std::string glslType;
+};
+
+/// Returns the pictures that a pass declares, in the order of their texture units.
+[[nodiscard]] std::vector<PictureUse> picturesOf(const Shader&, const Pass&);
+
+/// Returns whether an input is a picture.
+[[nodiscard]] bool isPicture(const Input&);
+
 /// Returns the text of a pass: the visitor's code with today's names for what old GLSL called differently, behind the
 /// declarations of its inputs. Lines and line numbers stay those of the visitor.
 [[nodiscard]] PassText passText(const Shader&, const Pass&);
@@ -28,9 +43,9 @@ struct PassText {
 /// Returns the findings of glslang's log, in the visitor's numbering: at most Limits::findings.
 [[nodiscard]] std::vector<Finding> findingsOf(const Shader&, std::string_view log);
 
-/// Returns the text of SPIRV-Cross with a counter in the head of every loop: after `rounds` rounds in all loops
-/// together, every loop ends. An endless loop so ends after a bounded time. Returns an empty text if a loop has a form
-/// that SPIRV-Cross does not write.
-[[nodiscard]] std::string withLoopGuard(const std::string& glsl, unsigned rounds);
+/// Returns the text of SPIRV-Cross with a counter in the head of every loop: after `GUEST_ROUNDS` rounds in all loops
+/// together, every loop ends. GUEST_ROUNDS is a define of the program. Returns an empty text if a loop has a form that
+/// SPIRV-Cross does not write.
+[[nodiscard]] std::string withLoopGuard(const std::string& glsl);
 
 }  // namespace vitrine::guest

@@ -4,6 +4,7 @@
 #include "render/failure.h"
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 
 namespace vitrine::guest {
@@ -54,7 +55,7 @@ private:
     }
     bool translate(const PassText& text, const Pass& pass)
     {
-        ShaderCompiler::Result result = compiler_.compile({text.vertex, text.fragment});
+        ShaderCompiler::Result result = compiler_.compile({text.vertex, text.fragment}, end_);
         if (!result.problem.empty()) return fail(pass, std::move(result.problem));
         CompilerAnswer& answer = result.answer;
         if (!answer.log.empty()) {
@@ -65,8 +66,7 @@ private:
         if (Message why = tooLarge(answer.counts); !why.empty()) return fail(pass, std::move(why));
         if (!answer.problem.empty())
             return fail(pass, message("The shader cannot be translated: {1}; make it simpler.", answer.problem));
-        PassProgram program{withLoopGuard(answer.vertex, ProgramLimits::loopRounds),
-                            withLoopGuard(answer.fragment, ProgramLimits::loopRounds), answer.counts};
+        PassProgram program{withLoopGuard(answer.vertex), withLoopGuard(answer.fragment), answer.counts};
         if (program.vertex.empty() || program.fragment.empty())
             return fail(pass, message("A loop has a form that cannot be bounded; write it as a plain for loop."));
         done_[text.fragment] = std::move(program);
@@ -75,6 +75,7 @@ private:
 
     CheckedShader& checked_;
     ShaderCompiler& compiler_;
+    const std::chrono::steady_clock::time_point end_ = std::chrono::steady_clock::now() + ShaderCompiler::mostTime;
     std::map<std::string, PassProgram> done_;
 };
 

@@ -18,7 +18,7 @@ bool readShader(std::string_view bytes)
     for (const guest::Finding& finding : read.errors)
         require(finding.line >= 1 && finding.column >= 1 && !finding.sentence.empty(), "a finding has its place");
     // What a driver or SPIRV-Cross writes is trusted less than it could be.
-    static_cast<void>(guest::withLoopGuard(std::string(bytes), 8));
+    static_cast<void>(guest::withLoopGuard(std::string(bytes)));
     if (!read.shader) return false;
     static_cast<void>(guest::findingsOf(*read.shader, bytes));
     require(!read.shader->passes.empty(), "a shader has passes");

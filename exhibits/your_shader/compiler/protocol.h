@@ -25,7 +25,6 @@ struct ProgramLimits {
     static constexpr std::uint64_t instructions = 100'000;   ///< With all calls expanded. Mesa takes 1.3 s for as many.
     static constexpr std::uint64_t localBytes = 64U << 10U;  ///< Local and private variables.
     static constexpr std::uint64_t samplers = 16;            ///< As many as every OpenGL has for a stage.
-    static constexpr unsigned loopRounds = 65'536;           ///< Rounds of all loops together, for one pixel.
 };
 
 /// What a program costs at most, counted in SPIR-V.

@@ -1,0 +1,167 @@
+#include "exhibits/your_shader/your_shader.h"
+
+#include "exhibits/framework/files/file_path.h"
+#include "exhibits/framework/files/table_change.h"
+#include "exhibits/kit/portal.h"
+#include "exhibits/your_shader/guest_passes.h"
+#include "exhibits/your_shader/guest_pictures.h"
+#include "exhibits/your_shader/guest_work.h"
+#include "render/files/assets.h"
+#include "render/hash.h"
+#include "shaders/lib/bindings.glsl"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace vitrine {
+namespace {
+
+/// Shader that is shown while the values name no file.
+constexpr const char* firstShader = "gyroid.frag";
+
+/// The frame of the tenth place hangs on the wall; its screen is a little in front of it.
+Portal screenPortal()
+{
+    Portal portal;
+    portal.behind = -0.02;
+    return portal;
+}
+
+struct PreparedShader final : PreparedPart {
+    explicit PreparedShader(ParameterValues with) : values(std::move(with)) {}
+
+    ParameterValues values;  ///< With the inputs of the shader that is shown.
+    std::vector<guest::LoadedPicture> ofInputs, files;
+
+    [[nodiscard]] const YourShaderTable& table() const { return static_cast<const YourShaderTable&>(values.table()); }
+};
+
+/// Returns the picture of a file, or the test picture. Reports a file that cannot be read.
+guest::LoadedPicture pictureFrom(const std::string& path, const ParameterInfo& row, std::string_view title,
+                                 render::AssetStore& assets, PreparedShader& part)
+{
+    if (path.empty()) return {guest::testPicture(), 1};
+    const auto read = assets.get<render::Texture>("your_shader.picture", path, guest::readPicture);
+    if (!read.failure.empty())
+        part.unreadable.push_back({"your_shader/pictures", unreadableFile(row, title, read.failure),
+                                   message("A test picture takes its place.")});
+    return {read.value ? read.value : guest::testPicture(), read.id};
+}
+
+}  // namespace
+
+render::Box YourShader::bounds(const ParameterValues&) const
+{
+    return portalBounds(screenPortal());
+}
+
+render::Camera YourShader::bestView(const ParameterValues&) const
+{
+    return portalView(screenPortal());
+}
+
+double YourShader::nextChange(const ParameterValues& values, double) const
+{
+    const auto& table = static_cast<const Table&>(values.table());
+    // The first shader reads the time.
+    const bool moves = !table.work || table.work->readsTime || table.work->isKept;
+    return values[table_.animate] && moves ? 0 : std::numeric_limits<double>::infinity();
+}
+
+double YourShader::nextChangeOf(const ExhibitState& state) const
+{
+    return nextChange(state.values, state.time);
+}
+
+CalledTable YourShader::tableFor(const ParameterValues& values, render::AssetStore& assets) const
+{
+    const ParameterInfo& row = table_.rows()[table_.file.row];
+    const std::string path = filePath(row, values[table_.file]);
+    if (path.empty()) return {{std::shared_ptr<const Parameters>(), &table_}, {}};
+    const auto reading = guest::readWork(path, assets);
+    if (reading->table) return {reading->table, {}};
+    return {nullptr, reading->why.empty() ? Message() : unreadableFile(row, title(), reading->why)};
+}
+
+std::vector<std::string> YourShader::furtherFiles(const ParameterValues& values) const
+{
+    const auto& table = static_cast<const Table&>(values.table());
+    std::vector<std::string> files;
+    if (!table.work) return files;
+    files = table.work->beside;
+    for (const std::filesystem::path& file : table.work->files) files.push_back(file.string());
+    return files;
+}
+
+std::shared_ptr<const PreparedPart> YourShader::prepare(const PrepareContext& context) const
+{
+    if (!context.seen) return nullptr;
+    auto part = std::make_shared<PreparedShader>(context.values);
+    const ParameterInfo& row = table_.rows()[table_.file.row];
+    if (!part->table().work) {
+        const auto first = guest::readWork(render::asset("shaders") / firstShader, context.assets);
+        if (!first->table) {
+            if (!first->why.empty())
+                part->unreadable.push_back(
+                    {"your_shader/file", unreadableFile(row, title(), first->why), message("The screen stays dark.")});
+            return part;
+        }
+        std::vector<std::string> notes;
+        part->values = underTable(context.values, first->table, notes);
+    }
+    const YourShaderTable& table = part->table();
+    render::Hash id;
+    id.addValue(table.work->id);
+    for (std::size_t i = 0; i < table.ofInputs.size(); ++i) {
+        const bool isFile = table.work->shader->inputs[i].type == guest::InputType::image && !table.ofInputs[i].empty();
+        part->ofInputs.emplace_back();
+        if (!isFile) continue;
+        const std::size_t at = table.ofInputs[i].front();
+        part->ofInputs.back() =
+            pictureFrom(std::get<std::string>(part->values.row(at)), table.rows()[at], title(), context.assets, *part);
+        id.addValue(part->ofInputs.back().id);
+    }
+    for (const std::filesystem::path& file : table.work->files) {
+        part->files.push_back(pictureFrom(file.string(), row, title(), context.assets, *part));
+        id.addValue(part->files.back().id);
+    }
+    part->filesId = id.value();
+    return part;
+}
+
+void YourShader::plan(const PlanContext& context, render::FramePlan& plan) const
+{
+    planFrom(context, {}, plan);
+}
+
+void YourShader::planFrom(const PlanContext& context, const render::PersistentState& kept,
+                          render::FramePlan& plan) const
+{
+    const auto* prepared = static_cast<const PreparedShader*>(context.prepared);
+    if (!prepared || !prepared->table().work) return plan.skip("your_shader/screen", "it is not loaded");
+    const ParameterValues& values = prepared->values;
+    const int width = values[table_.screenWidth];
+    const double clock = values[table_.animate] && std::isfinite(context.time) ? context.time : 0;
+    const guest::WorkShot shot{*prepared->table().work,
+                               prepared->table(),
+                               values,
+                               prepared->ofInputs,
+                               prepared->files,
+                               context.alone ? glm::max(plan.view.raster.size, glm::ivec2(1))
+                                             : glm::ivec2(width, std::max(width * 2 / 3, 1)),
+                               std::clamp(values[table_.moment] + clock, -1e7, 1e7),
+                               !context.alone};
+    const std::optional<guest::WorkPicture> picture = guest::planWork(shot, kept, plan);
+    if (!picture) return;
+    std::vector<std::string> notes;
+    const ParameterValues common = underTable(values, {std::shared_ptr<const Parameters>(), &table_}, notes);
+    render::Pass pass =
+        portalPass("your_shader/screen", "in view", common, "your_shader/screen.frag", screenPortal(), context);
+    pass.inputs.push_back({UNIT_EXHIBIT_A, picture->image});
+    pass.reads = picture->reads;
+    plan.add(std::move(pass));
+}
+
+}  // namespace vitrine

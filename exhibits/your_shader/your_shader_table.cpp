@@ -1,0 +1,175 @@
+#include "exhibits/your_shader/your_shader_table.h"
+
+#include "exhibits/your_shader/guest_work.h"
+#include "render/image/picture_formats.h"
+#include "render/image/srgb.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+
+namespace vitrine {
+namespace {
+
+using guest::Input;
+using guest::InputType;
+
+/// Returns the name without underscores: "line_width" is "lineWidth".
+std::string rowName(const std::string& name)
+{
+    std::string row;
+    bool isUpper = false;
+    for (const char c : name) {
+        const auto letter = static_cast<unsigned char>(c);
+        if (std::isalnum(letter)) row += isUpper && !row.empty() ? static_cast<char>(std::toupper(letter)) : c;
+        isUpper = !std::isalnum(letter);
+    }
+    if (row.empty() || !std::isalpha(static_cast<unsigned char>(row.front()))) row.insert(0, "input");
+    row.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(row.front())));
+    return row.substr(0, 48);
+}
+
+/// Returns an unused name. The endings are those of its components.
+std::string freeName(const Parameters& table, std::string name, const std::vector<std::string>& endings)
+{
+    const auto isTaken = [&] {
+        return std::any_of(endings.begin(), endings.end(),
+                           [&](const std::string& ending) { return table.find(name + ending).has_value(); });
+    };
+    if (isTaken()) {
+        name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
+        name.insert(0, "own");
+    }
+    while (isTaken()) name += '2';
+    return name;
+}
+
+std::vector<std::string> endingsOf(const Input& input)
+{
+    switch (input.type) {
+    case InputType::point:
+    case InputType::vector: {
+        static const std::vector<std::string> axes{"X", "Y", "Z", "W"};
+        return {axes.begin(),
+                axes.begin() + static_cast<std::ptrdiff_t>(std::clamp<std::size_t>(input.low.size(), 1, 4))};
+    }
+    case InputType::color:
+        return input.glslType == "vec4" ? std::vector<std::string>{"", "Alpha"} : std::vector<std::string>{""};
+    case InputType::event: return {"At"};
+    default: return {""};
+    }
+}
+
+Unit unitOf(const std::string& text)
+{
+    if (text == "deg") return Unit::degree;
+    if (text == "s") return Unit::second;
+    if (text == "m") return Unit::meter;
+    return text == "%" ? Unit::percent : Unit::none;
+}
+
+/// Returns a range that holds the initial value and is not empty.
+Range rangeOf(double low, double high, Unit unit)
+{
+    if (!(high > low)) high = low + 1;
+    return {stored(low, unit), stored(high, unit)};
+}
+
+/// Returns the labels, those that repeat with a number.
+std::vector<std::string> labelsOf(const Input& input)
+{
+    std::vector<std::string> labels;
+    std::set<std::string> seen;
+    for (const guest::InputChoice& choice : input.choices) {
+        std::string label = choice.label.empty() ? std::to_string(choice.value) : choice.label;
+        for (int number = 2; !seen.insert(label).second; ++number) label = choice.label + " " + std::to_string(number);
+        labels.push_back(label);
+    }
+    return labels;
+}
+
+glm::dvec3 linearColor(const std::vector<double>& encoded)
+{
+    glm::dvec3 color(1);
+    for (std::size_t i = 0; i < 3 && i < encoded.size(); ++i)
+        color[static_cast<glm::length_t>(i)] = render::linearFromSrgb(std::clamp(encoded[i], 0.0, 1.0));
+    return color;
+}
+
+}  // namespace
+
+YourShaderTable::YourShaderTable(std::shared_ptr<const guest::Work> of) : work(std::move(of))
+{
+    if (!work) return;
+    if (!work->shader->inputs.empty()) group(work->shader->title.empty() ? "Inputs" : work->shader->title);
+    for (const Input& input : work->shader->inputs) ofInputs.push_back(addInput(input));
+}
+
+std::vector<std::size_t> YourShaderTable::addInput(const Input& input)
+{
+    const std::string name = freeName(*this, rowName(input.name), endingsOf(input));
+    const std::string named = input.label.empty() ? input.name : input.label;
+    const auto label = called(named);
+    switch (input.type) {
+    case InputType::toggle:
+        return {toggle(name, !input.initial.empty() && input.initial[0] != 0, "Switch of the shader.", label).row};
+    case InputType::choice: {
+        const auto isInitial = [&](const guest::InputChoice& choice) { return choice.value == input.initial[0]; };
+        const auto initial = std::find_if(input.choices.begin(), input.choices.end(), isInitial);
+        return {choice(name, static_cast<int>(initial - input.choices.begin()), labelsOf(input),
+                       "Choice of the shader.", label)
+                    .row};
+    }
+    case InputType::event:
+        return {real(name + "At", -1, Unit::second, Range{-1, 1e6}.soft(-1, 60),
+                     "Time at which the button of this event is pressed, for one step.", label, reads(-1, "never"))
+                    .row};
+    case InputType::color: {
+        std::vector<std::size_t> rows{color(name, linearColor(input.initial), "Color of the shader.", label).row};
+        if (input.glslType == "vec4")
+            rows.push_back(real(name + "Alpha", std::clamp(input.initial.back(), 0.0, 1.0), Unit::none, {0, 1},
+                                "Opacity of the color.", called(named + " alpha"))
+                               .row);
+        return rows;
+    }
+    case InputType::image:
+        if (input.source == "buffer") return {};
+        return {this->Parameters::file(name, "Picture that the shader reads; empty: a test picture.",
+                                       endings(render::readEndings()), label)
+                    .row};
+    case InputType::audio:
+    case InputType::spectrum: return {};
+    default: return addNumbers(input, name, named);
+    }
+}
+
+std::vector<std::size_t> YourShaderTable::addNumbers(const Input& input, const std::string& name,
+                                                     std::string_view label)
+{
+    const std::vector<std::string> endings = endingsOf(input);
+    const bool isWhole = input.glslType.starts_with('i') || input.glslType.starts_with('u');
+    const Unit unit = isWhole ? Unit::none : unitOf(input.unit);
+    std::vector<std::size_t> rows;
+    for (std::size_t i = 0; i < endings.size() && i < input.initial.size(); ++i) {
+        const Range range = rangeOf(input.low[i], input.high[i], unit);
+        const std::string labeled = std::string(label) + (endings[i].empty() ? "" : " " + endings[i]);
+        const std::string help = "Number of the shader.";
+        std::optional<Quality> exact;
+        if (input.exact && endings.size() == 1) exact = quality(stored(*input.exact, unit));
+        if (isWhole) {
+            const auto initial = static_cast<int>(std::lround(std::clamp(input.initial[i], -1e9, 1e9)));
+            rows.push_back(exact ? count(name + endings[i], initial, range, help, called(labeled), *exact).row
+                                 : count(name + endings[i], initial, range, help, called(labeled)).row);
+        } else {
+            const double initial = stored(input.initial[i], unit);
+            rows.push_back(exact ? real(name + endings[i], initial, unit, range, help, called(labeled), *exact).row
+                                 : real(name + endings[i], initial, unit, range, help, called(labeled)).row);
+        }
+    }
+    return rows;
+}
+
+}  // namespace vitrine

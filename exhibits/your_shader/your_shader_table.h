@@ -1,0 +1,70 @@
+#pragma once
+
+#include "exhibits/framework/table/parameters.h"
+#include "exhibits/framework/table/studied_rows.h"
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace vitrine {
+
+namespace guest {
+struct Input;
+struct Work;
+}  // namespace guest
+
+enum class ShaderChange : int { goesOn, recomputes };
+
+/// Parameters of the exhibit with a visitor's shader. The inputs of the shader are appended.
+struct YourShaderTable final : Parameters {
+    /// Makes the parameters for a work; null: without a shader's inputs.
+    explicit YourShaderTable(std::shared_ptr<const guest::Work> = {});
+
+    Group show = group("Display");
+    File file =
+        this->Parameters::file("file",
+                               "Path of a shader: ISF (.fs), Shadertoy code or its JSON, or a plain fragment shader. "
+                               "Its inputs become sliders.",
+                               endings("fs frag glsl json txt"), givesRows(), shippedIn("shaders"), essential());
+    Toggle animate =
+        toggle("animate", false, "Whether time runs; it shows only in shaders that read the time.", essential());
+    Real moment = real("moment", 0, second, Range{-1e6, 1e6}.soft(0, 60),
+                       "Time that is shown, or at which the animation starts.", essential());
+    Real mouseX = real(
+        "mouseX", 0.5, none, {0, 1},
+        "Position of the mouse for shaders that read it: 0 is the left edge of the picture, 1 the right.", essential());
+    Real mouseY =
+        real("mouseY", 0.5, none, {0, 1},
+             "Position of the mouse for shaders that read it: 0 is the lower edge of the picture, 1 the upper.",
+             essential());
+    Toggle mouseDown = toggle("mouseDown", false, "Whether the button of the mouse is held, for Shadertoy's iMouse.");
+
+    Group steps = group("Steps");
+    Real rate =
+        real("rate", 60, hertz, {1, 240},
+             "Number of steps a second of shaders that continue their last picture, and of the frames counted.");
+    Choice<ShaderChange> afterChange = choice(
+        "afterChange", ShaderChange::goesOn, {"continue", "recompute"},
+        "After a change of an input, a shader with persistent buffers continues from what they hold, or begins again. "
+        "Pictures for files always begin again.");
+
+    Group accuracy = group("Accuracy");
+    Count loopRounds = count("loopRounds", 65536, {16, 262144, logarithmic},
+                             "Largest number of loop rounds of one pixel, all loops together: low cuts long loops off, "
+                             "high lets them end.",
+                             quality(262144), essential());
+    Count screenWidth =
+        count("screenWidth", 960, {64, 4096, logarithmic}, "Width of the picture in its frame in the hall, in pixels.");
+    StudiedRows studied{*this, {{.name = "loopRounds", .settles = "The loops of the shader end before."}}};
+
+    const std::shared_ptr<const guest::Work> work;
+    /// Parameters of each input, in the order of its components; empty for inputs without any.
+    std::vector<std::vector<std::size_t>> ofInputs;
+
+private:
+    std::vector<std::size_t> addInput(const guest::Input&);
+    std::vector<std::size_t> addNumbers(const guest::Input&, const std::string& name, std::string_view label);
+};
+
+}  // namespace vitrine

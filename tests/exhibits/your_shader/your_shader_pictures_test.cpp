@@ -1,0 +1,344 @@
+// Pictures of visitors' shaders against closed forms, to the 8-bit value: each dialect, inputs, passes, buffers that
+// are kept, and files that fail.
+
+#include "exhibits/your_shader/your_shader_table.h"
+#include "render/failure.h"
+#include "render/image/image_io.h"
+#include "render/image/srgb.h"
+#include "tests/exhibits/your_shader/shaders.h"
+#include "tests/support/gallery.h"
+#include "tests/support/made_image.h"
+#include "tests/support/planned.h"
+#include "tests/support/temporary_folder.h"
+
+#include <array>
+#include <limits>
+#include <string>
+
+namespace vitrine {
+namespace {
+
+using namespace test;
+
+/// The exhibit alone with a shader of the test.
+class ShaderShot {
+public:
+    ShaderShot()
+    {
+        shot.request.frame.averageIn = AverageIn::display;
+        shot.request.frame.transparent = false;
+        shot.size(24, 16);
+    }
+
+    /// Writes the file, names it, and returns the problems of reading it.
+    std::string show(const std::string& text, const std::string& name = "own.fs")
+    {
+        writeBytes(folder / name, text);
+        set("file", (folder / name).string());
+        return read();
+    }
+    std::string read()
+    {
+        TabledSceneState tabled = gallery().museum.readTables(shot.sceneState);
+        shot.sceneState = std::move(tabled.sceneState);
+        std::string why;
+        for (const Message& message : tabled.unreadable) why += message.english();
+        return why;
+    }
+    void set(const char* name, const Value& value)
+    {
+        const auto row = shot.values().table().find(name);
+        ASSERT_TRUE(row) << name;
+        shot.values().setRow(*row, value);
+    }
+    /// Returns the display value of a pixel, 0 to 255; rows count from the bottom.
+    static std::array<int, 3> code(const Picture& picture, int x, int y)
+    {
+        std::array<int, 3> codes{};
+        for (int c = 0; c < 3; ++c)
+            codes[static_cast<std::size_t>(c)] = static_cast<int>(
+                std::lround(255 * render::srgbFromLinear(picture.image.at(x, picture.height() - 1 - y, c))));
+        return codes;
+    }
+    [[nodiscard]] std::array<int, 3> codeAt(int x, int y) const { return code(shot.take(), x, y); }
+
+    TemporaryFolder folder;
+    Shot shot{"your_shader"};
+};
+
+using Codes = std::array<int, 3>;
+
+class YourShaderPictures : public GlTest {};
+
+TEST_F(YourShaderPictures, OfAPlainShaderAreItsFormula)
+{
+    ShaderShot own;
+    ASSERT_EQ(
+        own.show("uniform float u_time; uniform vec2 u_resolution; uniform vec2 u_mouse;\n"
+                 "uniform float gain; // 0 .. 10, default 2\n"
+                 "void main() { vec2 p = floor(gl_FragCoord.xy);\n"
+                 "gl_FragColor = vec4(p.x * gain, p.y + u_resolution.x, 100.0 * u_time + u_mouse.y, 255.0) / 255.0; }",
+                 "own.frag"),
+        "");
+    own.set("moment", 0.5);
+    own.set("mouseY", 0.25);
+    const Picture picture = own.shot.take();
+    for (const glm::ivec2 p : {glm::ivec2(0), glm::ivec2(7, 11), glm::ivec2(23, 15)})
+        EXPECT_EQ(ShaderShot::code(picture, p.x, p.y), (Codes{2 * p.x, p.y + 24, 54})) << p.x << ',' << p.y;
+    own.set("gain", 5.0);
+    EXPECT_EQ(own.codeAt(23, 0), (Codes{115, 24, 54}));
+}
+
+TEST_F(YourShaderPictures, OfAnIsfShaderFollowEveryKindOfInput)
+{
+    ShaderShot own;
+    ASSERT_EQ(own.show(isf(R"("INPUTS": [{"NAME": "line_width", "TYPE": "float", "MIN": 0, "MAX": 100, "DEFAULT": 30},
+        {"NAME": "isOn", "TYPE": "bool", "DEFAULT": true},
+        {"NAME": "mode", "TYPE": "long", "VALUES": [10, 20, 40], "LABELS": ["a", "b", "b"], "DEFAULT": 20},
+        {"NAME": "tint", "TYPE": "color", "DEFAULT": [0.2, 0.4, 0.6, 0.8]},
+        {"NAME": "center", "TYPE": "point2D", "MIN": [0, 0], "MAX": [50, 50], "DEFAULT": [3, 4]},
+        {"NAME": "flash", "TYPE": "event"}])",
+                           "vec3 a = vec3(line_width, isOn ? 7.0 : 0.0, float(mode)) / 255.0;\n"
+                           "vec3 b = vec3(center, flash ? 99.0 : 1.0) / 255.0;\n"
+                           "vec3 c = gl_FragCoord.x < 4.0 ? a : gl_FragCoord.x < 8.0 ? b : gl_FragCoord.x < 12.0 ? "
+                           "tint.rgb : tint.aaa;\n"
+                           "if (isf_FragNormCoord.x > 0.5 && gl_FragCoord.x > 20.0) c = vec3(RENDERSIZE, FRAMEINDEX) / "
+                           "255.0;\n gl_FragColor = vec4(c, 1.0);")),
+              "");
+    own.set("moment", 2.0);
+    Picture picture = own.shot.take();
+    EXPECT_EQ(ShaderShot::code(picture, 0, 0), (Codes{30, 7, 20}));
+    EXPECT_EQ(ShaderShot::code(picture, 4, 0), (Codes{3, 4, 1}));
+    EXPECT_EQ(ShaderShot::code(picture, 8, 0), (Codes{51, 102, 153}));
+    EXPECT_EQ(ShaderShot::code(picture, 12, 0), (Codes{204, 204, 204}));
+    EXPECT_EQ(ShaderShot::code(picture, 22, 0), (Codes{24, 16, 120}));
+    own.set("lineWidth", 80.0);
+    own.set("isOn", 0.0);
+    own.set("mode", 2.0);
+    own.set("centerY", 44.0);
+    own.set("flashAt", 2.0);
+    picture = own.shot.take();
+    EXPECT_EQ(ShaderShot::code(picture, 0, 0), (Codes{80, 0, 40}));
+    EXPECT_EQ(ShaderShot::code(picture, 4, 0), (Codes{3, 44, 99}));
+    const ParameterInfo& choice = own.shot.values().rows()[*own.shot.values().table().find("mode")];
+    EXPECT_EQ(choice.choices, (std::vector<std::string_view>{"a", "b", "b 2"}));
+}
+
+TEST_F(YourShaderPictures, OfShadertoyCodeAreItsFormula)
+{
+    ShaderShot own;
+    ASSERT_EQ(
+        own.show("#iUniform int steps = 3 in {0, 9}\n"
+                 "void mainImage(out vec4 c, in vec2 p) { c = vec4(floor(p) + iResolution.y, iFrame + steps, 0) / "
+                 "255.0; if (iMouse.z > 0.0) c.rg = iMouse.xy / 255.0; }",
+                 "own.glsl"),
+        "");
+    own.set("moment", 1.0);
+    EXPECT_EQ(own.codeAt(5, 9), (Codes{21, 25, 63}));
+    own.set("mouseDown", 1.0);
+    EXPECT_EQ(own.codeAt(5, 9), (Codes{12, 8, 63}));
+}
+
+TEST_F(YourShaderPictures, ShowAFileWithItsLowerRowBelow)
+{
+    ShaderShot own;
+    render::writePicture(own.folder / "four.png",
+                         made(2, 2,
+                              [](int x, int y, int c) {
+                                  return c == 0 ? static_cast<float>(x) : c == 1 ? static_cast<float>(y) : 0;
+                              }),
+                         render::PictureFormat::png8);
+    ASSERT_EQ(own.show(isf(R"("INPUTS": [{"NAME": "inputImage", "TYPE": "image"}])",
+                           "gl_FragColor = IMG_PIXEL(inputImage, floor(isf_FragNormCoord * 2.0) + 0.5);"
+                           "if (gl_FragCoord.x < 1.0) gl_FragColor.b = IMG_SIZE(inputImage).x / 255.0;")),
+              "");
+    own.set("inputImage", (own.folder / "four.png").string());
+    Picture picture = own.shot.take();
+    EXPECT_EQ(ShaderShot::code(picture, 0, 0), (Codes{0, 255, 2}));
+    EXPECT_EQ(ShaderShot::code(picture, 23, 0), (Codes{255, 255, 0}));
+    EXPECT_EQ(ShaderShot::code(picture, 23, 15), (Codes{255, 0, 0}));
+    // Without a file there is a test picture, and a file that is missing is said.
+    own.set("inputImage", std::string());
+    picture = own.shot.take();
+    EXPECT_NE(ShaderShot::code(picture, 23, 0), ShaderShot::code(picture, 0, 15));
+    own.set("inputImage", (own.folder / "none.png").string());
+    own.shot.request.frame.needsFiles = true;
+    EXPECT_THROW((void)own.shot.take(), Failure);
+}
+
+TEST_F(YourShaderPictures, ComeFromPassesWithSizesByExpression)
+{
+    ShaderShot own;
+    ASSERT_EQ(own.show(isf(
+                  R"j("INPUTS": [{"NAME": "m", "TYPE": "float", "MIN": 1, "MAX": 8, "DEFAULT": 2}],
+        "PASSES": [{"TARGET": "small", "WIDTH": "floor($WIDTH / $m)", "HEIGHT": "5", "FLOAT": true
+}, {}])j",
+                  "if (PASSINDEX == 0) gl_FragColor = vec4(RENDERSIZE, 300.0, 1.0) / 255.0;\n"
+                  "else gl_FragColor = vec4(IMG_THIS_PIXEL(small).rg, IMG_THIS_PIXEL(small).b - 200.0 / 255.0, 1.0);")),
+              "");
+    EXPECT_EQ(own.codeAt(3, 3), (Codes{12, 5, 100}));
+    own.set("m", 4.0);
+    EXPECT_EQ(own.codeAt(3, 3), (Codes{6, 5, 100}));
+}
+
+TEST_F(YourShaderPictures, InterpolateBetweenTheTexelsOfABuffer)
+{
+    ShaderShot own;
+    ASSERT_EQ(own.show(isf(R"("PASSES": [{"TARGET": "two", "WIDTH": "2", "HEIGHT": "1"}, {}])",
+                           "gl_FragColor = PASSINDEX == 0 ? vec4(floor(gl_FragCoord.x) * 200.0 / 255.0)\n"
+                           ": IMG_NORM_PIXEL(two, vec2(0.5));")),
+              "");
+    EXPECT_EQ(own.codeAt(3, 3), (Codes{100, 100, 100}));
+}
+
+/// Counts its steps in a buffer, and shows the number.
+const std::string counter = isf(
+    R"("INPUTS": [{"NAME": "by", "TYPE": "float", "MIN": 0, "MAX": 9, "DEFAULT": 1}],
+       "PASSES": [{"TARGET": "count", "PERSISTENT": true, "FLOAT": true}, {}])",
+    "gl_FragColor = PASSINDEX == 0 ? IMG_THIS_PIXEL(count) + vec4(by) : vec4(IMG_THIS_PIXEL(count).r, FRAMEINDEX, 0, "
+    "255) "
+    "/ 255.0;");
+
+TEST_F(YourShaderPictures, OfAKeptBufferAreAFunctionOfTimeAlone)
+{
+    ShaderShot own;
+    ASSERT_EQ(own.show(counter), "");
+    const auto codeAt = [&](double moment) {
+        own.set("moment", moment);
+        return own.codeAt(3, 3);
+    };
+    // Step N has added N + 1 times: in any order of times, again, and at another size.
+    EXPECT_EQ(codeAt(0), (Codes{1, 0, 0}));
+    EXPECT_EQ(codeAt(0.5), (Codes{31, 30, 0}));
+    EXPECT_EQ(codeAt(0.5), (Codes{31, 30, 0}));
+    EXPECT_EQ(codeAt(31 / 60.0), (Codes{32, 31, 0}));
+    EXPECT_EQ(codeAt(0.5), (Codes{31, 30, 0})) << "one step back";
+    EXPECT_EQ(codeAt(2), (Codes{121, 120, 0}));
+    EXPECT_EQ(codeAt(0.1), (Codes{7, 6, 0})) << "far back";
+    own.shot.size(40, 20);
+    EXPECT_EQ(codeAt(0.1), (Codes{7, 6, 0}));
+    own.set("by", 3.0);
+    EXPECT_EQ(codeAt(0.1), (Codes{21, 6, 0})) << "values of files count from the first step on";
+    own.set("rate", 20.0);
+    EXPECT_EQ(codeAt(0.1), (Codes{9, 2, 0}));
+}
+
+TEST_F(YourShaderPictures, OfAGliderMoveByACellInFourSteps)
+{
+    ShaderShot own;
+    own.shot.size(12, 12);
+    ASSERT_EQ(own.show(R"({"renderpass": [
+      {"type": "buffer", "name": "Buffer A", "inputs": [{"channel": 0, "type": "buffer", "id": "a"}], "outputs": [{"channel": 0, "id": "a"}],
+       "code": "void mainImage(out vec4 c, in vec2 p) { ivec2 q = ivec2(p); int n = 0; for (int y = -1; y <= 1; ++y) for (int x = -1; x <= 1; ++x) n += int(texelFetch(iChannel0, (q + ivec2(x, y) + 12) % 12, 0).r); bool was = texelFetch(iChannel0, q, 0).r > 0.5; bool lives = was ? n == 3 || n == 4 : n == 3; if (iFrame == 0) lives = q == ivec2(2, 4) || q == ivec2(3, 3) || (q.y == 2 && q.x >= 1 && q.x <= 3); c = vec4(lives); }"},
+      {"type": "image", "name": "Image", "inputs": [{"channel": 0, "type": "buffer", "id": "a"}],
+       "code": "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(iChannel0, ivec2(p), 0); }"}]})",
+                       "own.json"),
+              "");
+    const auto cells = [&](double moment) {
+        own.set("moment", moment);
+        const Picture picture = own.shot.take();
+        std::vector<glm::ivec2> alive;
+        for (int y = 0; y < 12; ++y)
+            for (int x = 0; x < 12; ++x)
+                if (ShaderShot::code(picture, x, y)[0] > 128) alive.emplace_back(x, y);
+        return alive;
+    };
+    std::vector<glm::ivec2> moved = cells(0);
+    ASSERT_EQ(moved.size(), 5U);
+    for (glm::ivec2& cell : moved) cell += glm::ivec2(1, -1);
+    EXPECT_EQ(cells(4 / 60.0).size(), 5U);
+    auto later = cells(4 / 60.0);
+    for (glm::ivec2& cell : moved) cell = (cell + 12) % 12;
+    const auto before = [](const glm::ivec2& a, const glm::ivec2& b) { return a.y != b.y ? a.y < b.y : a.x < b.x; };
+    std::sort(moved.begin(), moved.end(), before);
+    EXPECT_EQ(later, moved);
+}
+
+TEST_F(YourShaderPictures, StayWhenTheFileFails)
+{
+    ShaderShot own;
+    ASSERT_EQ(own.show(isf("", "gl_FragColor = vec4(9.0, 8.0, 7.0, 255.0) / 255.0;")), "");
+    EXPECT_EQ(own.codeAt(3, 3), (Codes{9, 8, 7}));
+    const std::string why = own.show(isf("", "gl_FragColor = vec4(nothing);"));
+    EXPECT_EQ(why, "File of Your Shader: " + (own.folder / "own.fs").string() +
+                       ":3:21: The GLSL compiler says: 'nothing' : undeclared identifier.");
+    EXPECT_EQ(own.codeAt(3, 3), (Codes{9, 8, 7}));
+    ASSERT_EQ(own.show(isf("", "gl_FragColor = vec4(1.0, 2.0, 3.0, 255.0) / 255.0;")), "");
+    EXPECT_EQ(own.codeAt(3, 3), (Codes{1, 2, 3}));
+}
+
+TEST_F(YourShaderPictures, AreStillWhereNothingReadsTheTime)
+{
+    ShaderShot own;
+    own.set("animate", 1.0);
+    const auto next = [&] {
+        const Prepared prepared = gallery().museum.prepare(own.shot.sceneState, own.shot.request.frame);
+        return gallery().museum.nextChange(prepared, own.shot.request.frame);
+    };
+    EXPECT_EQ(next(), 0) << "the first shader moves";
+    ASSERT_EQ(own.show(isf("", "gl_FragColor = vec4(isf_FragNormCoord, 0.0, 1.0);")), "");
+    EXPECT_EQ(next(), std::numeric_limits<double>::infinity());
+    (void)own.shot.take();
+    own.shot.request.frame.time = 5;
+    const render::FramePlan plan = test::planned(gallery().museum, own.shot.sceneState, own.shot.request.frame,
+                                                 gallery().renderer.persistentState());
+    EXPECT_EQ(plan.errors(), std::vector<std::string>());
+    const render::CulledPass* skipped = plan.findSkipped("your_shader/1 pass 1");
+    ASSERT_TRUE(skipped);
+    EXPECT_EQ(skipped->reason, "unchanged since it last ran");
+    ASSERT_EQ(own.show(isf("", "gl_FragColor = vec4(fract(TIME));")), "");
+    EXPECT_EQ(next(), 0);
+    ASSERT_EQ(own.show(counter), "");
+    EXPECT_EQ(next(), 0);
+}
+
+TEST_F(YourShaderPictures, CatchUpInTheWindowAndContinueWithOtherValues)
+{
+    ShaderShot own;
+    ASSERT_EQ(own.show(counter), "");
+    own.set("animate", 1.0);
+    FrameRequest frame = own.shot.request.frame;
+    frame.time = 1;
+    const auto drawn = [&] {
+        render::FramePlan plan =
+            test::planned(gallery().museum, own.shot.sceneState, frame, gallery().renderer.persistentState());
+        EXPECT_EQ(plan.errors(), std::vector<std::string>());
+        (void)gallery().renderer.draw(plan);
+        const render::Image image = gallery().renderer.read("frame");
+        return static_cast<int>(std::lround(255 * render::srgbFromLinear(image.at(3, 3, 0))));
+    };
+    for (int shown = 8; shown <= 56; shown += 8) EXPECT_EQ(drawn(), shown);
+    EXPECT_EQ(drawn(), 61);
+    EXPECT_EQ(drawn(), 61);
+    own.set("by", 5.0);
+    frame.time = 62 / 60.0;
+    EXPECT_EQ(drawn(), 71) << "the buffer continues from what it holds";
+    own.set("afterChange", 1.0);
+    EXPECT_EQ(drawn(), 40) << "the steps begin again";
+}
+
+TEST_F(YourShaderPictures, HaveTheShadersOwnColorsInTheHall)
+{
+    ShaderShot own;
+    own.shot.inHall().size(48, 32);
+    ASSERT_EQ(own.show(isf("", "gl_FragColor = vec4(200.0, 100.0, 50.0, 255.0) / 255.0;")), "");
+    const Codes code = own.codeAt(24, 16);
+    EXPECT_NEAR(code[0], 200, 1);
+    EXPECT_NEAR(code[1], 100, 1);
+    EXPECT_NEAR(code[2], 50, 1);
+}
+
+TEST_F(YourShaderPictures, EndLoopsAfterTheRoundsThatAreAllowed)
+{
+    ShaderShot own;
+    ASSERT_EQ(
+        own.show(isf("", "float n = 0.0; for (;;) { n += 1.0; if (n < 0.0) break; } gl_FragColor = vec4(n / 255.0);")),
+        "");
+    own.set("loopRounds", 100.0);
+    EXPECT_EQ(own.codeAt(3, 3), (Codes{100, 100, 100}));
+    own.set("loopRounds", 200.0);
+    EXPECT_EQ(own.codeAt(3, 3), (Codes{200, 200, 200}));
+}
+
+}  // namespace
+}  // namespace vitrine
