@@ -13,7 +13,9 @@
 namespace vitrine {
 namespace {
 
-constexpr double candleIntensity = 5.5;  ///< Paper around it is then as bright as white paper in display light.
+/// Paper is then as bright as white in display light at its upper edge, and ten times as bright in front of the flame.
+constexpr double candleIntensity = 30;
+constexpr double candleOfReference = 5.5;  ///< Paper around it is as bright as white in display light.
 constexpr int mostRipplesOfLake = LAKE_WAVES - LAKE_TALL_WAVES;
 
 /// Angle of straight ahead from -z towards +x.
@@ -130,11 +132,15 @@ void setLight(const PaperLanternsTable& t, const ParameterValues& values, const 
     block.flickerDepth = static_cast<float>(values[t.flicker]);
     const bool own = values[t.flickerPhase] == LakeFlicker::own;
     block.flickerApart = own ? 1 : 0;
-    const double strength = values[t.candles] ? candleIntensity * values[t.candleStrength] : 0;
+    const bool physical = values[t.look] == LakeLook::physical;
+    const double intensity = physical ? candleIntensity : candleOfReference;
+    const double strength = values[t.candles] ? intensity * values[t.candleStrength] : 0;
     block.candle = glm::vec3(strength * values[t.candleColor].value);
-    const ParameterValues& paper = values[t.look] == LakeLook::physical ? values : fixed;
+    const ParameterValues& paper = physical ? values : fixed;
     const double scatter = paper[t.paperThickness];
     block.paperScatter = static_cast<float>(scatter);
+    // Light that meets few fibers keeps much of its direction.
+    block.paperForward = static_cast<float>(std::exp(-0.3 * scatter));
     for (int i = 0; i < 3; ++i) {
         // Absorption that makes thick paper reflect this color (Kubelka and Munk).
         const double thick = std::clamp(paper[t.paperColor].value[i], 0.01, 0.999);
@@ -173,7 +179,7 @@ bool anyAfloat(const PaperLanternsTable& t, const ParameterValues& values)
 bool lightsTheAir(const PaperLanternsTable& t, const ParameterValues& values)
 {
     // Thinner mist sends less than a hundredth of a lantern's light.
-    return values[t.fog] > 0.006 && values[t.candles] && values[t.show] == LakeShow::picture &&
+    return values[t.fog] > 0.0015 && values[t.candles] && values[t.show] == LakeShow::picture &&
            values[t.look] == LakeLook::physical;
 }
 

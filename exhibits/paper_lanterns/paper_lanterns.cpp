@@ -223,7 +223,7 @@ std::vector<render::LocalLight> PaperLanterns::localLights(const ExhibitState& s
     if (values[t.show] != LakeShow::picture || !values[t.candles] || values[t.hallGlow] <= 0 || !anyAfloat(t, values))
         return {};
     // A sphere in front of the frame's mouth replaces the light of the opening, so the wall beside it is lit, too.
-    const double strength = 0.35 * values[t.hallGlow] * values[t.candleStrength] * values[t.crowding];
+    const double strength = 0.15 * values[t.hallGlow] * values[t.candleStrength] * values[t.crowding];
     render::LocalLight light;
     light.position = {0, -0.25, 0.12};
     light.radius = 0.15;

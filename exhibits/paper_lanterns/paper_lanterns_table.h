@@ -69,7 +69,7 @@ struct PaperLanternsTable final : Parameters {
     const Condition lit = when(candles) and inPicture;
     Real candleStrength = real("candleStrength", 1, none, Range{0, 20}.soft(0, 4),
                                "Strength of the flames' light: 0 gives none.", lit, essential());
-    Color candleColor = color("candleColor", {1, 0.4, 0.09}, "Color of the flames' light.", lit);
+    Color candleColor = color("candleColor", {1, 0.48, 0.15}, "Color of the flames' light.", lit);
     Real flameHeight =
         real("flameHeight", 0.55, meter, Range{0.1, 5}.soft(0.2, 1.6), "Height of the flame above the base.", lit);
     Real flicker = real("flicker", 1, none, {0, 1}, "Strength of the flickering: 0 burns evenly.", lit and afloat);

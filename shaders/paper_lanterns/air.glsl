@@ -68,8 +68,9 @@ LanternWalk withPoint(LanternWalk before, LanternRay ray, Lantern l, float near)
     float y = ray.origin.y + ray.direction.y * near - l.place.y;
     float middle = 0.5 * lake.paperHeight;
     float covered = overlap(aside, lake.paperRadius, widths.x) * overlap(y - middle, middle, widths.y);
-    // Brighter at the flame's height, if the cone is narrow enough to resolve it.
-    float profile = mix(wallDirect(clamp(y, 0.0, lake.paperHeight)) / wallDirectMean(), 1.0, clamp(0.35 + widths.y / lake.paperHeight, 0.0, 1.0));
+    // Brighter near the flame, if the cone is narrow enough to resolve it.
+    float coarse = clamp(max(widths.x, widths.y) / lake.paperRadius, 0.0, 1.0);
+    float profile = mix(paperProfile(aside, clamp(y, 0.0, lake.paperHeight)), 1.0, coarse);
     float left = mistLeft(ray.origin, ray.direction, near);
 #if SHOW == 0
     vec3 glow = mix(mistLight(), l.glow * profile, left);

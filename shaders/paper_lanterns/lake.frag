@@ -96,6 +96,9 @@ Gathered meetLantern(Gathered before, Leg leg, LanternWalk walk, float pixel)
     Lit lit;
     if (walk.part == PART_PAPER) lit = litPaper(walk, n, d * axes, outer, moon, width);
     else lit = litFrame(walk, n, d * axes, outer, moon, width);
+    // Inside the tube, the flame is in front of paper and base.
+    if (length(walk.local.xz) < lake.paperRadius && walk.local.y > 0.0)
+        lit.radiance += flameLight((leg.ray.origin - walk.lantern.place) * axes, d * axes, walk.distance, width, walk.lantern.light);
 #endif
     now.radiance += leg.weight * mix(mistLight(), lit.radiance, left);
 #ifdef MOON
@@ -248,11 +251,19 @@ PortalSeen portalSeen(PortalRay eye)
     Leg leg = Leg(ray, vec3(1.0), vec2(0.3 * eye.footprint), false, 0);
     Gathered sum = Gathered(vec3(0.0), vec3(0.0));
     bool under = underWater(eye.origin + eye.direction * eye.start);
+    // From above, water that stands higher than the opening's lower edge is met in front of it, where there are no
+    // lanterns.
+    bool before = under && !underWater(eye.origin);
+    if (before) {
+        under = false;
+        leg.ray.from = 0.0;
+    }
     Leg fromWater = leg;
     vec3 ofWater = vec3(0.0);  // depends on the moon being visible from there
     for (int i = 0; i < LEGS; ++i) {
         float t = leg.toMoon ? -1.0 : waterAlong(leg.ray);
         leg.ray.to = t > 0.0 ? t : LAKE_FARTHEST;
+        if (before && i == 0) leg.ray.from = leg.ray.to;
         LanternWalk walk = lanternsAlong(leg.ray);
         bool ends = leg.toMoon;
         // A lantern so far away that it is a point is not visible through water.
@@ -314,6 +325,7 @@ PortalSeen portalSeen(PortalRay eye)
                 ends = leg.mirrored >= BOUNCES;
                 leg = m.leg;
                 leg.weight = weight;
+                if (before && i == 0) leg.ray.from = max(eye.start - t, 0.0);
                 if (ends) sum.radiance += weight * skyAround(leg.ray.direction, leg, eye.footprint);
 #endif
             }

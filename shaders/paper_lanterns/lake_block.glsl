@@ -51,6 +51,7 @@
     FIELD(vec3, candle)          /* radiant intensity of a flame without flicker */ \
     FIELD(float, paperScatter)   /* scattering coefficient of the paper times its thickness */ \
     FIELD(vec3, paperAbsorb)     /* absorption coefficient times thickness */ \
+    FIELD(float, paperForward)   /* share of the transmitted light that paper of this thickness scatters forwards */ \
     FIELD(int, rowLimit)         /* largest number of rows of cells that a ray searches */ \
     FIELD(int, looks)            /* cells per row: two hold all that a ray can hit, three all that lights its air */ \
     FIELD(int, stepLimit)        /* step limit inside one lantern */ \

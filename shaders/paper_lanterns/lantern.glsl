@@ -64,6 +64,13 @@ float wallIndirect(float reflected)
     return 4.0 * kept / (2.0 * r * h + r * r) * (tubeGain(reflected, r, h) - 1.0);
 }
 
+// Mean radiance of the paper's outside by light that is scattered forwards: the flame's intensity over the area of the
+// tube. Some of the lobe passes above and below. The factor is that for usual shapes, within 0.04.
+float forwardMean()
+{
+    return 0.88 / (2.0 * lake.paperRadius * lake.paperHeight);
+}
+
 // Share of the paper that its frame does not hide: two posts in front of it, the lower ring and half of the upper one.
 float paperSeen()
 {
@@ -79,9 +86,21 @@ vec3 paperGlow(float strength, float hue)
     vec3 glow = vec3(0.0);
     for (int i = 0; i < 3; ++i) {
         Sheet sheet = sheetOf(lake.paperScatter, absorb[i]);
-        glow[i] = sheet.transmitted * (wallDirectMean() + wallIndirect(sheet.reflected));
+        float diffuse = (wallDirectMean() + wallIndirect(sheet.reflected)) / PI;
+        glow[i] = sheet.transmitted * mix(diffuse, forwardMean(), lake.paperForward);
     }
-    return lake.candle * glow * (paperSeen() * max(strength, 0.0) / PI);
+    return lake.candle * glow * (paperSeen() * max(strength, 0.0));
+}
+
+// Radiance of the paper's outside at a height and a distance from the middle, seen from far away, relative to its mean.
+float paperProfile(float aside, float y)
+{
+    float r = lake.paperRadius;
+    float up = y - lake.flameHeight;
+    float squared = r * r + up * up;
+    float cosine = sqrt(max(r * r - aside * aside, 0.0) / squared);
+    float here = mix((wallDirect(y) + wallIndirect(0.5)) / PI, forwardLobe(cosine) / squared, lake.paperForward);
+    return here / mix((wallDirectMean() + wallIndirect(0.5)) / PI, forwardMean(), lake.paperForward);
 }
 
 // Offset of a cell's lantern from the center of the cell; `id` is the cell's number.

@@ -35,7 +35,7 @@ vec3 moonGlow(vec3 d, vec2 blur)
     Noise3 m2 = gradientNoise(ivec3(ivec2(floor(fine)), 3), vec3(fine - floor(fine), 0.3), ivec3(64), 5u);
     float basalt = smoothstep(-0.05, 0.45, n.value + 0.4 * m2.value);
     float rim = 1.0 - smoothstep(r - max(blur.x, 0.04 * r), r + max(blur.x, 0.04 * r), angle);
-    vec3 face = color * min(1.9, 4.0 * max(lake.moonLight.x, lake.moonLight.z) + 0.5) * mix(1.0, 0.62, basalt);
+    vec3 face = color * min(5.0, 20.0 * max(lake.moonLight.x, lake.moonLight.z) + 0.5) * mix(1.0, 0.5, basalt);
     return mix(around, face, rim);
 #else
     return vec3(0.0);
@@ -64,7 +64,7 @@ vec3 starLight(vec3 d, float pixel)
     float lobe = exp(-0.5 * off * off / (wide * wide));
     float u = unitFromBits(bits.z);
     // Ten times as many stars per magnitude and a half.
-    float power = min(6.0e-9 / (u * u + 2e-4) / (wide * wide), 1.3);
+    float power = min(1.5e-9 / (u * u + 2e-4) / (wide * wide), 4.0);
     float coarse = min(wide / (0.7 * pixel), 1.0);
     // Uniform density over the sky: cells are smaller towards the edges of a face.
     if (unitFromBits(more.y) > largest * largest * largest) return vec3(0.0);

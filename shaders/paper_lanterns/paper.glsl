@@ -1,5 +1,15 @@
 // A thin translucent sheet. GLSL 4.50 and C++ (exhibits/paper_lanterns/paper_lanterns_cpu.h).
 
+// Mean cosine of light that passes the sheet and is scattered forwards by its fibers.
+const float SHEET_FORWARD = 0.8;
+
+// Share per steradian of that light by the cosine of its deflection (Henyey and Greenstein 1941).
+float forwardLobe(float cosine)
+{
+    float squared = 1.0 + SHEET_FORWARD * SHEET_FORWARD - 2.0 * SHEET_FORWARD * cosine;
+    return (1.0 - SHEET_FORWARD * SHEET_FORWARD) / (4.0 * PI * squared * sqrt(squared));
+}
+
 struct Sheet {
     float reflected;    // reflectance
     float transmitted;  // transmittance; the rest is absorbed

@@ -66,14 +66,34 @@ Lit litPaper(LanternWalk walk, vec3 n, vec3 d, vec3 outer, vec3 moon, float widt
         transmitted[i] = sheet.transmitted;
         within[i] = direct + wallIndirect(sheet.reflected);
     }
-    within *= lake.candle * walk.lantern.light;
-    Lit lit;
+    vec3 candle = lake.candle * walk.lantern.light;
     vec3 fromOuter = outside ? reflected : transmitted;
-    lit.radiance = ((outside ? transmitted : reflected) * within + fromOuter * outer) / PI;
+    vec3 fromWithin = outside ? transmitted * (1.0 - lake.paperForward) : reflected;
+    Lit lit;
+    lit.radiance = (fromWithin * within * candle + fromOuter * outer) / PI;
+    // The flame seen through the paper, blurred by its fibers.
+    float lobe = forwardLobe(dot(toFlame, d) * inversesqrt(squared)) / squared;
+    if (outside) lit.radiance += transmitted * candle * (lake.paperForward * lobe);
     // Moonlight reflected on the visible side, or transmitted through the paper.
     float facing = dot(outside ? bumped : -bumped, moon);
     lit.byMoon = (facing > 0.0 ? reflected : transmitted) * abs(facing) * lake.moonLight / PI;
     return lit;
+}
+
+// Light of the flame itself along a ray in the lantern's space, before the distance `end`; a soft ellipsoid. `width`
+// of the ray's cone there. Seen from the side, it has the flame's intensity.
+vec3 flameLight(vec3 o, vec3 d, float end, float width, float strength)
+{
+    const float radius = 0.07;
+    const float slender = 2.5;  // its height over its width
+    vec3 stretch = vec3(1.0, 1.0 / slender, 1.0);
+    vec3 to = (vec3(0.0, lake.flameHeight, 0.0) - o) * stretch;
+    vec3 e = d * stretch;
+    float along = dot(to, e) / dot(e, e);
+    vec3 off = to - e * along;
+    float squared = radius * radius + 0.25 * width * width;
+    float share = along > 0.0 && along < end ? exp(-dot(off, off) / squared) : 0.0;
+    return lake.candle * (max(strength, 0.0) * share / (PI * squared * slender));
 }
 
 Lit litFrame(LanternWalk walk, vec3 n, vec3 d, vec3 outer, vec3 moon, float width)

@@ -306,7 +306,7 @@ const std::map<std::string, Claim>& claims()
         {"the lighting of the reference has none", is("look", 1)},
         {"the candles do not burn", isZero("candles")},
         {"the fog is too thin to show the light of the lanterns",
-         [](const Skipped& s) { return s.number("fog") > 0 && s.number("fog") <= 0.006; }},
+         [](const Skipped& s) { return s.number("fog") > 0 && s.number("fog") <= 0.0015; }},
         {"the strength of the moon is 0", isZero("moon")},
         {"the moon has set", moonIsDown},
         {"the water reflects too little moonlight to show shadows",

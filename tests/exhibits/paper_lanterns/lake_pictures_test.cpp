@@ -95,6 +95,21 @@ TEST_F(LakePictures, PaperIsLitOnBothSides)
     EXPECT_LT(outside, 0.5 * before);
 }
 
+TEST_F(LakePictures, TheFlameIsSeenThroughTheOpening)
+{
+    LakeShot shot;
+    shot.inTheDark();
+    const auto l = shot.withOneLantern();
+    const dvec3 flame = l.place + dvec3(0, lanternsTable().initial()[rows().flameHeight], 0);
+    // From above, through the opening, and from the side, through the paper.
+    const Picture above = shot.from(flame + dvec3(0.4, 6, 0.4), flame, 0.5).take();
+    const Picture beside = shot.from(flame + dvec3(6, 0, 0.4), flame, 0.5).take();
+    const double naked = above.luminance(48, 30);
+    EXPECT_GT(naked, 8 * beside.luminance(48, 30));
+    EXPECT_GT(beside.luminance(48, 30), 4 * beside.luminance(48, 10));
+    EXPECT_LT(above.mean(), 0.1 * naked);
+}
+
 TEST_F(LakePictures, AVisitorsPanoramaIsTheSkyAndIsMirrored)
 {
     const TemporaryFolder folder;

@@ -165,6 +165,25 @@ TEST_F(LakeViews, OfTheDeepHaveNoHorizon)
     EXPECT_GT(over.y, 10 * over.x);
 }
 
+TEST_F(LakeViews, ShowWaterDownToTheFrameFromTheLowestEye)
+{
+    LakeShot shot;
+    shot.request.frame.alone = std::nullopt;
+    shot.request.frame.camera = gallery().museum.bestView(shot.exhibit, shot.values());
+    shot.set(row().eyeHeight, 1.0);
+    const Picture p = shot.take();
+    // Waves and reflections: in each row above the frame's lower edge, pixels differ.
+    for (int y = 40; y < 52; ++y) {
+        double sum = 0, squares = 0;
+        constexpr int left = 24, right = 72;
+        for (int x = left; x < right; ++x) {
+            sum += p.luminance(x, y) / (right - left);
+            squares += p.luminance(x, y) * p.luminance(x, y) / (right - left);
+        }
+        EXPECT_GT(std::sqrt(std::max(squares - sum * sum, 0.0)), 0.1 * sum) << y;
+    }
+}
+
 /// Returns the luminance around a place of the lake.
 double luminanceAt(LakeShot& shot, const Picture& p, const dvec3& place)
 {
@@ -303,6 +322,36 @@ TEST_F(LakeViews, GlowFallsOnWallAndFloorBesideTheFrameInTheHall)
     // Control: a view of parts does not glow.
     EXPECT_EQ(at(unlit, beside, false), at(without, beside, false));
     EXPECT_EQ(at(unlit, before, true), at(without, before, true));
+}
+
+TEST_F(LakeViews, LanternsOutshineTheirFrame)
+{
+    LakeShot shot;
+    shot.request.frame.alone = std::nullopt;
+    shot.request.frame.averageIn = AverageIn::display;
+    shot.request.frame.camera = gallery().museum.bestView(shot.exhibit, shot.values());
+    shot.size(320, 180);
+    const Picture p = shot.take();
+    const auto code = [](double linear) {
+        return 255 * (linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055);
+    };
+    // The opening is in the middle; the frame's left side is beside it.
+    std::vector<double> codes;
+    std::vector<double> bright;
+    double frame = 0;
+    p.each([&](int x, int y) {
+        if (x >= 50 && x < 270 && y >= 20 && y < 160) {
+            const dvec3 c = p.color(x, y);
+            codes.push_back((code(c.r) + code(c.g) + code(c.b)) / 3);
+            bright.push_back(p.luminance(x, y));
+        }
+        if (x >= 15 && x < 40 && y >= 60 && y < 120) frame += p.luminance(x, y) / (25 * 60);
+    });
+    std::sort(codes.begin(), codes.end());
+    std::sort(bright.begin(), bright.end());
+    EXPECT_GE(codes[codes.size() * 99 / 100], 192);
+    // Lanterns cover more than a twentieth of the opening.
+    EXPECT_GT(bright[bright.size() * 95 / 100], 4 * frame);
 }
 
 TEST_F(LakeViews, TheProbeSeesTheGlow)

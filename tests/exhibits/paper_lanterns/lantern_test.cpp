@@ -253,6 +253,46 @@ TEST(Paper, IsWhatTracedLightSays)
     }
 }
 
+TEST(Paper, ScattersForwardsWithoutLoss)
+{
+    double all = 0, forward = 0;
+    constexpr int steps = 100000;
+    for (int i = 0; i < steps; ++i) {
+        const double cosine = -1 + 2 * (i + 0.5) / steps;
+        all += glsl::forwardLobe(cosine) * 4 * pi / steps;
+        forward += cosine * glsl::forwardLobe(cosine) * 4 * pi / steps;
+    }
+    EXPECT_NEAR(all, 1, 1e-4);
+    EXPECT_NEAR(forward, 0.8, 1e-4);
+}
+
+TEST(Paper, GlowsOnAverageAsFarLanternsDo)
+{
+    const PaperLanternsTable& t = lanternsTable();
+    for (const double thickness : {0.3, 1.6, 6.0})
+        for (const dvec3 shape : {dvec3(0.75, 2, 0.55), dvec3(0.4, 1.2, 0.5), dvec3(0.75, 2, 1)}) {
+            ParameterValues values = t.initial();
+            values.set(t.paperThickness, thickness);
+            values.set(t.paperRadius, shape.x);
+            values.set(t.paperHeight, shape.y);
+            values.set(t.flameHeight, shape.z);
+            glsl::Lake lake = lakeAtFloat64(values, 0);
+            double sum = 0, brightest = 0, top = 0;
+            constexpr int steps = 200;
+            for (int i = 0; i < steps; ++i)
+                for (int j = 0; j < steps; ++j) {
+                    const double aside = shape.x * (-1 + 2 * (i + 0.5) / steps);
+                    const double here = lake.paperProfile(aside, shape.y * (j + 0.5) / steps);
+                    sum += here / (steps * steps);
+                    brightest = std::max(brightest, here);
+                    top = j + 1 == steps ? std::max(top, here) : top;
+                }
+            EXPECT_NEAR(sum, 1, 0.05) << thickness << ' ' << shape.x;
+            // Thin paper shows where the flame is; thick paper hardly does.
+            if (thickness < 2) EXPECT_GT(brightest, 6 * top) << thickness << ' ' << shape.x;
+        }
+}
+
 TEST(Paper, HasNoSeam)
 {
     double widest = 0, control = 0;
