@@ -8207,6 +8207,18 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>geben Sie depth, normal oder evaluations an; korrigieren Sie es dort.</translation>
     </message>
     <message>
+        <location filename="exhibits/hall/hall_table.h"/>
+        <source>Glare</source>
+        <extracomment>tables</extracomment>
+        <translation>Blendung</translation>
+    </message>
+    <message>
+        <location filename="exhibits/hall/hall_table.h"/>
+        <source>Glare levels</source>
+        <extracomment>tables</extracomment>
+        <translation>Blendungsstufen</translation>
+    </message>
+    <message>
         <source>Glass</source>
         <translation>Glas</translation>
     </message>
@@ -10400,6 +10412,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Licht aus einer Richtung.</translation>
     </message>
     <message>
+        <location filename="exhibits/hall/hall_tone_mapping.cpp"/>
+        <source>light is brighter than the screen's white</source>
+        <translation>Licht ist heller als das Weiß des Bildschirms</translation>
+    </message>
+    <message>
         <location filename="exhibits/fur/fur_passes.cpp"/>
         <source>light on the strands that were found</source>
         <translation>Licht auf den gefundenen Haaren</translation>
@@ -12027,6 +12044,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>nichts in der Szene spiegelt</translation>
     </message>
     <message>
+        <location filename="exhibits/hall/hall_tone_mapping.cpp"/>
+        <source>nothing is brighter than the screen's white</source>
+        <translation>nichts ist heller als das Weiß des Bildschirms</translation>
+    </message>
+    <message>
         <location filename="ui/preferences/keys_page.cpp"/>
         <source>Nothing is changed.</source>
         <translation>Nichts wird geändert.</translation>
@@ -12428,6 +12450,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Number of waves that are summed, from the longest: few are smooth, many add small waves.</source>
         <extracomment>tables</extracomment>
         <translation>Zahl der Wellen, die summiert werden, von der längsten an: Wenige sind glatt, viele fügen kleine Wellen hinzu.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/hall/hall_table.h"/>
+        <source>Number of widths from which halos are composed, each twice as wide as the one before: few keep halos narrow, many let them reach across the picture.</source>
+        <extracomment>tables</extracomment>
+        <translation>Anzahl der Weiten, aus denen Lichthöfe zusammengesetzt werden, jede doppelt so weit wie die vorige: wenige halten sie schmal, viele lassen sie über das Bild reichen.</translation>
     </message>
     <message>
         <location filename="ui/lessons/lesson_bar.cpp"/>
@@ -17509,6 +17537,12 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Stärke des Umgebungslichts der Halle, das der Staub streut: 1 ist physikalisch, bei 0 verdunkelt der Staub nur.</translation>
     </message>
     <message>
+        <location filename="exhibits/hall/hall_table.h"/>
+        <source>Strength of the halos around light that is brighter than the screen's white: 0 gives none, 1 is that of a healthy eye, and high that of a hazy lens.</source>
+        <extracomment>tables</extracomment>
+        <translation>Stärke der Lichthöfe um Licht, das heller ist als das Weiß des Bildschirms: 0 ergibt keine, 1 die eines gesunden Auges, hoch die eines trüben Objektivs.</translation>
+    </message>
+    <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
         <source>Strength of the lamp in front of the niche: 0 switches it off.</source>
         <extracomment>tables</extracomment>
@@ -18756,6 +18790,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>das Bild ist eine Kachel und kann nicht in die Passes ihrer Nachbarn sehen; eine Schleife ersetzt sie</translation>
     </message>
     <message>
+        <location filename="exhibits/hall/hall_tone_mapping.cpp"/>
+        <source>the picture is drawn in tiles, and halos reach beyond them</source>
+        <translation>das Bild wird in Kacheln gezeichnet, und Lichthöfe reichen über sie hinaus</translation>
+    </message>
+    <message>
         <location filename="render/image/image_write.cpp"/>
         <source>the picture is empty</source>
         <translation>das Bild ist leer</translation>
@@ -18769,6 +18808,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="ui/export/copies.cpp"/>
         <source>The picture is on the clipboard, %1 × %2 pixels.</source>
         <translation>Das Bild liegt in der Zwischenablage, %1 × %2 Pixel.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/hall/hall_table.h"/>
+        <source>The picture is too small for wider halos.</source>
+        <translation>Das Bild ist für breitere Lichthöfe zu klein.</translation>
     </message>
     <message>
         <location filename="exhibits/hall/hall_antialiasing.cpp"/>
@@ -19151,6 +19195,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/crepuscular_rays/rays_scene.cpp"/>
         <source>the strength of the beams is 0</source>
         <translation>die Stärke der Strahlen ist 0</translation>
+    </message>
+    <message>
+        <location filename="exhibits/hall/hall_tone_mapping.cpp"/>
+        <source>the strength of the glare is 0</source>
+        <translation>die Stärke der Blendung ist 0</translation>
     </message>
     <message>
         <location filename="exhibits/hall/vault_lamps.cpp"/>

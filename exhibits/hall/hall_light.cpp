@@ -246,6 +246,7 @@ std::uint64_t lightKey(const HallScene& scene)
     ParameterValues lighting = scene.values;
     for (const std::size_t row :
          {std::size_t{scene.table.exposure.row}, std::size_t{scene.table.toneCurve.row},
+          std::size_t{scene.table.glare.row}, std::size_t{scene.table.glareLevels.row},
           std::size_t{scene.table.supersamples.row}, std::size_t{scene.table.resolutionScale.row},
           std::size_t{scene.table.temporalAntialiasing.row}, std::size_t{scene.table.historyFrames.row},
           std::size_t{scene.table.contactShadows.row}, std::size_t{scene.table.floorMirror.row}})

@@ -200,9 +200,9 @@ void planAntialiasing(const FrameRequest&, const FrameHistory&, render::FramePla
 
 // The following functions are defined in hall_tone_mapping.cpp, except `buttonScale`.
 
-/// Plans the end of every frame: tone mapping and the mean over supersamples, or over the frames of a picture in
-/// motion, into the image "frame".
-void planToneMapping(const HallScene&, const SceneLighting&, const FrameRequest&, const FrameHistory&,
+/// Plans the end of every frame: glare, tone mapping and the mean over supersamples, or over the frames of a picture in
+/// motion, into the image "frame". `brightest` is a bound on the radiance of the picture, before exposure.
+void planToneMapping(const HallScene&, const SceneLighting&, double brightest, const FrameRequest&, const FrameHistory&,
                      render::FramePlan&);
 
 /// Duration in seconds of the movement of a pressed button.

@@ -43,6 +43,13 @@ struct HallTable final : Parameters {
         choice("toneCurve", ToneCurve::vitrine, {"Vitrine", "AgX", "ACES", "Khronos neutral", "none"},
                "Curve from light to the screen: Vitrine has deep shadows and keeps hues, AgX is softer and paler, ACES "
                "turns bright orange yellow, Khronos neutral keeps the colors of surfaces, and none cuts off at white.");
+    Real glare = real("glare", 2.0, none, Range{0, 6}.soft(0, 4),
+                      "Strength of the halos around light that is brighter than the screen's white: 0 gives none, 1 is "
+                      "that of a healthy eye, and high that of a hazy lens.");
+    Count glareLevels = count("glareLevels", 8, {1, 10},
+                              "Number of widths from which halos are composed, each twice as wide as the one before: "
+                              "few keep halos narrow, many let them reach across the picture.",
+                              quality(10), whenAbove(glare, 0));
 
     Count supersamples = count(
         "supersamples", 16, Range{1, 1024, logarithmic}.soft(1, 64),
@@ -158,7 +165,9 @@ struct HallTable final : Parameters {
                quality(FloorMirror::shapes), when(reflectionProbe), essential());
 
     // Penumbrae are visible on the floor.
-    StudiedRows studied{*this, {{.name = "diskSamples", .views = {"along the floor", "best view"}}}};
+    StudiedRows studied{*this,
+                        {{.name = "diskSamples", .views = {"along the floor", "best view"}},
+                         {.name = "glareLevels", .settles = "The picture is too small for wider halos."}}};
 
     /// The first is on the free plinth; its parameters have no prefix: model, modelSize, ... The others are where their
     /// parameters say: secondModel, secondModelSize, ...

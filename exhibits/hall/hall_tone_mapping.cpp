@@ -1,9 +1,16 @@
+// The end of every frame: glare, tone mapping and averages.
 #include "exhibits/hall/hall_scene.h"
 
-#include "render/hash.h"
+#include "render/glsl/std140.h"
 #include "shaders/lib/bindings.glsl"
 
+#include <algorithm>
+#include <bit>
+
 namespace vitrine {
+
+#include "shaders/hall/glare_block.glsl"
+
 namespace {
 
 render::Pass fullscreen(std::string name, std::string fragment, std::string source, std::string target,
@@ -26,10 +33,82 @@ std::string_view functionOf(ToneCurve curve)
     return functions[static_cast<std::size_t>(curve)];
 }
 
+constexpr const char* glareSourcePass = "glare";
+constexpr const char* glareSpreadPass = "glare/spread";
+constexpr const char* glareSourceImage = "glare.source";
+constexpr const char* glareSpreadImage = "glare.spread";
+
+/// Share of a light that a healthy eye scatters into each octave of angles (Holladay 1926: the luminance of the veil is
+/// 10 / degrees^2 times the illuminance): 10 * 2 pi * ln 2 * (pi / 180)^2.
+constexpr double shareOfEye = 0.0133;
+
+/// Returns the number of levels that fit into the picture: a texel of the last one is at most half as high.
+int levelsIn(glm::ivec2 picture)
+{
+    const int texels = std::max(std::min(picture.x, picture.y) / (2 * GLARE_DIVISOR), 1);
+    return static_cast<int>(std::bit_width(static_cast<unsigned>(texels)));
+}
+
+/// Returns the part of the pass that both steps of the glare have in common.
+render::Pass glarePass(const char* name, const char* fragment, render::SampledTexture source, const char* target)
+{
+    render::Pass pass = fullscreen(name, fragment, {}, target, "light is brighter than the screen's white");
+    pass.phase = render::PassPhase::resolve;
+    pass.inputs = {std::move(source)};
+    pass.colors[0].load = render::Load::clear;  // Every pixel is written.
+    return pass;
+}
+
+/// Plans the halos around light that is brighter than the screen's white, which the pass `tone` then adds.
+void planGlare(const HallScene& scene, const SceneLighting& lighting, double brightest, const FrameRequest& request,
+               render::Pass& tone, render::FramePlan& plan)
+{
+    const auto skip = [&](const char* why) {
+        plan.skip(glareSourcePass, why);
+        plan.skip(glareSpreadPass, why);
+    };
+    if (request.transparent || request.cutOut) return skip("a transparent background is requested");
+    const glm::ivec2 picture = request.raster.drawn();
+    if (picture != request.raster.size) return skip("the picture is drawn in tiles, and halos reach beyond them");
+    GlareBlock block;
+    block.levels = std::min(scene.values[scene.table.glareLevels], levelsIn(picture));
+    block.share = static_cast<float>(shareOfEye * scene.values[scene.table.glare]);
+    const double share = shareOfEye * block.levels;
+    // Light that an exhibit sends has no known bound.
+    const double above = brightest * lighting.exposure - 1;
+    const render::ContributionBound bound =
+        render::boundOf(0, share / std::max(lighting.exposure, 1e-9),
+                        {{scene.values[scene.table.glare], "the strength of the glare is 0"},
+                         {above, "nothing is brighter than the screen's white"}});
+    if (!plan.includeIfEffective(bound, {glareSourcePass, glareSpreadPass})) return;
+
+    // Texels that halve exactly from level to level.
+    const int step = GLARE_DIVISOR << (block.levels - 1);
+    const glm::ivec2 size = (picture + step - 1) / step * (step / GLARE_DIVISOR);
+    plan.image({.name = glareSourceImage, .format = render::Format::rgba16f, .size = size, .levels = block.levels});
+    plan.image({.name = glareSpreadImage, .format = render::Format::rgba16f, .size = size});
+    const render::Bytes bytes = render::std140Bytes(block);
+    render::Pass source = glarePass(glareSourcePass, "hall/glare_source.frag",
+                                    {UNIT_SOURCE, std::string(radianceImage)}, glareSourceImage);
+    source.blocks[BLOCK_LIGHT] = tone.blocks.at(BLOCK_LIGHT);
+    source.blocks[BLOCK_EXHIBIT] = bytes;
+    source.mipmaps = {glareSourceImage};
+    source.bound = bound;
+    plan.add(std::move(source));
+    render::Pass spread = glarePass(glareSpreadPass, "hall/glare_spread.frag",
+                                    {UNIT_EXHIBIT_A, std::string(glareSourceImage)}, glareSpreadImage);
+    spread.blocks[BLOCK_EXHIBIT] = bytes;
+    spread.bound = bound;
+    plan.add(std::move(spread));
+    tone.shader.defines.emplace_back("GLARE");
+    tone.blocks[BLOCK_EXHIBIT] = bytes;
+    tone.inputs.push_back({UNIT_EXHIBIT_A, std::string(glareSpreadImage)});
+}
+
 }  // namespace
 
-void planToneMapping(const HallScene& scene, const SceneLighting& lighting, const FrameRequest& request,
-                     const FrameHistory& history, render::FramePlan& plan)
+void planToneMapping(const HallScene& scene, const SceneLighting& lighting, double brightest,
+                     const FrameRequest& request, const FrameHistory& history, render::FramePlan& plan)
 {
     const bool averaged = request.samples > 1;
     const bool toneMapped = request.averageIn == AverageIn::display;
@@ -50,9 +129,12 @@ void planToneMapping(const HallScene& scene, const SceneLighting& lighting, cons
         tone.bound = {1, 1, {}};  // The displayed value is between 0 and 1, whatever the light.
         // Every pixel is written, so the previous content is not needed.
         tone.colors[0].load = render::Load::clear;
+        planGlare(scene, lighting, brightest, request, tone, plan);
         plan.add(std::move(tone));
         source = target;
     } else {
+        plan.skip(glareSourcePass, "linear light is requested");
+        plan.skip(glareSpreadPass, "linear light is requested");
         plan.skip("tone", "linear light is requested");
     }
     if (!averaged) {

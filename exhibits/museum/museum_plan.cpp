@@ -498,7 +498,12 @@ void Museum::Frame::finish(const render::PersistentState& kept)
         plan.skip("sky", "a transparent background is requested");
     else
         planSky(scene, light, plan);
-    planToneMapping(scene, light, request, history(), plan);
+    // Exhibits may shine themselves, and so may the user's objects. The sun's reflection has no bound.
+    const bool bounded =
+        scene.objects.empty() && light.sunIrradiance == glm::dvec3(0) &&
+        std::none_of(present.begin(), present.end(), [](const Present& p) { return p.hidden.empty(); });
+    const double brightest = bounded ? light.brightest : std::numeric_limits<double>::infinity();
+    planToneMapping(scene, light, brightest, request, history(), plan);
     std::vector<std::string> outputs{"frame", depthImage, frameHistoryImage};
     if (request.channels.normal) outputs.emplace_back(normalImage);
     if (request.channels.evaluations) outputs.emplace_back(evaluationsImage);

@@ -1,5 +1,6 @@
 #include "exhibits/museum/picture.h"
 
+#include "exhibits/framework/scene/glare.h"
 #include "render/failure.h"
 
 #include <unistd.h>
@@ -33,6 +34,7 @@ void requireMemory(const glm::ivec2& size, std::size_t channels)
     throw Failure(Blame::usage, text.str());
 }
 
+constexpr int largestWhole = 4096;  ///< Pixels per side of a picture that is drawn whole to show its halos.
 constexpr int apron = 8;  ///< Pixels: two cells of the coarsest image that is upsampled to the picture's size.
 
 }  // namespace
@@ -51,7 +53,11 @@ PictureMaker::PictureMaker(const Museum& museum, render::RenderBackend& backend,
     if (request_.frame.channels.evaluations) names.emplace_back("evaluations");
     requireMemory(size, names.size());
     request_.samples = request_.motion.empty() ? std::max(request_.samples, 1) : 1;
-    int side = std::max(std::min(request_.largestTile, backend_.largestSide()), 1);
+    // Halos reach across the picture, which is drawn whole for their sake if it is not too large.
+    const int longest = std::max(size.x, size.y);
+    const bool forHalos = request_.frame.averageIn == AverageIn::display && !request_.frame.transparent &&
+                          mayHaveHalos(sceneState_.hall()) && longest <= largestWhole;
+    int side = std::max(std::min(forHalos ? longest : request_.largestTile, backend_.largestSide()), 1);
     // A tile is drawn with a margin, for effects that read a pixel's neighbors.
     const bool whole = side >= size.x && side >= size.y;
     if (!whole) side = std::max(std::min(side, backend_.largestSide() - 2 * apron), 1);

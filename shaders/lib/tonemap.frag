@@ -1,8 +1,11 @@
 // Maps scene-linear radiance to display-referred linear light. Alpha (coverage) is premultiplied in both. Permutation:
-// TONE_CURVE, the function of lib/tonemap.glsl that does it.
+// TONE_CURVE, the function of lib/tonemap.glsl that does it; GLARE, if halos are added first.
 #include "lib/light.glsl"
 #include "lib/display_light.glsl"
 #include "lib/tonemap.glsl"
+#ifdef GLARE
+#include "hall/glare.glsl"
+#endif
 
 layout(binding = UNIT_SOURCE) uniform sampler2D source;
 layout(location = 0) out vec4 display;
@@ -19,6 +22,10 @@ vec3 displayLight(vec3 exposed, float alpha)
 void main()
 {
     vec4 radiance = texelFetch(source, ivec2(gl_FragCoord.xy), 0);
-    display = vec4(displayLight(radiance.rgb * light.exposure, radiance.a), min(radiance.a, 1.0));
+    vec3 exposed = radiance.rgb * light.exposure;
+#ifdef GLARE
+    exposed = withGlare(exposed);
+#endif
+    display = vec4(displayLight(exposed, radiance.a), min(radiance.a, 1.0));
     if (radiance.a <= 0.0) display.rgb = vec3(0.0);
 }

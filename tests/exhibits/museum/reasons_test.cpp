@@ -172,6 +172,10 @@ const std::map<std::string, Claim>& claims()
         // Reasons of the picture.
         {"the exhibit is shown alone", isAlone},
         {"a transparent background is requested", [](const Skipped& s) { return s.picture.frame.transparent; }},
+        {"the strength of the glare is 0", isZero("glare")},
+        {"nothing is brighter than the screen's white", measuredByPictures},
+        {"the picture is drawn in tiles, and halos reach beyond them",
+         [](const Skipped& s) { return s.picture.frame.raster.drawn() != s.picture.frame.raster.size; }},
         {"linear light is requested",
          [](const Skipped& s) { return s.picture.frame.averageIn == AverageIn::radiance; }},
         {"one sample per pixel", [](const Skipped& s) { return s.picture.frame.samples == 1; }},
