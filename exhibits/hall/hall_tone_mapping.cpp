@@ -1,4 +1,5 @@
 // The end of every frame: glare, tone mapping and averages.
+#include "exhibits/framework/scene/glare.h"
 #include "exhibits/hall/hall_scene.h"
 
 #include "render/glsl/std140.h"
@@ -34,9 +35,7 @@ std::string_view functionOf(ToneCurve curve)
 }
 
 constexpr const char* glareSourcePass = "glare";
-constexpr const char* glareSpreadPass = "glare/spread";
 constexpr const char* glareSourceImage = "glare.source";
-constexpr const char* glareSpreadImage = "glare.spread";
 
 /// Share of a light that a healthy eye scatters into each octave of angles (Holladay 1926: the luminance of the veil is
 /// 10 / degrees^2 times the illuminance): 10 * 2 pi * ln 2 * (pi / 180)^2.
@@ -59,6 +58,14 @@ render::Pass glarePass(const char* name, const char* fragment, render::SampledTe
     return pass;
 }
 
+/// Lets the pass `tone` add these halos.
+template <typename Source> void addHalos(render::Pass& tone, const GlareBlock& block, Source halos)
+{
+    tone.shader.defines.emplace_back("GLARE");
+    tone.blocks[BLOCK_EXHIBIT] = render::std140Bytes(block);
+    tone.inputs.push_back({UNIT_EXHIBIT_A, std::move(halos)});
+}
+
 /// Plans the halos around light that is brighter than the screen's white, which the pass `tone` then adds.
 void planGlare(const HallScene& scene, const SceneLighting& lighting, double brightest, const FrameRequest& request,
                render::Pass& tone, render::FramePlan& plan)
@@ -69,10 +76,19 @@ void planGlare(const HallScene& scene, const SceneLighting& lighting, double bri
     };
     if (request.transparent || request.cutOut) return skip("a transparent background is requested");
     const glm::ivec2 picture = request.raster.drawn();
-    if (picture != request.raster.size) return skip("the picture is drawn in tiles, and halos reach beyond them");
+    const bool isPart = picture != request.raster.size;
+    if (isPart && !request.halos) return skip("the picture is drawn in tiles, and halos reach beyond them");
     GlareBlock block;
-    block.levels = std::min(scene.values[scene.table.glareLevels], levelsIn(picture));
+    block.levels = std::min(scene.values[scene.table.glareLevels], levelsIn(isPart ? request.halos->picture : picture));
     block.share = static_cast<float>(shareOfEye * scene.values[scene.table.glare]);
+    if (isPart) {
+        block.offset = request.raster.offset;
+        const render::Texture& of = *request.halos->texture;
+        block.scale = glm::vec2(request.halos->picture) / glm::vec2(request.raster.size) /
+                      (static_cast<float>(GLARE_DIVISOR) * glm::vec2(of.width, of.height));
+        addHalos(tone, block, request.halos->texture);
+        return skip("the halos of the whole picture are used");
+    }
     const double share = shareOfEye * block.levels;
     // Light that an exhibit sends has no known bound.
     const double above = brightest * lighting.exposure - 1;
@@ -87,6 +103,7 @@ void planGlare(const HallScene& scene, const SceneLighting& lighting, double bri
     const glm::ivec2 size = (picture + step - 1) / step * (step / GLARE_DIVISOR);
     plan.image({.name = glareSourceImage, .format = render::Format::rgba16f, .size = size, .levels = block.levels});
     plan.image({.name = glareSpreadImage, .format = render::Format::rgba16f, .size = size});
+    block.scale = 1.0F / (static_cast<float>(GLARE_DIVISOR) * glm::vec2(size));
     const render::Bytes bytes = render::std140Bytes(block);
     render::Pass source = glarePass(glareSourcePass, "hall/glare_source.frag",
                                     {UNIT_SOURCE, std::string(radianceImage)}, glareSourceImage);
@@ -100,9 +117,7 @@ void planGlare(const HallScene& scene, const SceneLighting& lighting, double bri
     spread.blocks[BLOCK_EXHIBIT] = bytes;
     spread.bound = bound;
     plan.add(std::move(spread));
-    tone.shader.defines.emplace_back("GLARE");
-    tone.blocks[BLOCK_EXHIBIT] = bytes;
-    tone.inputs.push_back({UNIT_EXHIBIT_A, std::string(glareSpreadImage)});
+    addHalos(tone, block, std::string(glareSpreadImage));
 }
 
 }  // namespace

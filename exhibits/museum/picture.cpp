@@ -34,8 +34,8 @@ void requireMemory(const glm::ivec2& size, std::size_t channels)
     throw Failure(Blame::usage, text.str());
 }
 
-constexpr int largestWhole = 4096;  ///< Pixels per side of a picture that is drawn whole to show its halos.
-constexpr int apron = 8;  ///< Pixels: two cells of the coarsest image that is upsampled to the picture's size.
+constexpr int halosSide = 1024;  ///< Most pixels per side of the picture of which the halos of a larger one are made.
+constexpr int apron = 8;         ///< Pixels: two cells of the coarsest image that is upsampled to the picture's size.
 
 }  // namespace
 
@@ -53,11 +53,7 @@ PictureMaker::PictureMaker(const Museum& museum, render::RenderBackend& backend,
     if (request_.frame.channels.evaluations) names.emplace_back("evaluations");
     requireMemory(size, names.size());
     request_.samples = request_.motion.empty() ? std::max(request_.samples, 1) : 1;
-    // Halos reach across the picture, which is drawn whole for their sake if it is not too large.
-    const int longest = std::max(size.x, size.y);
-    const bool forHalos = request_.frame.averageIn == AverageIn::display && !request_.frame.transparent &&
-                          mayHaveHalos(sceneState_.hall()) && longest <= largestWhole;
-    int side = std::max(std::min(forHalos ? longest : request_.largestTile, backend_.largestSide()), 1);
+    int side = std::max(std::min(request_.largestTile, backend_.largestSide()), 1);
     // A tile is drawn with a margin, for effects that read a pixel's neighbors.
     const bool whole = side >= size.x && side >= size.y;
     if (!whole) side = std::max(std::min(side, backend_.largestSide() - 2 * apron), 1);
@@ -102,6 +98,7 @@ FrameRequest PictureMaker::frameOf(const Tile& tile, int step) const
         frame.camera = request_.motion[static_cast<std::size_t>(step)].camera;
         frame.time = request_.motion[static_cast<std::size_t>(step)].time;
     }
+    frame.halos = halos_;
     frame.raster.offset = tile.drawnOffset;
     frame.raster.tile = tile.drawnSize;
     // A finished picture depends only on its request, not on frames or tiles drawn before.
@@ -116,9 +113,29 @@ render::FramePlan PictureMaker::firstPlan()
     return museum_.plan(*prepared_, frameOf(tiles_.front(), 0), backend_.persistentState());
 }
 
+/// Draws the whole picture, small if it is large, for the halos of its tiles.
+void PictureMaker::drawHalos()
+{
+    if (tiles_.size() < 2 || request_.frame.averageIn != AverageIn::display || !mayHaveHalos(sceneState_.hall()))
+        return;
+    FrameRequest frame = request_.frame;
+    const glm::ivec2 size = frame.raster.size;
+    const double scale = std::min(1.0, static_cast<double>(halosSide) / std::max(size.x, size.y));
+    frame.raster = {glm::max(glm::ivec2(glm::round(glm::dvec2(size) * scale)), glm::ivec2(1))};
+    frame.channels = {};
+    frame.sample = frame.movingFrame = 0;
+    frame.samples = 1;
+    frame.cut = frame.finished = true;
+    const render::FramePlan plan = museum_.plan(museum_.prepare(sceneState_, frame), frame, backend_.persistentState());
+    if (!plan.find(glareSpreadPass)) return;
+    (void)backend_.draw(plan);
+    halos_ = halosOf(backend_.read(glareSpreadImage), frame.raster.size);
+}
+
 bool PictureMaker::step()
 {
     if (finished()) return false;
+    if (stepsDone_ == 0) drawHalos();
     const auto steps = stepsOfTile();
     const Tile& tile = tiles_[stepsDone_ / steps];
     const std::size_t done = stepsDone_ % steps;

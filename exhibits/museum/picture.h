@@ -4,6 +4,7 @@
 #include "render/image/image.h"
 #include "render/plan/render_backend.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -60,6 +61,7 @@ private:
     /// Returns the number of samples of a tile, or of frames of a motion.
     [[nodiscard]] std::size_t stepsOfTile() const;
     [[nodiscard]] FrameRequest frameOf(const Tile&, int step) const;
+    void drawHalos();
     void takeChannels(const Tile&);
     void takeColor(const Tile&);
     void copyChannels(const render::Image&, const Tile&, int from, int count, int to);
@@ -69,7 +71,8 @@ private:
     render::RenderBackend& backend_;
     SceneState sceneState_;
     PictureRequest request_;
-    std::optional<Prepared> prepared_;  ///< Set by the first step.
+    std::optional<Prepared> prepared_;    ///< Set by the first step.
+    std::shared_ptr<const Halos> halos_;  ///< For the tiles. Null: there are none.
     render::Image picture_;
     render::FrameReport report_;
     std::vector<Tile> tiles_;

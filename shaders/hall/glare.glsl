@@ -20,6 +20,6 @@ vec3 glareSource(vec3 exposed)
 vec3 withGlare(vec3 exposed)
 {
     float scattered = glare.share * float(glare.levels);
-    vec2 at = gl_FragCoord.xy / (float(GLARE_DIVISOR) * vec2(textureSize(halos, 0)));
+    vec2 at = (gl_FragCoord.xy + glare.offset) * glare.scale;
     return exposed - scattered * glareSource(exposed) + textureLod(halos, at, 0.0).rgb;
 }

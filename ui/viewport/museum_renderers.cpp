@@ -1,5 +1,6 @@
 #include "ui/viewport/museum_renderers.h"
 
+#include "exhibits/framework/scene/glare.h"
 #include "render/gl/machine_json.h"
 
 #include <cassert>
@@ -52,7 +53,12 @@ render::FrameReport MuseumRenderers::draw(const SceneState& sceneState, const Fr
 {
     assert(renderer_);
     renderer_->abandonWhen(unwanted);
-    return renderer_->draw(museum_.plan(museum_.prepare(sceneState, request), request, renderer_->persistentState()));
+    const render::FramePlan plan =
+        museum_.plan(museum_.prepare(sceneState, request), request, renderer_->persistentState());
+    hasHalos_ = plan.find(glareSpreadPass) != nullptr;
+    halos_ = nullptr;
+    halosPicture_ = request.raster.size;
+    return renderer_->draw(plan);
 }
 
 QImage MuseumRenderers::screenImage(const QSize& screen)
@@ -89,6 +95,8 @@ QImage MuseumRenderers::drawRegion(const SceneState& sceneState, const FrameRequ
     frame.raster.offset = low;
     frame.raster.tile = glm::min(region.offset + region.size + regionApron, request.raster.size) - low;
     frame.samples = samples;
+    if (hasHalos_ && !halos_) halos_ = halosOf(renderer_->read(glareSpreadImage), halosPicture_);
+    frame.halos = halos_;
     const Prepared prepared = museum_.prepare(sceneState, frame);
     for (frame.sample = 0; frame.sample < samples; ++frame.sample)
         (void)regions_->draw(museum_.plan(prepared, frame, regions_->persistentState()));

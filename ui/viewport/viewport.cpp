@@ -1,6 +1,5 @@
 #include "ui/viewport/viewport.h"
 
-#include "exhibits/framework/scene/glare.h"
 #include "exhibits/framework/scene/tree.h"
 #include "exhibits/framework/table/acting.h"
 #include "render/failure.h"
@@ -274,9 +273,8 @@ const Prepared& Viewport::prepared() const
 
 std::optional<PictureRegion> Viewport::smallRegion()
 {
-    // Halos reach beyond a region.
     if (input_->keys().moves() || control_.moving() || runEverything_ || wholePictures_ ||
-        mayHaveHalos(history_.sceneState().hall()) || pictureQuality(history_.sceneState().hall()).resolutionScale != 1)
+        pictureQuality(history_.sceneState().hall()).resolutionScale != 1)
         return std::nullopt;
     const FrameRequest wanted = request(time_);
     const std::optional<PictureRegion> region = museum_.movingRegion(prepared(), wanted);

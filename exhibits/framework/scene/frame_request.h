@@ -4,11 +4,14 @@
 
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 namespace vitrine {
+
+struct Halos;
 
 /// Space in which supersamples are averaged: tone-mapped light for display, radiance for files with linear light.
 enum class AverageIn : std::uint8_t { display, radiance };
@@ -46,6 +49,8 @@ struct FrameRequest {
     /// extended later.
     int mostExhibits = std::numeric_limits<int>::max();
     bool waitless = false;  ///< Prepared on a thread that must not block: leaves out assets that are not loaded yet.
+    /// Halos of the whole picture, for a part of it (`raster.tile`). Null: a part has none.
+    std::shared_ptr<const Halos> halos = {};
     /// Seconds since the last press of each exhibit's button, in the order of Museum::subjects(); may be shorter.
     std::vector<double> sincePressed;
 };

@@ -1,5 +1,7 @@
 // Glare: halos around light that is brighter than the screen's white.
 #include "exhibits/hall/hall_scene.h"
+#include "exhibits/museum/picture.h"
+#include "render/measure/metrics.h"
 #include "tests/support/gallery.h"
 #include "tests/support/plan_steps.h"
 #include "tests/support/planned.h"
@@ -132,6 +134,23 @@ TEST_F(GlareOfLight, MakesHalosThatFadeAwayFromALight)
     EXPECT_GT(halo(edge + 3), halo(edge + 8));
     EXPECT_GT(halo(edge + 8), halo(edge + 24));
     EXPECT_GE(halo(edge + 24), 0);
+}
+
+TEST_F(GlareOfLight, GoesAcrossTheTilesOfAPicture)
+{
+    const auto pictureOf = [](int tile, double glare) {
+        Shot shot = lanterns();
+        shot.hall().set(hallTable().glare, glare);
+        shot.request.samples = 2;
+        shot.request.largestTile = tile;
+        PictureMaker maker(gallery().museum, gallery().renderer, shot.sceneState, shot.request);
+        while (maker.step())
+            ;
+        return maker.picture();
+    };
+    const render::Image whole = pictureOf(2048, 4), tiled = pictureOf(64, 4), without = pictureOf(64, 0);
+    EXPECT_LT(render::colorDifference(whole, tiled).max, 0.02);
+    EXPECT_GT(render::colorDifference(whole, without).max, 0.1) << "control: tiles without halos";
 }
 
 TEST_F(GlareOfLight, IsLeftOutForAReason)
