@@ -3,6 +3,10 @@
 #include "render/gl/context.h"
 #include "ui/viewport/renderers.h"
 
+#include <glm/glm.hpp>
+
+#include <memory>
+
 namespace vitrine::ui {
 
 /// Renderers of the museum with OpenGL. The museum must outlive them.
