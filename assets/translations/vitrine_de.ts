@@ -2079,6 +2079,11 @@ Zeiten nach: %2.</translation>
         <translation>Ein Shader ließ sich nicht übersetzen; das letzte gute Bild bleibt. Wird die Datei gespeichert, folgt der nächste Versuch.</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/your_shader.h"/>
+        <source>A shader of your own on a screen; its inputs become sliders.</source>
+        <translation>Ein eigener Shader auf einem Bildschirm; seine Eingaben werden Regler.</translation>
+    </message>
+    <message>
         <location filename="exhibits/sdf_scenes/operation_kinds.cpp"/>
         <source>A shape between the first child and the second.</source>
         <translation>Eine Form zwischen dem ersten und dem zweiten Kind.</translation>
@@ -2199,6 +2204,11 @@ Zeiten nach: %2.</translation>
         <translation>ein Tag beginnt und endet nicht mit einem Leerzeichen</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/your_shader.cpp"/>
+        <source>A test picture takes its place.</source>
+        <translation>Ein Testbild nimmt seinen Platz ein.</translation>
+    </message>
+    <message>
         <location filename="ui/parameters/shown_text.cpp"/>
         <source>a text</source>
         <translation>ein Text</translation>
@@ -2254,6 +2264,7 @@ Zeiten nach: %2.</translation>
         <translation>ein Rundgang ist ein JSON-Objekt; wählen Sie einen Rundgang von Vitrine.</translation>
     </message>
     <message>
+        <location filename="exhibits/hall/hall_tone_mapping.cpp"/>
         <location filename="exhibits/museum/museum_plan.cpp"/>
         <source>a transparent background is requested</source>
         <translation>ein transparenter Hintergrund ist verlangt</translation>
@@ -2440,6 +2451,7 @@ Zeiten nach: %2.</translation>
         <location filename="exhibits/noise/noise_table.h"/>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
         <source>Accuracy</source>
         <extracomment>tables</extracomment>
         <translation>Genauigkeit</translation>
@@ -2487,6 +2499,16 @@ Zeiten nach: %2.</translation>
         <translation>Fügt der gewählten eine Form oder Operation hinzu, oder stellt sie daneben.</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
+        <source>After a change of an input, a shader with persistent buffers continues from what they hold, or begins again. Pictures for files always begin again.</source>
+        <translation>Nach der Änderung einer Eingabe rechnet ein Shader mit dauerhaften Puffern von deren Inhalt weiter oder beginnt neu. Bilder für Dateien beginnen immer neu.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
+        <source>After change</source>
+        <translation>Nach einer Änderung</translation>
+    </message>
+    <message>
         <location filename="ui/compare/compare_actions.cpp"/>
         <source>After “%1”</source>
         <translation>Nach „%1“</translation>
@@ -2511,6 +2533,10 @@ Zeiten nach: %2.</translation>
         <location filename="ui/study/study_chart.cpp"/>
         <source>against this parameter exact</source>
         <translation>gegen diesen Parameter exakt</translation>
+    </message>
+    <message>
+        <source>Agate</source>
+        <translation>Achat</translation>
     </message>
     <message>
         <location filename="exhibits/hall/hall_table.h"/>
@@ -2995,6 +3021,7 @@ Zeiten nach: %2.</translation>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <location filename="exhibits/sdf_morph/sdf_morph_table.h"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
         <source>Animate</source>
         <extracomment>tables</extracomment>
         <translation>Animieren</translation>
@@ -4891,6 +4918,11 @@ Zeiten nach: %2.</translation>
         <translation>Auswahl</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/your_shader_table.cpp"/>
+        <source>Choice of the shader.</source>
+        <translation>Auswahl des Shaders.</translation>
+    </message>
+    <message>
         <location filename="ui/parameters/color_editor.cpp"/>
         <source>Choose a color; the picture follows.</source>
         <translation>Farbe wählen; das Bild folgt.</translation>
@@ -5342,6 +5374,11 @@ Zeiten nach: %2.</translation>
         <translation>Farbe des Sandes in weißem Licht.</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/your_shader_table.cpp"/>
+        <source>Color of the shader.</source>
+        <translation>Farbe des Shaders.</translation>
+    </message>
+    <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <source>Color of the sky's light, which fills shadows from above.</source>
         <extracomment>tables</extracomment>
@@ -5655,6 +5692,11 @@ Zeiten nach: %2.</translation>
         <source>Content of a strip: the one color that its lens shows (flat), or its slice of the view, squeezed as in the reference.</source>
         <extracomment>tables</extracomment>
         <translation>Inhalt eines Streifens: die eine Farbe, die seine Linse zeigt (flach), oder sein Ausschnitt der Ansicht, gestaucht wie in der Referenz.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
+        <source>continue</source>
+        <translation>weiterrechnen</translation>
     </message>
     <message>
         <location filename="exhibits/fur/fur_table.h"/>
@@ -6491,6 +6533,7 @@ Zeiten nach: %2.</translation>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
         <source>Display</source>
         <extracomment>tables</extracomment>
         <translation>Anzeige</translation>
@@ -7475,6 +7518,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>farthest={=1} liegt vor nearest={=2}; gültig ist eine Zahl von {=3} bis {=4}</translation>
     </message>
     <message>
+        <source>feedback</source>
+        <translation>Rückkopplung</translation>
+    </message>
+    <message>
         <source>Festival</source>
         <translation>Fest</translation>
     </message>
@@ -7525,6 +7572,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <location filename="ui/export/screenshot_dialog.cpp"/>
         <location filename="ui/kit/export_bar.cpp"/>
         <location filename="ui/print/print_numbers.cpp"/>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
         <source>File</source>
         <translation>Datei</translation>
     </message>
@@ -8420,6 +8468,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Böigkeit</translation>
     </message>
     <message>
+        <source>Gyroid lantern</source>
+        <translation>Gyroidlaterne</translation>
+    </message>
+    <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
         <source>half</source>
         <extracomment>tables</extracomment>
@@ -9085,6 +9137,8 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="exhibits/paper_lanterns/paper_lanterns.cpp"/>
         <location filename="exhibits/pixel_art/pixel_art.cpp"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes.cpp"/>
+        <location filename="exhibits/your_shader/guest_passes.cpp"/>
+        <location filename="exhibits/your_shader/your_shader.cpp"/>
         <source>in view</source>
         <translation>im Blick</translation>
     </message>
@@ -9431,6 +9485,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="ui/kit/preferences.cpp"/>
         <source>it is not in the format of preferences</source>
         <translation>sie hat nicht das Format der Einstellungen</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader.cpp"/>
+        <source>it is not loaded</source>
+        <translation>er ist nicht geladen</translation>
     </message>
     <message>
         <location filename="render/scene/gltf_guard.cpp"/>
@@ -10035,6 +10094,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Höchstzahl der Zellen des Haargitters, die ein Strahl zwischen zwei Shells prüft, wo er das Fell streift.</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
+        <source>Largest number of loop rounds of one pixel, all loops together: low cuts long loops off, high lets them end.</source>
+        <translation>Höchstzahl der Schleifendurchläufe eines Pixels, alle Schleifen zusammen: klein schneidet lange Schleifen ab, groß lässt sie enden.</translation>
+    </message>
+    <message>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
         <source>Largest number of reflections along a ray.</source>
         <translation>Höchstzahl der Spiegelungen entlang eines Strahls.</translation>
@@ -10598,6 +10662,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>loop</source>
         <extracomment>tables</extracomment>
         <translation>Schleife</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
+        <source>Loop rounds</source>
+        <translation>Schleifendurchläufe</translation>
     </message>
     <message>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
@@ -11214,6 +11283,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
         <source>Moment</source>
         <extracomment>tables</extracomment>
         <translation>Zeitpunkt</translation>
@@ -11326,6 +11396,21 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="ui/preferences/preferences_dialog.cpp"/>
         <source>Motion of the window. Reduced: the camera jumps instead of gliding, panels do not slide, messages do not fade, and the exhibits' clock is paused until you start it (Space in the picture) or press an exhibit's button. Walking and dragging are not affected.</source>
         <translation>Bewegung im Fenster. Reduziert: Die Kamera springt, statt zu gleiten, Bedienfelder gleiten nicht, Meldungen blenden nicht aus, und die Uhr der Exponate steht, bis Sie sie starten (Leertaste im Bild) oder den Knopf eines Exponats drücken. Gehen und Ziehen bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
+        <source>Mouse down</source>
+        <translation>Maustaste gedrückt</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
+        <source>Mouse x</source>
+        <translation>Maus x</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
+        <source>Mouse y</source>
+        <translation>Maus y</translation>
     </message>
     <message>
         <location filename="ui/tree/tree_dock.cpp"/>
@@ -11460,6 +11545,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>NES</source>
         <extracomment>tables</extracomment>
         <translation>NES</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader_table.cpp"/>
+        <source>never</source>
+        <translation>nie</translation>
     </message>
     <message>
         <location filename="ui/kit/tile_delegate.cpp"/>
@@ -12350,6 +12440,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Zahl der Streusel auf dem Eis, zufällig verteilt.</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
+        <source>Number of steps a second of shaders that continue their last picture, and of the frames counted.</source>
+        <translation>Schritte pro Sekunde bei Shadern, die ihr letztes Bild fortsetzen, und der gezählten Bilder.</translation>
+    </message>
+    <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
         <source>Number of steps in which a ray crosses the beams of the volume: few are noisy, many cost more.</source>
         <extracomment>tables</extracomment>
@@ -12389,6 +12484,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Number of the model's animation to play, in the order of its file; 0 is none. Numbers above the last one play the last one.</source>
         <extracomment>tables</extracomment>
         <translation>Nummer der Animation des Modells, die abgespielt wird, in der Reihenfolge seiner Datei; 0 ist keine. Nummern über der letzten spielen die letzte ab.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader_table.cpp"/>
+        <source>Number of the shader.</source>
+        <translation>Zahl des Shaders.</translation>
     </message>
     <message>
         <location filename="exhibits/study/study_table.h"/>
@@ -12766,6 +12866,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="render/image/oiio/read.cpp"/>
         <source>Only {1} is read; the layer &quot;{2}&quot; is ignored.</source>
         <translation>Nur {1} wird gelesen; die Ebene „{2}“ wird nicht beachtet.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader_table.cpp"/>
+        <source>Opacity of the color.</source>
+        <translation>Deckkraft der Farbe.</translation>
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
@@ -13306,6 +13411,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Pfad einer Formenszene (JSON); ihr Format beschreibt assets/scenes/scene.schema.json.</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
+        <source>Path of a shader: ISF (.fs), Shadertoy code or its JSON, or a plain fragment shader. Its inputs become sliders.</source>
+        <translation>Pfad eines Shaders: ISF (.fs), Shadertoy-Code oder dessen JSON, oder ein einfacher Fragment-Shader. Seine Eingaben werden Regler.</translation>
+    </message>
+    <message>
         <location filename="exhibits/hall/hall_table.h"/>
         <source>Path of one more glTF object (.glb or .gltf) to show, at first on a plinth of its own.</source>
         <extracomment>tables</extracomment>
@@ -13457,6 +13567,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/jobs/study/study_job.cpp"/>
         <source>Picture size</source>
         <translation>Bildgröße</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader_table.cpp"/>
+        <source>Picture that the shader reads; empty: a test picture.</source>
+        <translation>Bild, das der Shader liest; leer: ein Testbild.</translation>
     </message>
     <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
@@ -13804,6 +13919,16 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
         <source>Position of the light.</source>
         <translation>Position des Lichts.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
+        <source>Position of the mouse for shaders that read it: 0 is the left edge of the picture, 1 the right.</source>
+        <translation>Lage der Maus für Shader, die sie lesen: 0 ist der linke Bildrand, 1 der rechte.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
+        <source>Position of the mouse for shaders that read it: 0 is the lower edge of the picture, 1 the upper.</source>
+        <translation>Lage der Maus für Shader, die sie lesen: 0 ist der untere Bildrand, 1 der obere.</translation>
     </message>
     <message>
         <location filename="exhibits/hall/hall_table.h"/>
@@ -14413,6 +14538,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/operation_kinds.cpp"/>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
         <source>Rate</source>
         <translation>Rate</translation>
     </message>
@@ -14550,6 +14676,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="ui/preferences/preferences_dialog.cpp"/>
         <source>Recent files</source>
         <translation>Zuletzt geöffnete Dateien</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
+        <source>recompute</source>
+        <translation>neu rechnen</translation>
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
@@ -15798,6 +15929,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>screen space</source>
         <extracomment>tables</extracomment>
         <translation>Bildraum</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
+        <source>Screen width</source>
+        <translation>Breite des Bildschirms</translation>
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
@@ -17332,6 +17468,31 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Schritt der finiten Differenzen für Normalen: Zu kleine leiden unter Rundung, zu große runden Falten.</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/guest_passes.cpp"/>
+        <source>step {1}</source>
+        <translation>Schritt {1}</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/guest_passes.cpp"/>
+        <source>step {1} is complete</source>
+        <translation>Schritt {1} ist fertig</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/guest_passes.cpp"/>
+        <source>Step {1} is shown, the last one that is computed; choose an earlier moment or a smaller rate.</source>
+        <translation>Gezeigt wird Schritt {1}, der letzte, der gerechnet wird; wählen Sie einen früheren Moment oder eine kleinere Rate.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/guest_passes.cpp"/>
+        <source>step {1} of {2}; more follow in the next frames</source>
+        <translation>Schritt {1} von {2}; weitere folgen in den nächsten Bildern</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
         <location filename="exhibits/kit/sdf_rows.h"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
         <source>steps</source>
@@ -17372,6 +17533,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Still life</source>
         <translation>Stillleben</translation>
+    </message>
+    <message>
+        <source>stone</source>
+        <translation>Stein</translation>
     </message>
     <message>
         <location filename="ui/parameters/parameter_menus.cpp"/>
@@ -17824,6 +17989,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>A und B vertauschen</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/your_shader_table.cpp"/>
+        <source>Switch of the shader.</source>
+        <translation>Schalter des Shaders.</translation>
+    </message>
+    <message>
         <location filename="ui/compare/compare_actions.cpp"/>
         <source>Ta&amp;ke B from</source>
         <translation>&amp;B nehmen von</translation>
@@ -18054,6 +18224,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="render/scene/gltf_sources.cpp"/>
         <source>the buffer has {1} bytes, fewer than its byteLength of {2}; export the file again.</source>
         <translation>der Puffer hat {1} Bytes, weniger als seine byteLength von {2}; exportieren Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/guest_passes.cpp"/>
+        <source>The buffers of the shader need {1} MB, more than 1024 MB; draw a smaller picture.</source>
+        <translation>Die Puffer des Shaders brauchen {1} MB, mehr als 1024 MB; zeichnen Sie ein kleineres Bild.</translation>
     </message>
     <message>
         <location filename="render/scene/gltf_guard.cpp"/>
@@ -18504,6 +18679,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>die der Halle</translation>
     </message>
     <message>
+        <location filename="exhibits/hall/hall_tone_mapping.cpp"/>
+        <source>the halos of the whole picture are used</source>
+        <translation>die Lichthöfe des ganzen Bildes werden benutzt</translation>
+    </message>
+    <message>
         <location filename="exhibits/sdf_morph/sdf_morph.cpp"/>
         <source>the handle, from near</source>
         <translation>der Henkel, aus der Nähe</translation>
@@ -18629,6 +18809,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/sdf_scenes/asked_scene.cpp"/>
         <source>the lists of near shapes are still being computed</source>
         <translation>die Listen naher Formen werden noch berechnet</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
+        <source>The loops of the shader end before.</source>
+        <translation>Die Schleifen des Shaders enden vorher.</translation>
     </message>
     <message>
         <location filename="exhibits/your_shader/macro_sizes.cpp"/>
@@ -18818,6 +19003,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/hall/hall_antialiasing.cpp"/>
         <source>the picture moves</source>
         <translation>das Bild bewegt sich</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/guest_work.cpp"/>
+        <source>The picture “{1}” is not in the shader's folder; copy it there.</source>
+        <translation>Das Bild „{1}“ liegt nicht im Ordner des Shaders; kopieren Sie es dorthin.</translation>
     </message>
     <message>
         <location filename="ui/viewport/viewport.cpp"/>
@@ -19050,6 +19240,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>der Bildschirm zeigt weniger, als das Auge sieht</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/your_shader.cpp"/>
+        <source>The screen stays dark.</source>
+        <translation>Der Bildschirm bleibt dunkel.</translation>
+    </message>
+    <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays.cpp"/>
         <source>the selected technique does not make them</source>
         <translation>die gewählte Technik erzeugt sie nicht</translation>
@@ -19071,8 +19266,8 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <location filename="exhibits/your_shader/shader_compiler.cpp"/>
-        <source>The shader could not be read: the GLSL compiler needs more than 5 s for it; make it shorter.</source>
-        <translation>Der Shader ließ sich nicht lesen: Der GLSL-Compiler braucht mehr als 5 s dafür; kürzen Sie ihn.</translation>
+        <source>The shader could not be read: the GLSL compiler needs more than 2 s for it; make it shorter.</source>
+        <translation>Der Shader ließ sich nicht lesen: Der GLSL-Compiler braucht mehr als 2 s dafür; kürzen Sie ihn.</translation>
     </message>
     <message>
         <location filename="exhibits/your_shader/shader_compiler.cpp"/>
@@ -19147,6 +19342,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Das Tastenkürzel wird dem anderen Befehl genommen.</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/guest_passes.cpp"/>
+        <source>The size of the buffer {1} cannot be computed: {2}</source>
+        <translation>Die Größe des Puffers {1} lässt sich nicht berechnen: {2}</translation>
+    </message>
+    <message>
         <location filename="render/plan/history.cpp"/>
         <source>the size of the picture changed</source>
         <translation>die Größe des Bildes hat sich geändert</translation>
@@ -19190,6 +19390,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="ui/jobs/sprite_preview.cpp"/>
         <source>The sprite from all its sides. The cross is its pivot.</source>
         <translation>Der Sprite von all seinen Seiten. Das Kreuz ist sein Drehpunkt.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/guest_passes.cpp"/>
+        <source>the steps begin with empty buffers</source>
+        <translation>die Schritte beginnen mit leeren Puffern</translation>
     </message>
     <message>
         <location filename="exhibits/crepuscular_rays/rays_scene.cpp"/>
@@ -20671,6 +20876,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Zeitpunkt, zu dem eine bewegte Szene vernetzt wird.</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/your_shader_table.cpp"/>
+        <source>Time at which the button of this event is pressed, for one step.</source>
+        <translation>Zeit, zu der die Taste dieses Ereignisses für einen Schritt gedrückt wird.</translation>
+    </message>
+    <message>
         <location filename="exhibits/fur/fur_table.h"/>
         <source>Time between automatic jumps; 0 lets the bodies jump only when the button is pressed.</source>
         <extracomment>tables</extracomment>
@@ -20729,6 +20939,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/noise/noise_table.h"/>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
         <source>Time that is shown, or at which the animation starts.</source>
         <extracomment>tables</extracomment>
         <translation>Zeitpunkt, der gezeigt wird oder mit dem die Animation beginnt.</translation>
@@ -20944,6 +21155,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/sdf_morph/sdf_morph.h"/>
         <source>Try: melt it, then look for the window in its side.</source>
         <translation>Probieren: es schmelzen, dann das Fenster in seiner Seite suchen.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader.h"/>
+        <source>Try: name a file of yours, or load a preset.</source>
+        <translation>Versuchen Sie: eine eigene Datei nennen oder ein Preset laden.</translation>
     </message>
     <message>
         <location filename="exhibits/fur/fur.h"/>
@@ -21948,6 +22164,11 @@ steht in assets/SOURCES.md.</translation>
         <translation>Ob der Ball ständig wächst und schrumpft; sonst nur während eines Sprungs.</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
+        <source>Whether the button of the mouse is held, for Shadertoy's iMouse.</source>
+        <translation>Ob die Maustaste gedrückt ist, für iMouse von Shadertoy.</translation>
+    </message>
+    <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <source>Whether the camera moves by whole texels and turns by whole steps, so that pixels do not crawl; the remainder shifts the finished picture.</source>
         <extracomment>tables</extracomment>
@@ -22108,6 +22329,11 @@ steht in assets/SOURCES.md.</translation>
         <translation>Ob die Zeit läuft; zu sehen nur in Szenen, in denen sich etwas bewegt.</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
+        <source>Whether time runs; it shows only in shaders that read the time.</source>
+        <translation>Ob die Zeit läuft; zu sehen nur bei Shadern, die die Zeit lesen.</translation>
+    </message>
+    <message>
         <location filename="exhibits/sdf_scenes/operation_kinds.cpp"/>
         <source>Whether to mirror at the plane x = 0.</source>
         <translation>Ob an der Ebene x = 0 gespiegelt wird.</translation>
@@ -22263,6 +22489,11 @@ steht in assets/SOURCES.md.</translation>
         <source>Width of the fillet where the handle meets the cup; 0 joins them hard.</source>
         <extracomment>tables</extracomment>
         <translation>Breite der Rundung, wo der Henkel auf die Tasse trifft; 0 verbindet sie hart.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
+        <source>Width of the picture in its frame in the hall, in pixels.</source>
+        <translation>Breite des Bildes in seinem Rahmen in der Halle, in Pixeln.</translation>
     </message>
     <message>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
@@ -22584,6 +22815,11 @@ steht in assets/SOURCES.md.</translation>
         <translation>Ihr eigenes Objekt</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/your_shader.h"/>
+        <source>Your Shader</source>
+        <translation>Ihr Shader</translation>
+    </message>
+    <message>
         <location filename="ui/presets/preset_list.cpp"/>
         <source>Yours</source>
         <translation>Eigene</translation>
@@ -22693,6 +22929,11 @@ steht in assets/SOURCES.md.</translation>
         <location filename="exhibits/jobs/kit/given_values.cpp"/>
         <source>{1} above {2}</source>
         <translation>{1} über {2}</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader_table.cpp"/>
+        <source>{1} alpha</source>
+        <translation>{1} Alpha</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/findings.cpp"/>
@@ -23331,6 +23572,11 @@ steht in assets/SOURCES.md.</translation>
         <location filename="exhibits/your_shader/plain_reader.cpp"/>
         <source>“{1}” has no range; write one behind it, such as // 0 .. 2, default 1.</source>
         <translation>„{=1}“ hat keinen Bereich; schreiben Sie einen dahinter, etwa // 0 .. 2, default 1.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/guest_work.cpp"/>
+        <source>“{1}” is a {2}; cube maps and volumes are not drawn yet, use a picture.</source>
+        <translation>„{1}“ ist ein {2}; Würfeltexturen und Volumen werden noch nicht gezeichnet, nehmen Sie ein Bild.</translation>
     </message>
     <message>
         <location filename="exhibits/framework/table/acting.cpp"/>

@@ -289,7 +289,9 @@ TEST(Paper, GlowsOnAverageAsFarLanternsDo)
                 }
             EXPECT_NEAR(sum, 1, 0.05) << thickness << ' ' << shape.x;
             // Thin paper shows where the flame is; thick paper hardly does.
-            if (thickness < 2) EXPECT_GT(brightest, 6 * top) << thickness << ' ' << shape.x;
+            if (thickness < 2) {
+                EXPECT_GT(brightest, 6 * top) << thickness << ' ' << shape.x;
+            }
         }
 }
 
