@@ -325,7 +325,8 @@ TEST(Usage, WhatWasMistypedIsNamedWithItsCommandAndWhatIsNear)
         {{"--language", "xx", "list"}, "--language \"xx\": give one of en, de."},
         {{"record", "fur", "--out", "x.mp4", "--pace", "slow"}, "--pace \"slow\": give one of auto, constant, eased."},
         {{"open", "/nowhere/a.json"}, "Cannot open /nowhere/a.json: there is no such file"},
-        {{"study", "fur", "--out", "x", "--metric", "ssm"}, "give one of rmse, max, beyond, flip, normal, depth."},
+        {{"study", "fur", "--out", "x", "--metric", "ssm"},
+         "did you mean dssim? give one of rmse, max, beyond, mape, relmse, dssim, flip, normal, depth."},
     };
     for (const auto& [words, part] : cases) {
         const Ended ended = test::vitrine(words);
