@@ -23,6 +23,7 @@ using UniformBlocks = test::GlTest;
 #include "shaders/hall/air_light_block.glsl"
 #include "shaders/hall/antialiasing_block.glsl"
 #include "shaders/hall/bounce_block.glsl"
+#include "shaders/hall/glare_block.glsl"
 #include "shaders/hall/probe_block.glsl"
 #include "shaders/ice_cream/ice_cream_block.glsl"
 #include "shaders/kit/floor_block.glsl"
@@ -145,6 +146,7 @@ const std::map<std::string, Described>& blocksOfCpp()
         {"FrameBlock", described<FrameBlock>()},
         {"FurBodies", described<FurBodies>()},
         {"FurBody", described<FurBody>()},
+        {"GlareBlock", described<GlareBlock>()},
         {"IceCreamShape", described<IceCreamShape>()},
         {"LakeBlock", described<LakeBlock>()},
         {"LightBlock", described<LightBlock>()},
