@@ -62,6 +62,19 @@ render::Camera YourShader::bestView(const ParameterValues&) const
     return portalView(screenPortal());
 }
 
+std::vector<StudyView> YourShader::studyViews(const ParameterValues& values) const
+{
+    std::vector<StudyView> views;
+    for (const auto& [name, seconds] :
+         {std::pair("best view", 0), std::pair("3 s later", 3), std::pair("11 s later", 11)}) {
+        ParameterValues still = values;
+        still.set(table_.animate, false);
+        still.set(table_.moment, values[table_.moment] + seconds);
+        views.push_back({name, bestView(values), 0, std::move(still)});
+    }
+    return views;
+}
+
 double YourShader::nextChange(const ParameterValues& values, double) const
 {
     const auto& table = static_cast<const Table&>(values.table());

@@ -26,6 +26,7 @@ public:
     [[nodiscard]] render::Box bounds(const ParameterValues&) const override;
     [[nodiscard]] bool surrounds(const ParameterValues&) const override { return true; }
     [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;
+    [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;
     [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;
     [[nodiscard]] double nextChangeOf(const ExhibitState&) const override;
     [[nodiscard]] bool castsShadow() const override { return false; }

@@ -151,7 +151,8 @@ TEST_F(StudyJobTest, ChoosesOnlyWhereALimitIsSet)
 
 TEST(StudyMetrics, AreAllThatFallToNothing)
 {
-    EXPECT_EQ(studyMetrics(), (std::vector<std::string>{"rmse", "max", "beyond", "flip", "normal", "depth"}));
+    EXPECT_EQ(studyMetrics(), (std::vector<std::string>{"rmse", "max", "beyond", "mape", "relmse", "dssim", "flip",
+                                                        "normal", "depth"}));
 }
 
 }  // namespace

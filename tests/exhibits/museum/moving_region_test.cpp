@@ -1,5 +1,6 @@
 // Moving objects in a static picture: the region that contains them, and abandoned frames.
 
+#include "exhibits/framework/scene/glare.h"
 #include "tests/support/gallery.h"
 #include "tests/support/planned.h"
 
@@ -99,6 +100,7 @@ TEST_F(MovingRegion, DrawnByItselfItIsThatPartOfTheWholePicture)
     request.raster.offset = low;
     request.raster.tile = glm::min(region->offset + region->size + apron, size_) - low;
     request.samples = 2;
+    request.halos = halosOf(renderer->read(glareSpreadImage), size_);
     const auto other = test::gallery().renderer.sibling();
     for (request.sample = 0; request.sample < 2; ++request.sample)
         (void)other->draw(test::planned(museum_, sceneState_, request, other->persistentState()));

@@ -141,7 +141,7 @@ TEST(MuseumPlan, OutOfViewTheHallIsPlannedAsIfItWereEmpty)
     };
     // Only dust is always in view: one pass composites it.
     EXPECT_EQ(toString(scene.plan(keptAfter(scene.plan()))),
-              "hall/walls > hall/floor > sky > crepuscular_rays/composite > tone");
+              "hall/walls > hall/floor > sky > crepuscular_rays/composite > glare > glare/spread > tone");
     EXPECT_EQ(reasonFor(scene.plan(), "crepuscular_rays/march"), "the beams are out of view");
     scene.rays().set(test::raysTable().airDensity, 0.0);
     const FramePlan first = scene.plan();
@@ -152,7 +152,7 @@ TEST(MuseumPlan, OutOfViewTheHallIsPlannedAsIfItWereEmpty)
     const FramePlan later = scene.plan(keptAfter(first));
     const FramePlan bare = emptyPlan(keptAfter(emptyPlan({})));
     EXPECT_EQ(toString(later), toString(bare));
-    EXPECT_EQ(toString(later), "hall/walls > hall/floor > sky > tone");
+    EXPECT_EQ(toString(later), "hall/walls > hall/floor > sky > glare > glare/spread > tone");
     EXPECT_EQ(trianglesOf(later), trianglesOf(bare));
     // No setting of the exhibit makes it more expensive.
     Scene costly = scene;
