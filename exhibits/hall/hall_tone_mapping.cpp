@@ -10,7 +10,7 @@
 
 namespace vitrine {
 
-#include "shaders/hall/glare_block.glsl"
+#include "shaders/lib/glare_block.glsl"
 
 namespace {
 

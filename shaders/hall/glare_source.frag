@@ -3,7 +3,7 @@
 #include "lib/bindings.glsl"
 #include "lib/light_block.glsl"
 #include "lib/tonemap.glsl"
-#include "hall/glare.glsl"
+#include "lib/glare.glsl"
 
 layout(std140, binding = BLOCK_LIGHT) uniform Light {
     LightBlock light;

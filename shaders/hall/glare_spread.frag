@@ -1,5 +1,5 @@
 // Sums up the mip levels of the light that causes glare, each smoothed.
-#include "hall/glare.glsl"
+#include "lib/glare.glsl"
 
 layout(location = 0) out vec4 spread;
 

@@ -4,7 +4,7 @@
 #include "lib/display_light.glsl"
 #include "lib/tonemap.glsl"
 #ifdef GLARE
-#include "hall/glare.glsl"
+#include "lib/glare.glsl"
 #endif
 
 layout(binding = UNIT_SOURCE) uniform sampler2D source;

@@ -2,7 +2,7 @@
 // An eye scatters about the same share of a light into each octave of angles (Stiles and Holladay: 10 / angle^2), so each
 // mip level, twice as wide as the one before, gets the same share.
 #include "lib/bindings.glsl"
-#include "hall/glare_block.glsl"
+#include "lib/glare_block.glsl"
 
 layout(std140, binding = BLOCK_EXHIBIT) uniform Glare {
     GlareBlock glare;
