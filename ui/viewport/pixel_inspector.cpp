@@ -70,6 +70,9 @@ PixelInspector::PixelInspector(const Museum& museum, const History& history, Ren
     soon_.setSingleShot(true);
     soon_.setInterval(30);
     connect(&soon_, &QTimer::timeout, this, &PixelInspector::ask);
+    released_.setSingleShot(true);
+    released_.setInterval(150);
+    connect(&released_, &QTimer::timeout, this, &PixelInspector::end);
     viewport_.installEventFilter(this);
 }
 
@@ -89,7 +92,7 @@ bool PixelInspector::eventFilter(QObject* watched, QEvent* event)
         if (isKey()) begin();
         break;
     case QEvent::KeyRelease:
-        if (isKey()) end();
+        if (isKey()) released_.start();
         break;
     case QEvent::MouseMove:
         pointer_ = static_cast<QMouseEvent*>(event)->position();
@@ -105,6 +108,8 @@ bool PixelInspector::eventFilter(QObject* watched, QEvent* event)
 
 void PixelInspector::begin()
 {
+    released_.stop();
+    if (held_) return;
     held_ = true;
     job_ = std::make_shared<PictureJob>();
     if (!viewport_.rect().contains(pointer_.toPoint()) || pointer_.isNull()) pointer_ = viewport_.rect().center();
@@ -116,6 +121,7 @@ void PixelInspector::end()
     if (!held_) return;
     held_ = false;
     soon_.stop();
+    released_.stop();
     task_.cancel();
     label_->say({});
     viewport_.renderThread().post([job = std::exchange(job_, {})]() -> std::function<void()> {

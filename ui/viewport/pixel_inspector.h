@@ -56,6 +56,8 @@ private:
     Viewport& viewport_;
     Overlay* label_;
     QTimer soon_;  ///< Delays the next pixel, so that a moving pointer asks for few of them.
+    /// Delays the end: some X servers send a repeated key as releases and presses that look like those of a visitor.
+    QTimer released_;
     bool held_ = false;
     QPointF pointer_;
     /// Job of the render thread, kept while the key is held.

@@ -357,8 +357,15 @@ private slots:
         const QPointF middle = viewport.rect().center();
         const glm::dvec2 ndc(2 * middle.x() / viewport.width() - 1, 1 - 2 * middle.y() / viewport.height());
         QVERIFY(glm::length(point - view.eye - glm::normalize(view.direction(ndc)) * distance) < 0.003);
+        // As some X servers repeat a key that is held.
+        for (int k = 0; k < 20; ++k) {
+            QTest::keyRelease(&viewport, Qt::Key_I);
+            QTest::keyPress(&viewport, Qt::Key_I);
+            QTest::qWait(20);
+            QVERIFY(!inspector->text().isEmpty());
+        }
         QTest::keyRelease(&viewport, Qt::Key_I);
-        QVERIFY(inspector->text().isEmpty());
+        QTRY_VERIFY(inspector->text().isEmpty());
     }
 
     void aCanceledExportLeavesNoFile()
