@@ -198,7 +198,9 @@ struct PaperLanternsTable final : Parameters {
         {{.name = "repetition", .with = {{"lanterns", 16}, {"pointSize", 0.5}}},
          {.name = "bounces", .settles = "Mirrored rays lead upwards and seldom meet the water again."},
          {.name = "waterSteps", .settles = "Rays have found the water in fewer steps."},
-         {.name = "rows", .lifted = {"meanSize"}},
+         {.name = "rows",
+          .lifted = {"meanSize"},
+          .settles = "Rays of a small picture meet the water before they have passed so many rows."},
          {.name = "pointSize", .lifted = {"meanSize", "rows"}},
          {.name = "meanSize", .lifted = {"rows"}, .settles = "The rows end before lanterns look so narrow."},
          {.name = "stepLimit", .settles = "Rays end before they have taken so many steps."}}};

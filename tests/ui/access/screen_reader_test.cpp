@@ -105,7 +105,7 @@ private slots:
         });
         complaints.removeDuplicates();
         QVERIFY2(complaints.isEmpty(), qPrintable('\n' + complaints.join('\n')));
-        QVERIFY2(parts > 1000, qPrintable(QString::number(parts)));
+        QVERIFY2(parts > 800, qPrintable(QString::number(parts)));
     }
 
     void numbersAreReadAndSetAsOneStep()
