@@ -3527,6 +3527,7 @@ Zeiten nach: %2.</translation>
         <location filename="exhibits/sdf_morph/sdf_morph.cpp"/>
         <location filename="exhibits/sdf_morph/sdf_morph_table.h"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes.cpp"/>
+        <location filename="exhibits/your_shader/your_shader.cpp"/>
         <source>best view</source>
         <translation>beste Ansicht</translation>
     </message>
@@ -14578,6 +14579,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
         <source>Rays have found the water in fewer steps.</source>
         <translation>Strahlen haben das Wasser in weniger Schritten gefunden.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
+        <source>Rays of a small picture meet the water before they have passed so many rows.</source>
+        <translation>Strahlen eines kleinen Bildes treffen das Wasser, bevor sie so viele Reihen durchquert haben.</translation>
     </message>
     <message>
         <location filename="exhibits/noise/noise.cpp"/>
