@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-// What the readers of all forms share.
+// Functions that the readers of all forms use.
 namespace vitrine::guest {
 
 /// Reads a shader: the description made so far, and the files beside it.

@@ -94,7 +94,7 @@ void ShaderCompiler::start()
     ::posix_spawn_file_actions_init(&actions);
     ::posix_spawn_file_actions_adddup2(&actions, sockets[1], STDIN_FILENO);
     ::posix_spawn_file_actions_adddup2(&actions, sockets[1], STDOUT_FILENO);
-    // What a compiler says as it dies is no message for visitors.
+    // Messages that a crashing compiler writes to standard error are not shown to visitors.
     ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_RDWR, 0);
     std::string name = file.string();
     std::array<char*, 2> arguments{name.data(), nullptr};

@@ -53,6 +53,12 @@ template <typename Visit> void eachPixel(const Image& image, const Visit& visit)
     return a.width == b.width && a.height == b.height;
 }
 
+/// Returns the amount of reference light that a relative error is divided by; 0 where it is not finite.
+double lightOf(double component)
+{
+    return std::isfinite(component) ? std::abs(component) : 0;
+}
+
 double shareOf(double part, double whole)
 {
     return whole > 0 ? part / whole : 0;
@@ -78,7 +84,7 @@ ColorDifference colorDifference(const Image& a, const Image& b)
         const glm::dvec3 reference = colorAt(a, x, y);
         for (int c = 0; c < 3; ++c) {
             if (d[c] == 0) continue;  // Also where both are infinite.
-            const double light = std::isfinite(reference[c]) ? std::abs(reference[c]) : 0;
+            const double light = lightOf(reference[c]);
             shares += d[c] / (light + relativeFloor);
             relativeSquares += d[c] * d[c] / (light * light + relativeFloor);
         }
@@ -149,7 +155,7 @@ Image relativeDifferenceMap(const Image& a, const Image& b)
         const glm::dvec3 d = distances(a, b, x, y), reference = colorAt(a, x, y);
         double sum = 0;
         for (int c = 0; c < 3; ++c)
-            if (d[c] != 0) sum += d[c] / ((std::isfinite(reference[c]) ? std::abs(reference[c]) : 0) + relativeFloor);
+            if (d[c] != 0) sum += d[c] / (lightOf(reference[c]) + relativeFloor);
         map.at(x, y) = static_cast<float>(sum / 3);
     });
     return map;

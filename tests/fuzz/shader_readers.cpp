@@ -17,7 +17,7 @@ bool readShader(std::string_view bytes)
     require(read.shader != nullptr || !read.errors.empty(), "a refusal says why");
     for (const guest::Finding& finding : read.errors)
         require(finding.line >= 1 && finding.column >= 1 && !finding.sentence.empty(), "a finding has its place");
-    // What a driver or SPIRV-Cross writes is trusted less than it could be.
+    // Damaged text is passed although the loop guard only reads output of SPIRV-Cross: it must not crash.
     static_cast<void>(guest::withLoopGuard(std::string(bytes)));
     if (!read.shader) return false;
     static_cast<void>(guest::findingsOf(*read.shader, bytes));

@@ -57,7 +57,7 @@ public:
     /// Sets the time of the last picture, for animated parameters: their rows show the values at that time.
     void showMoment(const MotionMoment&);
 
-    // Of parameters of the shown table:
+    // The following functions take the index or the name of a parameter of the shown table.
     [[nodiscard]] QString keyOf(std::size_t row) const;
     [[nodiscard]] bool isLocked(std::size_t row) const;
     [[nodiscard]] bool isPinned(std::size_t row) const;

@@ -18,7 +18,7 @@ class Renderers;
 class Viewport;
 struct PictureJob;
 
-/// What is at one pixel of the picture.
+/// Light and surface at the center of one pixel.
 struct InspectedPixel {
     glm::dvec3 radiance{0};  ///< Scene-linear light.
     glm::dvec3 normal{0};    ///< In world space; 0 if the surface has none.

@@ -104,7 +104,7 @@ int searchScore(const std::vector<std::string>& query, const SearchText& text)
     const std::string whole = together(query);
     const int score = std::max(scoreOfAll(query, text), query.size() > 1 ? bestOf(whole, text.title, inTitle) : 0);
     if (score == 0) return 0;
-    // Of equal matches, shorter titles are meant more often.
+    // Two matches of equal score are ordered by length: people who search usually mean the shorter title.
     const int length = std::min(static_cast<int>(text.title.size()), 9);
     return 10 * (score + (together(text.title).starts_with(whole) ? wholeBeginning : 0)) - length;
 }

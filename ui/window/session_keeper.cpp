@@ -32,7 +32,7 @@ constexpr int settledAfter = 60000;
 constexpr int mostTimesRestored = 3;
 constexpr int layoutVersion = 1;
 
-/// What the visitor chose in the parameter panel, by the keys of the settings.
+/// Choices of the parameter panel that are kept between sessions, each with its key in the settings.
 constexpr std::array<std::pair<PanelChoice, const char*>, 3> keptChoices{
     {{PanelChoice::toggled, "toggledGroups"}, {PanelChoice::locked, "locked"}, {PanelChoice::pinned, "pinned"}}};
 

@@ -15,7 +15,7 @@ inline constexpr std::uint32_t mostMessageBytes = 64U << 20U;
 /// Exit code of a compiler whose memory was not enough.
 inline constexpr int outOfMemoryCode = 12;
 
-/// What the compiler is to translate.
+/// Shader source that the compiler process translates.
 struct CompilerRequest {
     std::string vertex, fragment;  ///< GLSL 4.50; `#line` names files by number.
 };
@@ -27,7 +27,7 @@ struct ProgramLimits {
     static constexpr std::uint64_t samplers = 16;            ///< As many as every OpenGL has for a stage.
 };
 
-/// What a program costs at most, counted in SPIR-V.
+/// Upper bounds on the work and memory of a program, counted in SPIR-V.
 struct ProgramCounts {
     std::uint64_t instructions = 0;  ///< With every call replaced by its function, both stages.
     std::uint64_t localBytes = 0;    ///< Local and private variables.

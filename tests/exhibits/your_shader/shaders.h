@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-// What the tests of visitors' shaders share.
+// Sources and helpers that the tests of visitors' shaders use.
 namespace vitrine::test {
 
 /// Files beside a shader, by name.
