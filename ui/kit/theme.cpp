@@ -46,6 +46,13 @@ Theme highContrastTheme(bool dark)
     return {false, "#ffffff", "#ffffff", "#000000", "#3a3733", "#6b3d00", "#8a1500", "#234a0c", "#57534d", true};
 }
 
+Theme paperTheme()
+{
+    Theme theme = lightTheme();
+    theme.window = theme.base = Qt::white;
+    return theme;
+}
+
 double contrastOf(const QColor& a, const QColor& b)
 {
     const auto [darker, lighter] = std::minmax({luminance(a), luminance(b)});
@@ -55,6 +62,16 @@ double contrastOf(const QColor& a, const QColor& b)
 const Theme& theme()
 {
     return current();
+}
+
+ThemeScope::ThemeScope(const Theme& theme) : before_(current())
+{
+    current() = theme;
+}
+
+ThemeScope::~ThemeScope()
+{
+    current() = before_;
 }
 
 bool desktopPrefersDark(const QApplication& app)

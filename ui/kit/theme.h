@@ -23,8 +23,23 @@ struct Theme {
 /// Theme with high contrast, on a dark or a light background.
 [[nodiscard]] Theme highContrastTheme(bool dark);
 
-/// Returns the theme in use, as set by `applyTheme`.
+/// Light theme on white, for charts in documents.
+[[nodiscard]] Theme paperTheme();
+
+/// Returns the theme in use, as set by `applyTheme` or a `ThemeScope`.
 [[nodiscard]] const Theme& theme();
+
+/// Makes `theme()` return another theme while this object lives. Widgets keep their palette.
+class ThemeScope {
+public:
+    explicit ThemeScope(const Theme&);
+    ~ThemeScope();
+    ThemeScope(const ThemeScope&) = delete;
+    ThemeScope& operator=(const ThemeScope&) = delete;
+
+private:
+    Theme before_;
+};
 
 /// Returns the contrast ratio of two opaque colors by WCAG 2.2: from 1 (equal) to 21 (black and white).
 [[nodiscard]] double contrastOf(const QColor&, const QColor&);

@@ -2,7 +2,6 @@
 
 #include "exhibits/study/study_text.h"
 #include "render/files/number_text.h"
-#include "ui/kit/picture_file.h"
 #include "ui/kit/text.h"
 #include "ui/study/comparison_chart.h"
 #include "ui/study/study_export.h"
@@ -134,7 +133,7 @@ QLayout* ComparisonDialog::bottom()
     };
     connect(add(tr("Copy"), tr("Copies points and differences as a table (CSV).")), &QPushButton::clicked, this,
             [this] { QApplication::clipboard()->setText(QString::fromUtf8(exported(QStringLiteral("csv")))); });
-    connect(add(tr("Save…"), tr("Saves the comparison as a table (CSV) or JSON, or the chart as PNG or SVG.")),
+    connect(add(tr("Save…"), tr("Saves the comparison as a table (CSV) or JSON, or the chart as PNG, SVG or PDF.")),
             &QPushButton::clicked, this, [this] {
                 const QString why = askAndSaveStudy(this, [this](const QString& suffix) { return exported(suffix); });
                 if (!why.isEmpty()) emit failed(why);
@@ -170,7 +169,7 @@ QByteArray ComparisonDialog::exported(const QString& suffix)
     if (suffix == QLatin1String("csv")) return QByteArray::fromStdString(comparisonCsv(chart_->comparison()));
     if (suffix == QLatin1String("json"))
         return QByteArray::fromStdString(render::writeJson(comparisonJson(studies_, chart_->comparison())));
-    return suffix == QLatin1String("svg") ? chart_->svg(exportedChart) : pngOf(chart_->picture(exportedChart, 2));
+    return chartFile(suffix, *chart_);
 }
 
 }  // namespace vitrine::ui

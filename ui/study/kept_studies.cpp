@@ -151,7 +151,7 @@ QListWidgetItem* KeptStudies::itemFor(const StudyEntry& entry) const
     facts.removeAll(QString());
     item->setData(TwoLineDelegate::secondLine, facts.join(QStringLiteral(" · ")));
     QStringList lines{titleOf(study), tr("Exhibit: %1").arg(words(study.exhibit)),
-                      tr("Rows: %1").arg(said(study.parameterNames())), facts.join(QStringLiteral(" · ")),
+                      tr("Parameters: %1").arg(said(study.parameterNames())), facts.join(QStringLiteral(" · ")),
                       tr("%1 × %2 pixels, clock: %3").arg(study.size.x).arg(study.size.y).arg(words(study.clock))};
     item->setToolTip(lines.join(QLatin1Char('\n')));
     item->setData(Qt::AccessibleTextRole, titleOf(study) + QStringLiteral(", ") + facts.join(QStringLiteral(", ")));
@@ -373,7 +373,7 @@ QByteArray KeptStudies::exported(const QString& suffix) const
         auto one = std::make_unique<StudyChart>();
         const bool timed = std::any_of(studies[0].points.begin(), studies[0].points.end(),
                                        [](const KeptPoint& point) { return point.time.has_value(); });
-        one->showStudy(charted(studies[0], usualCostAxis(studies[0].clockTrusted && timed)));
+        one->showStudy(charted(studies[0], titleOf(studies[0]), usualCostAxis(studies[0].clockTrusted && timed)));
         chart = std::move(one);
     } else {
         const std::vector<std::string> costs = sharedCosts(studies);
@@ -383,7 +383,7 @@ QByteArray KeptStudies::exported(const QString& suffix) const
         several->setComparison(compareStudies(studies, labelsOf(studies), costs.front()));
         chart = std::move(several);
     }
-    return suffix == QLatin1String("svg") ? chart->svg(exportedChart) : pngOf(chart->picture(exportedChart, 2));
+    return chartFile(suffix, *chart);
 }
 
 void KeptStudies::save()

@@ -3,6 +3,8 @@
 #include "ui/kit/roomy_ticker.h"
 #include "ui/kit/theme.h"
 
+#include <QBuffer>
+#include <QPdfWriter>
 #include <QSvgGenerator>
 
 #include <algorithm>
@@ -33,7 +35,8 @@ QString inLines(const QString& text, const QFontMetrics& metrics, int width)
 
 }  // namespace
 
-LogChart::LogChart(QWidget* parent) : SpokenPlot(parent)
+LogChart::LogChart(QWidget* parent)
+    : SpokenPlot(parent), headingLine_(new QCPTextElement(this)), detailsLine_(new QCPTextElement(this))
 {
     for (QCPAxis* axis : {xAxis, yAxis}) {
         axis->setScaleType(QCPAxis::stLogarithmic);
@@ -51,6 +54,12 @@ LogChart::LogChart(QWidget* parent) : SpokenPlot(parent)
     top->addElement(0, 1, new QCPLayoutElement);
     top->setColumnStretchFactor(0, 0.001);
     legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
+    for (QCPTextElement* line : {detailsLine_, headingLine_}) {
+        plotLayout()->insertRow(0);
+        plotLayout()->addElement(0, 0, line);
+        plotLayout()->setRowStretchFactor(0, 0.001);
+        line->setTextFlags(Qt::AlignLeft | Qt::AlignVCenter);
+    }
     setMinimumSize(320, 190);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
@@ -63,8 +72,34 @@ void LogChart::setTitles(const QString& cost, const QString& error)
     yAxis->setLabel(error);
 }
 
+void LogChart::setHeading(const QString& heading, const QString& details)
+{
+    heading_ = heading;
+    details_ = details;
+}
+
+/// Shortens heading and details to the width of the chart. Empty lines take no space.
+void LogChart::fitHeading()
+{
+    const bool isHigh = viewport().height() >= 12 * QFontMetrics(font()).height();
+    const auto fit = [&](QCPTextElement& line, const QString& text) {
+        const bool isShown = isHigh && !text.isEmpty();
+        line.setText(isShown ? QFontMetrics(line.font()).elidedText(text, Qt::ElideRight, viewport().width() - 16)
+                             : QString());
+        line.setVisible(isShown);
+        line.setMaximumSize(QWIDGETSIZE_MAX, isShown ? QWIDGETSIZE_MAX : 0);
+        line.setMargins(isShown ? QMargins(6, 3, 6, 0) : QMargins());
+    };
+    fit(*headingLine_, heading_);
+    fit(*detailsLine_, details_);
+}
+
 void LogChart::applyType()
 {
+    QFont heavy = font();
+    heavy.setBold(true);
+    headingLine_->setFont(heavy);
+    detailsLine_->setFont(labelFont());
     for (QCPAxis* axis : {xAxis, yAxis}) {
         axis->setLabelFont(font());
         axis->setTickLabelFont(labelFont());
@@ -116,6 +151,8 @@ void LogChart::applyColors()
 {
     applyTheme();
     legend->setIconSize(36, 14);
+    headingLine_->setTextColor(theme().text);
+    detailsLine_->setTextColor(theme().dim);
     applyType();
     arrange();
 }
@@ -239,32 +276,62 @@ std::optional<QRectF> LogChart::markExact()
     return QRectF(below ? at : at - QPointF(0, size.height()), size);
 }
 
+void LogChart::onPaper(QSize size, const std::function<void()>& draw)
+{
+    {
+        const ThemeScope paper(paperTheme());
+        setViewport(QRect(QPoint(0, 0), size));
+        applyColors();
+        draw();
+    }
+    // Restores colors and layout of the screen.
+    if (parentWidget() != nullptr) setViewport(QRect(QPoint(0, 0), this->size()));
+    applyColors();
+}
+
 QImage LogChart::picture(QSize size, double scale)
 {
-    layOutFor(size);
-    const QImage image = toPixmap(size.width(), size.height(), scale).toImage();
-    if (parentWidget() != nullptr) layOutFor(this->size());  // Restores the layout of the screen.
+    QImage image;
+    onPaper(size, [&] { image = toPixmap(size.width(), size.height(), scale).toImage(); });
     return image;
+}
+
+void LogChart::paintOn(QPaintDevice& device, QSize size)
+{
+    QCPPainter painter;
+    painter.begin(&device);
+    painter.setMode(QCPPainter::pmVectorized);
+    painter.setMode(QCPPainter::pmNoCaching);
+    toPainter(&painter, size.width(), size.height());
+    painter.end();
+}
+
+QByteArray LogChart::pdf(QSize size)
+{
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QBuffer::WriteOnly);
+    QPdfWriter writer(&buffer);
+    writer.setCreator(QStringLiteral("Vitrine"));
+    writer.setTitle(heading_.isEmpty() ? errorTitle_ : heading_);
+    writer.setResolution(logicalDpiX());  // Text gets the size for which it was laid out.
+    writer.setPageSize(QPageSize(QSizeF(size) * 72 / logicalDpiX(), QPageSize::Point, {}, QPageSize::ExactMatch));
+    writer.setPageMargins({});
+    onPaper(size, [&] { paintOn(writer, size); });
+    return bytes;
 }
 
 QByteArray LogChart::svg(QSize size)
 {
-    layOutFor(size);
     QByteArray bytes;
     QBuffer buffer(&bytes);
     QSvgGenerator generator;
     generator.setOutputDevice(&buffer);
     generator.setSize(size);
     generator.setViewBox(QRect(QPoint(0, 0), size));
-    generator.setTitle(errorTitle_);
-    generator.setResolution(logicalDpiX());  // Text gets the size for which it was laid out.
-    QCPPainter painter;
-    painter.begin(&generator);
-    painter.setMode(QCPPainter::pmVectorized);
-    painter.setMode(QCPPainter::pmNoCaching);
-    toPainter(&painter, size.width(), size.height());
-    painter.end();
-    if (parentWidget() != nullptr) layOutFor(this->size());
+    generator.setTitle(heading_.isEmpty() ? errorTitle_ : heading_);
+    generator.setResolution(logicalDpiX());
+    onPaper(size, [&] { paintOn(generator, size); });
     // Replaces Qt's font family by one that browsers know.
     return bytes.replace("font-family=\"Sans Serif\"", "font-family=\"sans-serif\"");
 }
@@ -291,6 +358,7 @@ void LogChart::rebuild()
 
 void LogChart::arrange()
 {
+    fitHeading();
     build();
     fitLegend();
     // Margins depend on tick labels, and ticks on the axis length that the margins leave. Two passes settle both.

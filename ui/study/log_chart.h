@@ -2,6 +2,7 @@
 
 #include "ui/kit/spoken_plot.h"
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -34,8 +35,15 @@ public:
     /// Applies the colors of the present theme.
     void applyColors();
 
+    /// Sets the heading above the chart and the smaller line below it. They are left out of a chart of few lines'
+    /// height.
+    void setHeading(const QString& heading, const QString& details);
+
+    /// Returns the chart in the colors of `paperTheme`, at a size in pixels. `scale`: pixels of the bitmap per pixel.
     [[nodiscard]] QImage picture(QSize size, double scale);
     [[nodiscard]] QByteArray svg(QSize size);
+    /// Returns a file of one page that is as large as the chart, with fonts embedded.
+    [[nodiscard]] QByteArray pdf(QSize size);
 
 protected:
     void resizeEvent(QResizeEvent*) override;
@@ -66,12 +74,18 @@ protected:
 
 private:
     void layOutFor(QSize);
+    /// Calls `draw` while the chart has the layout for the size and the colors of `paperTheme`.
+    void onPaper(QSize, const std::function<void()>& draw);
+    void paintOn(QPaintDevice&, QSize);
+    void fitHeading();
     void scaleAxes(const std::vector<ChartSpan>&);
     void applyType();
     void fitTitles();
     void fitLegend();
 
-    QString costTitle_, errorTitle_, emptyText_, exactText_;
+    QString costTitle_, errorTitle_, emptyText_, exactText_, heading_, details_;
+    QCPTextElement* headingLine_;
+    QCPTextElement* detailsLine_;
     double floor_ = 1e-6;  // Position of errors that are 0.
     bool anyExact_ = false;
 };

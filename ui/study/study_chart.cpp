@@ -53,6 +53,7 @@ void StudyChart::setPoints(std::vector<ChartPoint> points)
 void StudyChart::showStudy(ChartedStudy study)
 {
     setTitles(study.costTitle, study.errorTitle);
+    setHeading(study.heading, study.details);
     setEmptyText(study.emptyText);
     parameters_ = study.parameters;
     setPoints(std::move(study.points));
@@ -420,12 +421,33 @@ ChartedStudy chartedBy(const StudyCosts& costs, render::Metric metric, bool cloc
     return study;
 }
 
+/// Returns "Fur: Shell count", or "Fur: all parameters" for more than two.
+QString headingOf(Subjects subjects, const StudyRequest& request)
+{
+    QStringList labels;
+    for (const StudyAxis& axis : request.axes)
+        labels << said(axisLabel(subjects, request.sceneState, request.subject, axis));
+    return said(subjects[request.subject]->title()) + QStringLiteral(": ") +
+           (labels.size() > 2 ? StudyChart::tr("all parameters") : labels.join(QStringLiteral(", ")));
+}
+
+QString conditions(std::size_t views, glm::ivec2 size, bool alone, const std::string& clock)
+{
+    QStringList all{
+        StudyChart::tr("%n view(s) of %1 × %2 pixels", nullptr, static_cast<int>(views)).arg(size.x).arg(size.y)};
+    if (alone) all << StudyChart::tr("without the hall");
+    if (!clock.empty()) all << StudyChart::tr("clock: %1").arg(said(clock));
+    return all.join(QStringLiteral(" · "));
+}
+
 }  // namespace
 
 ChartedStudy charted(Subjects subjects, const StudyRequest& request, const StudyResult& result, CostAxis axis)
 {
     const StudyCosts costs = costsAlong(axis, request, result);
     ChartedStudy study = chartedBy(costs, request.metric, result.clockTrusted);
+    study.heading = headingOf(subjects, request);
+    study.details = conditions(result.views.size(), request.size, request.alone, result.clock);
     int drawn = 0;
     for (std::size_t i = 0; i < result.points.size(); ++i) {
         const StudyPoint& p = result.points[i];
@@ -453,10 +475,12 @@ ChartedStudy charted(Subjects subjects, const StudyRequest& request, const Study
     return study;
 }
 
-ChartedStudy charted(const KeptStudy& kept, CostAxis axis)
+ChartedStudy charted(const KeptStudy& kept, const QString& title, CostAxis axis)
 {
     const StudyCosts costs = costsAlong(axis, kept);
     ChartedStudy study = chartedBy(costs, kept.metric, kept.clockTrusted);
+    study.heading = title;
+    study.details = conditions(kept.views.size(), kept.size, kept.alone, kept.clock);
     for (std::size_t i = 0; i < kept.points.size(); ++i) {
         const KeptPoint& p = kept.points[i];
         ChartPoint c;

@@ -18,6 +18,8 @@ struct ChartPoint : ChartSpan {
 
 /// Content of a chart: a study over one cost axis.
 struct ChartedStudy {
+    QString heading;  ///< Exhibit and parameters: "Fur: Shell count".
+    QString details;  ///< Conditions of the measurement: views, size, clock.
     QString costTitle, errorTitle;
     QString emptyText;  ///< Reason why there is no point yet.
     std::vector<ChartPoint> points;
@@ -84,8 +86,8 @@ private:
 
 /// Returns the chart of a study, as far as it is measured.
 [[nodiscard]] ChartedStudy charted(Subjects, const StudyRequest&, const StudyResult&, CostAxis);
-/// Returns the chart of a kept study.
-[[nodiscard]] ChartedStudy charted(const KeptStudy&, CostAxis);
+/// Returns the chart of a kept study, with its title as the heading.
+[[nodiscard]] ChartedStudy charted(const KeptStudy&, const QString& title, CostAxis);
 /// Returns the name of a setting: "Shell count 64", "as at present".
 [[nodiscard]] QString settingWords(const std::vector<SettingPart>&);
 

@@ -1,6 +1,5 @@
 #include "ui/study/study_dock.h"
 
-#include "exhibits/framework/table/expression.h"
 #include "exhibits/jobs.h"
 #include "exhibits/study/study_text.h"
 #include "render/failure.h"
@@ -11,8 +10,10 @@
 #include "ui/kit/time_left.h"
 #include "ui/kit/type_size.h"
 #include "ui/parameters/parameter_panel.h"
+#include "ui/study/both_settings_button.h"
 #include "ui/study/kept_studies.h"
 #include "ui/study/study_export.h"
+#include "ui/study/study_finder.h"
 #include "ui/study/study_view.h"
 
 #include <QApplication>
@@ -20,8 +21,6 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLineEdit>
-#include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSplitter>
@@ -37,26 +36,15 @@ constexpr int shortTile = 96;        ///< Pixels, so that no step delays the nex
 constexpr qint64 refreshTime = 200;  ///< Milliseconds between two updates of the chart while measuring.
 constexpr int leastToKeep = 3;       ///< Number of measured settings from which a stopped study is kept.
 
-QLineEdit* numberField(const QString& name, const QString& start, QWidget* parent)
-{
-    auto* field = new QLineEdit(start, parent);
-    field->setAccessibleName(name);
-    growWidth(*field, 64);
-    field->setAlignment(Qt::AlignRight);
-    return field;
-}
-
 }  // namespace
 
 StudyDock::StudyDock(const Museum& museum, Renderers& renderers, History& history, RenderThread& thread,
                      StudyStore store, QWidget* parent)
     : QWidget(parent), museum_(museum), renderers_(renderers), history_(history), thread_(thread),
-      setup_(*jobs::findJob("study"), this), parameter_(new QComboBox(this)), go_(new QPushButton(this)),
-      copy_(new QToolButton(this)), save_(new QToolButton(this)), list_(new QToolButton(this)),
-      progress_(new QProgressBar(this)), doing_(new QLabel(this)),
-      error_(numberField(tr("Largest error"), QStringLiteral("0.02"), this)),
-      milliseconds_(numberField(tr("Longest time in milliseconds"), QStringLiteral("10"), this)),
-      shown_(new StudyView(museum, history, this)),
+      setup_(*jobs::findJob("study"), this), measuring_(new QHBoxLayout), parameter_(new QComboBox(this)),
+      go_(new QPushButton(this)), copy_(new QToolButton(this)), save_(new QToolButton(this)),
+      list_(new QToolButton(this)), progress_(new QProgressBar(this)), doing_(new QLabel(this)),
+      finder_(new StudyFinder(this)), shown_(new StudyView(museum, history, this)),
       kept_(new KeptStudies(museum.subjects(), history, std::move(store), this)),
       settings_(new ParameterPanel(setup_.history(), this))
 {
@@ -65,7 +53,8 @@ StudyDock::StudyDock(const Museum& museum, Renderers& renderers, History& histor
     auto* all = new QVBoxLayout(this);
     all->setContentsMargins(8, 8, 8, 8);
     all->setSpacing(8);
-    all->addLayout(measuring());
+    layOutMeasuring();
+    all->addLayout(measuring_);
     all->addLayout(choosing());
     all->addWidget(studies(), 1);
     connectParts();
@@ -94,10 +83,10 @@ void StudyDock::setTexts()
     copy_->setToolTip(tr("Copies what was measured as a table (CSV)."));
     save_->setText(tr("Save…"));
     save_->setAccessibleName(tr("Save the measurements"));
-    save_->setToolTip(tr("Saves what was measured as a table (CSV) or JSON, or the chart as PNG or SVG."));
-    list_->setText(tr("Kept"));
+    save_->setToolTip(tr("Saves what was measured as a table (CSV) or JSON, or the chart as PNG, SVG or PDF."));
+    list_->setText(tr("History"));
     list_->setCheckable(true);
-    list_->setAccessibleName(tr("Show the kept studies"));
+    list_->setAccessibleName(tr("Show the history of studies"));
     list_->setToolTip(
         tr("Shows the studies that were kept: to look at again, compare, rename, delete, open and save."));
     doing_->setTextFormat(Qt::PlainText);
@@ -105,29 +94,20 @@ void StudyDock::setTexts()
     doing_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
 }
 
-QLayout* StudyDock::measuring()
+void StudyDock::layOutMeasuring()
 {
-    auto* top = new QHBoxLayout;
-    top->setSpacing(8);
-    for (QWidget* w : std::initializer_list<QWidget*>{parameter_, go_, progress_}) top->addWidget(w);
-    top->addWidget(doing_, 1);
-    return top;
+    measuring_->setSpacing(8);
+    measuring_->addWidget(parameter_);
+    measuring_->addWidget(go_);
+    measuring_->addWidget(progress_);
+    measuring_->addWidget(doing_, 1);
 }
 
 QLayout* StudyDock::choosing()
 {
-    auto* cheapest = new QPushButton(tr("Find"), this);
-    cheapest->setAccessibleName(tr("Find the cheapest within the error"));
-    auto* best = new QPushButton(tr("Find"), this);
-    best->setAccessibleName(tr("Find the best within the time"));
-    connect(cheapest, &QPushButton::clicked, this, [this] { find(StudyFind::cheapest); });
-    connect(best, &QPushButton::clicked, this, [this] { find(StudyFind::best); });
     auto* choose = new QHBoxLayout;
     choose->setSpacing(8);
-    for (QWidget* w : std::initializer_list<QWidget*>{new QLabel(tr("Cheapest within error"), this), error_, cheapest,
-                                                      new QLabel(tr("Best within"), this), milliseconds_,
-                                                      new QLabel(tr("ms"), this), best})
-        choose->addWidget(w);
+    choose->addWidget(finder_);
     choose->addStretch(1);
     auto* set = new QToolButton(this);
     set->setText(tr("Settings"));
@@ -161,9 +141,9 @@ QWidget* StudyDock::studies()
 
 void StudyDock::connectParts()
 {
-    connect(go_, &QPushButton::clicked, this, [this] { running() ? stop() : measure(setup_.values()); });
-    connect(error_, &QLineEdit::returnPressed, this, [this] { find(StudyFind::cheapest); });
-    connect(milliseconds_, &QLineEdit::returnPressed, this, [this] { find(StudyFind::best); });
+    connect(go_, &QPushButton::clicked, this, [this] { running() ? stop() : measurePresent(); });
+    connect(finder_, &StudyFinder::asked, this, &StudyDock::find);
+    connect(finder_, &StudyFinder::refused, shown_, &StudyView::say);
     connect(parameter_, &QComboBox::activated, this, [this] { vary(parameter_->currentData().toString()); });
     connect(&setup_, &JobSetup::changed, this, &StudyDock::showVaried);
     connect(copy_, &QToolButton::clicked, this,
@@ -236,13 +216,28 @@ void StudyDock::ask(std::size_t exhibit, std::size_t row)
 {
     if (exhibit != subject_) setSubject(exhibit);
     vary(text(table_->rows()[row].name));
-    measure(setup_.values());
+    measurePresent();
 }
 
-void StudyDock::measure(const ParameterValues& values)
+void StudyDock::offerBoth(const OtherSettings& other)
+{
+    measuring_->insertWidget(2, new BothSettingsButton(*this, other, this));
+}
+
+void StudyDock::measurePresent()
+{
+    measure(setup_.values(), history_.sceneState());
+}
+
+void StudyDock::measureWith(const SceneState& sceneState)
+{
+    measure(setup_.values(), sceneState);
+}
+
+void StudyDock::measure(const ParameterValues& values, const SceneState& sceneState)
 {
     try {
-        StudyRequest request = studyRequest(values, museum_, history_.sceneState(), subject_);
+        StudyRequest request = studyRequest(values, museum_, sceneState, subject_);
         request.largestTile = shortTile;
         start(std::move(request));
     } catch (const Failure& failure) {
@@ -250,23 +245,15 @@ void StudyDock::measure(const ParameterValues& values)
     }
 }
 
-void StudyDock::find(StudyFind wanted)
+void StudyDock::find(StudyFind wanted, double limit)
 {
-    const bool byError = wanted == StudyFind::cheapest;
-    const QLineEdit* field = byError ? error_ : milliseconds_;
-    const std::optional<double> limit = evaluate(field->text().trimmed().toStdString(), Unit::none);
-    if (!limit || !(*limit > 0)) {
-        shown_->say(tr("\"%1\" is not a limit; type a number above 0, such as %2.")
-                        .arg(field->text(), byError ? QStringLiteral("0.02") : QStringLiteral("10")));
-        return;
-    }
     const StudyTable& t = studyTable();
     ParameterValues values = setup_.values();
     for (const Text& row : {t.varied, t.values}) values.set(row, std::string());
     values.set(t.choosing, wanted);
-    values.set(byError ? t.maxError : t.maxMilliseconds, *limit);
+    values.set(wanted == StudyFind::cheapest ? t.maxError : t.maxMilliseconds, limit);
     values.set(t.modelError, false);
-    measure(values);
+    measure(values, history_.sceneState());
 }
 
 struct StudyDock::Work {
@@ -332,7 +319,9 @@ void StudyDock::take(News news)
 
 void StudyDock::end(const QString& failure)
 {
-    stop();
+    const bool succeeded = failure.isEmpty();
+    endRun();
+    if (!succeeded) emit stopped();
     if (!failure.isEmpty()) {
         shown_->say(failure);
         emit failed(failure);
@@ -344,6 +333,13 @@ void StudyDock::end(const QString& failure)
 }
 
 void StudyDock::stop()
+{
+    const bool ran = running();
+    endRun();
+    if (ran) emit stopped();
+}
+
+void StudyDock::endRun()
 {
     task_.cancel();
     if (showsRunning_) {
@@ -370,18 +366,10 @@ void StudyDock::showIdle()
     progress_->setVisible(running());
     if (!running()) doing_->clear();
     for (QToolButton* button : {copy_, save_}) button->setEnabled(!shown_->empty());
-    suggestTime();
+    finder_->suggestTime(result());
     if (shown_->empty())
         shown_->say(tr("Choose a parameter, then Measure. Errors are against its most exact value; costs are time and "
                        "counted work."));
-}
-
-void StudyDock::suggestTime()
-{
-    // Suggests half of the present time as the limit, unless a limit was typed.
-    if (milliseconds_->isModified() || !result().present) return;
-    const StudyPoint& present = result().points[*result().present];
-    if (present.time) milliseconds_->setText(QLocale::c().toString(present.time->median / 2, 'g', 3));
 }
 
 QByteArray StudyDock::exported(const QString& suffix) const

@@ -13,9 +13,9 @@
 #include <optional>
 #include <string>
 
+class QBoxLayout;
 class QComboBox;
 class QLabel;
-class QLineEdit;
 class QProgressBar;
 class QPushButton;
 class QToolButton;
@@ -23,8 +23,10 @@ class QToolButton;
 namespace vitrine::ui {
 
 class KeptStudies;
+class OtherSettings;
 class ParameterPanel;
 class StudyChart;
+class StudyFinder;
 class StudyView;
 
 /// Dock for studies of accuracy and cost. Measures one parameter of the chosen exhibit, or all of them together, on the
@@ -43,6 +45,11 @@ public:
     void setSubject(std::size_t exhibit);
     /// Measures one parameter at once; `row` is its index in the exhibit's table.
     void ask(std::size_t exhibit, std::size_t row);
+    /// Measures with the settings of studies and the present settings of the exhibits, or others.
+    void measurePresent();
+    void measureWith(const SceneState&);
+    /// Adds a button that measures with these settings, too. They must outlive the dock.
+    void offerBoth(const OtherSettings&);
     /// Stops the running study. Its results stay visible, and are kept if three or more settings were measured.
     void stop();
     [[nodiscard]] bool running() const { return isRunning_; }
@@ -62,17 +69,19 @@ public:
 signals:
     void failed(const QString& why);
     void finished();
+    void stopped();  ///< Emitted when a study ended before it was finished.
 
 private:
     void setTexts();
-    [[nodiscard]] QLayout* measuring();
+    void layOutMeasuring();
     [[nodiscard]] QLayout* choosing();
     [[nodiscard]] QWidget* studies();
     void connectParts();
     void vary(const QString& parameters);
     void showVaried();
-    void measure(const ParameterValues&);
-    void find(StudyFind);
+    void measure(const ParameterValues&, const SceneState&);
+    void find(StudyFind, double limit);
+    void endRun();
     void start(StudyRequest);
     /// Intermediate result of the running study.
     struct News {
@@ -89,7 +98,6 @@ private:
     void showIdle();
     void keepMeasured();
     void save();
-    void suggestTime();
 
     const Museum& museum_;
     Renderers& renderers_;
@@ -104,6 +112,7 @@ private:
     JobSetup setup_;
     QElapsedTimer elapsed_;
 
+    QBoxLayout* measuring_;  ///< Row with the parameter, the buttons that measure, and the progress.
     QComboBox* parameter_;
     QPushButton* go_;
     QToolButton* copy_;
@@ -111,8 +120,7 @@ private:
     QToolButton* list_;
     QProgressBar* progress_;
     QLabel* doing_;
-    QLineEdit* error_;
-    QLineEdit* milliseconds_;
+    StudyFinder* finder_;
     StudyView* shown_;
     KeptStudies* kept_;
     ParameterPanel* settings_;

@@ -12,12 +12,14 @@ class QWidget;
 
 namespace vitrine::ui {
 
-class StudyChart;
+class LogChart;
 
-/// Returns the content of a file with a study: the data as "csv" or "json" (including `machine`), or the chart as "svg"
-/// or "png".
+/// Returns the content of a file with a chart: "svg", "pdf", or any other suffix for "png".
+[[nodiscard]] QByteArray chartFile(const QString& suffix, LogChart&);
+
+/// Returns the content of a file with a study: the data as "csv" or "json" (including `machine`), or the chart.
 [[nodiscard]] QByteArray studyFile(const QString& suffix, Subjects, const StudyRequest&, const StudyResult&,
-                                   const render::Json& machine, StudyChart&);
+                                   const render::Json& machine, LogChart&);
 
 /// Asks for a file name and writes the result of `contentOf` for its suffix. Returns a sentence why saving failed;
 /// empty after success or if the visitor canceled.

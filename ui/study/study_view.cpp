@@ -81,7 +81,14 @@ void StudyView::layOut()
     auto* column = new QVBoxLayout(right_);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(4);
-    column->addWidget(view_);
+    auto* views = new QWidget(right_);  // Hidden and shown with its label.
+    auto* inRow = new QHBoxLayout(views);
+    auto* label = new QLabel(tr("&View:"), views);
+    label->setBuddy(view_);
+    inRow->setContentsMargins(0, 0, 0, 0);
+    inRow->addWidget(label);
+    inRow->addWidget(view_, 1);
+    column->addWidget(views);
     column->addWidget(pictures_, 1);
     column->addWidget(caption_);
     auto* split = new QSplitter(Qt::Horizontal, this);
@@ -307,8 +314,8 @@ QString StudyView::whyNotApplied() const
 void StudyView::refreshKept()
 {
     keptRows_ = rowsOf(*kept_, museum_.subjects(), history_.sceneState());
-    ChartedStudy study = charted(*kept_, costAxis());
-    QStringList sentences{tr("Kept: %1.").arg(keptTitle_), whyNotApplied(), study.law};
+    ChartedStudy study = charted(*kept_, keptTitle_, costAxis());
+    QStringList sentences{tr("From the history: %1.").arg(keptTitle_), whyNotApplied(), study.law};
     showChart(std::move(study), presentKeptPoint());
     showPoint(shownPoint_);
     for (const std::string& sentence : kept_->sentences) sentences << said(sentence);
@@ -329,7 +336,7 @@ void StudyView::hidePictures()
     shown_ = {};
     pictures_->show({}, {}, {});
     pictures_->hide();
-    view_->hide();
+    view_->parentWidget()->hide();
 }
 
 QString StudyView::captionOf(const KeptStudy& study, std::size_t point) const
@@ -413,7 +420,7 @@ void StudyView::showPictures(render::Image picture, render::Image reference, ren
                     differ ? screenImage(render::heatMap(shown_.errors, shown_.full)) : QImage(),
                     differ ? shortNumber(shown_.full) : QString());
     pictures_->setVisible(true);
-    view_->setVisible(true);
+    view_->parentWidget()->setVisible(true);
     pictures_->setAccessibleDescription(
         tr("Left of the line the setting, right of it the reference; arrows move the line, Enter opens a large view.") +
         QLatin1Char(' ') + shownScale_);

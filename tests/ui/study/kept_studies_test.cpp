@@ -42,7 +42,7 @@ class KeptStudiesTest : public test::OpenStudyDock {
     void showList()
     {
         for (QToolButton* button : dock_->findChildren<QToolButton*>())
-            if (button->text() == QLatin1String("Kept")) button->click();
+            if (button->text() == QLatin1String("History")) button->click();
         QTRY_VERIFY(list()->isVisible() && dock_->kept().width() >= list()->minimumWidth());
     }
     [[nodiscard]] StudyPictures* pictures() { return dock_->view().findChild<StudyPictures*>(); }

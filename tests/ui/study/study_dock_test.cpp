@@ -6,8 +6,11 @@
 #include "tests/ui/ui_main.h"
 
 #include "ui/kit/theme.h"
+#include "ui/model/other_settings.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/parameters/parameter_row.h"
+#include "ui/study/both_settings_button.h"
+#include "ui/study/comparison_dialog.h"
 #include "ui/study/study_chart.h"
 #include "ui/study/study_dock.h"
 #include "ui/study/study_pictures.h"
@@ -533,16 +536,70 @@ private slots:
         QVERIFY(colors.size() > 60);  // A color ramp, and not a few tones of gray and text.
     }
 
-    void theChartIsOfTheThemeInUse()
+    void theChartIsOfTheThemeInUseAndItsFilesAreForPaper()
     {
         dock_->ask(1, row("method"));
         finish();
+        StudyChart& chart = dock_->chart();
+        chart.setFocusPolicy(Qt::NoFocus);
         for (const Theme& each : {lightTheme(), darkTheme()}) {
             applyTheme(*qApp, each);
-            dock_->chart().applyColors();
-            QCOMPARE(dock_->chart().picture({400, 240}, 1).pixelColor(2, 2), each.base);
-            QVERIFY(dock_->chart().svg({400, 240}).contains(each.accent.name().toLatin1()));
+            chart.applyColors();
+            QCOMPARE(chart.grab().toImage().pixelColor(2, 2), each.base);
+            const QRect before = chart.axisRect()->rect();
+            QCOMPARE(chart.picture({400, 240}, 1).pixelColor(2, 2), QColor(Qt::white));
+            QVERIFY(chart.svg({400, 240}).contains(paperTheme().accent.name().toLatin1()));
+            QCOMPARE(chart.axisRect()->rect(), before);
+            QCOMPARE(chart.grab().toImage().pixelColor(2, 2), each.base);
         }
+    }
+
+    void theChartNamesWhatWasMeasuredAndUnderWhichConditions()
+    {
+        dock_->ask(1, row("steps"));
+        finish();
+        const QByteArray svg = dock_->exported("svg");
+        QVERIFY2(svg.contains(
+                     QString("%1: Steps").arg(QString::fromUtf8(gallery_->museum.subject(1).title().data())).toUtf8()),
+                 svg.constData());
+        QVERIFY(svg.contains("16 × 9"));
+        const QByteArray pdf = dock_->exported("pdf");
+        QVERIFY(pdf.startsWith("%PDF-"));
+        // The page is as large as the chart: 960 x 600 pixels of 1/96 inch are 720 x 450 points.
+        QVERIFY2(pdf.contains("/MediaBox [0 0 720.000000 450.000000]"),
+                 pdf.mid(pdf.indexOf("/MediaBox"), 60).constData());
+    }
+
+    void bothSettingsAreMeasuredIntoOneChart()
+    {
+        OtherSettings other(*history_);
+        dock_->offerBoth(other);
+        auto* button = dock_->findChild<BothSettingsButton*>();
+        QVERIFY(button && !button->isVisibleTo(dock_.get()));
+        SceneState b = history_->sceneState();
+        b.values[1].setRow(row("rays"), 64.0);
+        other.hold(b, QStringLiteral("Many rays"));
+        QVERIFY(button->isVisibleTo(dock_.get()));
+        dock_->ask(1, row("steps"));
+        finish();
+        button->click();
+        QVERIFY(dock_->running());
+        finish();
+        finish();
+        auto* dialog = dock_->window()->findChild<ComparisonDialog*>();
+        QVERIFY(dialog != nullptr);
+        const QByteArray csv = dialog->exported(QStringLiteral("csv"));
+        QVERIFY2(csv.contains("B: Many rays"), csv.constData());
+        dialog->close();
+        // A study that is stopped is followed by none.
+        gallery_->frame = std::chrono::milliseconds(5);
+        button->click();
+        dock_->stop();
+        gallery_->frame = {};
+        dock_->ask(1, row("steps"));
+        finish();
+        QTest::qWait(50);
+        QVERIFY(!dock_->running());
     }
 };
 

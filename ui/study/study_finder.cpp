@@ -1,0 +1,72 @@
+#include "ui/study/study_finder.h"
+
+#include "exhibits/framework/table/expression.h"
+#include "ui/kit/type_size.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QPushButton>
+
+namespace vitrine::ui {
+namespace {
+
+QLineEdit* numberField(const QString& name, const QString& start, QWidget* parent)
+{
+    auto* field = new QLineEdit(start, parent);
+    field->setAccessibleName(name);
+    growWidth(*field, 64);
+    field->setAlignment(Qt::AlignRight);
+    return field;
+}
+
+}  // namespace
+
+StudyFinder::StudyFinder(QWidget* parent)
+    : QWidget(parent), error_(numberField(tr("Largest error"), QStringLiteral("0.02"), this)),
+      milliseconds_(numberField(tr("Longest time in milliseconds"), QStringLiteral("10"), this))
+{
+    auto* cheapest = new QPushButton(tr("Find the cheapest setting"), this);
+    cheapest->setAccessibleName(tr("Find the cheapest setting within the error"));
+    auto* best = new QPushButton(tr("Find the best setting"), this);
+    best->setAccessibleName(tr("Find the best setting within the time"));
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(8);
+    for (QWidget* w :
+         std::initializer_list<QWidget*>{cheapest, new QLabel(tr("with an error of at most"), this), error_})
+        row->addWidget(w);
+    row->addSpacing(16);
+    for (QWidget* w : std::initializer_list<QWidget*>{best, new QLabel(tr("within"), this), milliseconds_,
+                                                      new QLabel(tr("ms"), this)})
+        row->addWidget(w);
+    connect(cheapest, &QPushButton::clicked, this, [this] { ask(StudyFind::cheapest); });
+    connect(best, &QPushButton::clicked, this, [this] { ask(StudyFind::best); });
+    connect(error_, &QLineEdit::returnPressed, this, [this] { ask(StudyFind::cheapest); });
+    connect(milliseconds_, &QLineEdit::returnPressed, this, [this] { ask(StudyFind::best); });
+}
+
+void StudyFinder::suggestTime(const StudyResult& result)
+{
+    if (milliseconds_->isModified() || !result.present) return;
+    const StudyPoint& present = result.points[*result.present];
+    if (present.time) milliseconds_->setText(QLocale::c().toString(present.time->median / 2, 'g', 3));
+}
+
+void StudyFinder::ask(StudyFind wanted)
+{
+    const bool byError = wanted == StudyFind::cheapest;
+    const QLineEdit* field = byError ? error_ : milliseconds_;
+    const std::optional<double> limit = evaluate(field->text().trimmed().toStdString(), Unit::none);
+    if (limit && *limit > 0) {
+        emit asked(wanted, *limit);
+        return;
+    }
+    emit refused(tr("\"%1\" is not a limit; type a number above 0, such as %2.")
+                     .arg(field->text(), byError ? QStringLiteral("0.02") : QStringLiteral("10")));
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_study_finder.cpp"
