@@ -43,11 +43,18 @@ void requireColor(const std::string& file, const render::Image& image, Metric me
         throw Failure(Blame::file, "Cannot compare " + file + ": " + why + ".");
 }
 
+render::PictureFormat heatMapFormat(const std::string& file)
+{
+    if (const auto format = render::writtenFormat(file)) return *format;
+    throw Failure(Blame::usage,
+                  "--heatmap " + file + ": give a name that ends in " + render::writtenExtensions() + '.');
+}
+
 int compare(const CompareOptions& options)
 {
     const Metric metric = render::metricNamed(options.metric).value();
     const std::optional<render::PictureFormat> format =
-        options.heatMap.empty() ? std::nullopt : std::optional(pictureFormat("--heatmap", options.heatMap, false));
+        options.heatMap.empty() ? std::nullopt : std::optional(heatMapFormat(options.heatMap));
     std::vector<std::string> warnings;
     const auto [a, b] = comparedFiles(options.reference, options.test, warnings);
     for (const std::string& warning : warnings) say(warning);

@@ -71,7 +71,6 @@ int parseAndRun(int argc, char** argv)
     vitrine::app::Action chosen = [&] { return vitrine::app::openWindow(argc, argv, {}); };
     vitrine::app::addOpenCommand(parser, chosen, argc, argv);
     vitrine::app::addListCommand(parser, chosen);
-    vitrine::app::addRenderCommand(parser, chosen);
     vitrine::app::addTourCommand(parser, chosen);
     vitrine::app::addPresetCommand(parser, chosen);
     vitrine::app::addLessonCommand(parser, chosen);

@@ -1,6 +1,7 @@
 #include "exhibits/jobs.h"
 
 #include "exhibits/jobs/mesh/mesh_job.h"
+#include "exhibits/jobs/picture/picture_job.h"
 #include "exhibits/jobs/proof/proof_job.h"
 #include "exhibits/jobs/record/record_job.h"
 #include "exhibits/jobs/sprite/sprite_job.h"
@@ -14,6 +15,7 @@ const std::vector<std::unique_ptr<const Job>>& allJobs()
 {
     static const auto jobs = [] {
         std::vector<std::unique_ptr<const Job>> all;
+        all.push_back(std::make_unique<PictureJob>());
         all.push_back(std::make_unique<StudyJob>());
         all.push_back(std::make_unique<RecordJob>());
         all.push_back(std::make_unique<ProofJob>());

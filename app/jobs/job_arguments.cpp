@@ -4,8 +4,11 @@
 #include "app/kit/useless_option.h"
 #include "exhibits/jobs/kit/given_values.h"
 #include "exhibits/jobs/kit/job_document.h"
+#include "exhibits/jobs/kit/job_options.h"
 #include "render/failure.h"
 #include "render/text/joined.h"
+#include "render/text/translation.h"
+#include "ui/kit/language.h"
 
 #include <CLI/CLI.hpp>
 
@@ -66,7 +69,16 @@ jobs::JobScene sceneOf(const CLI::App& command, const jobs::Job& job, const JobA
         if (!needs.anySettings) picture.sceneState.camera = state.camera;
     }
     notes.insert(notes.end(), picture.notes.begin(), picture.notes.end());
-    jobs::JobScene scene{&museum, picture.sceneState, picture.subject, picture.request.frame, picture.request.samples};
+    jobs::JobScene scene{&museum, picture.sceneState, picture.subject, picture.request.frame};
+    scene.usual.samples = picture.request.samples;
+    if (picture.taken) {
+        scene.usual.size = picture.taken->size;
+        scene.usual.channels = picture.taken->channels;
+        scene.usual.depth = picture.taken->depth;
+        // Plaques are in the language of the picture.
+        if (picture.taken->language != language() && !ui::languageAsked())
+            ui::speak(QString::fromStdString(picture.taken->language));
+    }
     if (needs.anySettings) scene.pinned = pinnedRows(scene, options.sets, like != nullptr);
     return scene;
 }
@@ -87,9 +99,13 @@ void addJobArguments(CLI::App& command, const jobs::Job& job, JobArguments& type
 {
     const jobs::JobNeeds needs = job.needs();
     if (needs.anyScene) {
-        command.add_option("exhibit", typed.scene.subject, "An exhibit's name, or hall");
+        command.add_option("exhibit", typed.scene.subject, "An exhibit's name, or hall")
+            ->required(needs.carriesSettings);
         addSceneOptions(command, typed.scene);
-        command.remove_option(command.get_option("--samples"));  // A parameter of the jobs that take samples.
+        // What is a parameter of the job is no option of the scene.
+        for (const jobs::JobOption& option : jobs::optionsOf(job.parameters()))
+            if (CLI::Option* ofScene = command.get_option_no_throw(option.name)) command.remove_option(ofScene);
+        if (CLI::Option* samples = command.get_option_no_throw("--samples")) command.remove_option(samples);
     } else if (needs.hasScene()) {
         const std::string subject(needs.anySettings ? "the exhibit" : needs.subject);
         if (needs.anySettings) command.add_option("exhibit", typed.scene.subject, "An exhibit's name, or hall");
@@ -104,9 +120,14 @@ void addJobArguments(CLI::App& command, const jobs::Job& job, JobArguments& type
                        needs.extensions.empty() ? "Output folder; an older output in it is replaced"
                                                 : "Output file (" + extensionsText(job) +
                                                       "); further files have the same name and other endings");
-    command.add_option("--like", typed.like,
-                       "File whose settings are the initial ones: a settings document (.vitrine-job.json), or an "
-                       "output with one beside it");
+    if (!needs.carriesSettings)
+        command.add_option("--like", typed.like,
+                           "File whose settings are the initial ones: a settings document (.vitrine-job.json), or an "
+                           "output with one beside it");
+    if (needs.reports)
+        command.add_option("--report", typed.report,
+                           "File for the frame report as JSON: passes that ran, passes that were skipped and why, "
+                           "counters, times, memory by owner");
     command.add_flag("--dry-run", typed.dryRun, "Print what would be written; write nothing");
 }
 
@@ -133,6 +154,8 @@ OrderedJob orderedJob(const CLI::App& command, const jobs::Job& job, const JobAr
         for (const auto& [option, what] : job.idleOptions(order.values, order.scene))
             refuseOn(command, option, true, what);
     }
+    order.scene = job.sceneFor(order.values, std::move(order.scene));
+    order.reportFile = typed.report;
     ordered.plan = job.plan(order.values, order.scene, *order.inputs, order.out);
     return ordered;
 }

@@ -19,7 +19,7 @@ namespace vitrine::app {
 struct JobArguments {
     TypedParameters parameters;
     PictureOptions scene;
-    std::string out, like;
+    std::string out, like, report;
     bool dryRun = false;
 };
 

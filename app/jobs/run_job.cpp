@@ -2,6 +2,7 @@
 
 #include "app/jobs/job_folder.h"
 #include "app/kit/progress.h"
+#include "app/kit/report.h"
 #include "app/kit/say.h"
 #include "app/kit/stop_signal.h"
 #include "render/failure.h"
@@ -161,6 +162,19 @@ int runJob(const jobs::Job& job, jobs::JobOrder order, const jobs::JobPlan& plan
     render::gl::ContextInfo drawn;
     order.backend = [&drawn] { return headlessBackend(&drawn); };
     order.machine = [&drawn] { return render::gl::machineJson(drawn); };
+    std::shared_ptr<HeadlessRenderer> renderer;  // Measures the report after the picture is drawn.
+    if (!order.reportFile.empty()) {
+        order.backend = [&drawn, &renderer] {
+            renderer = std::make_shared<HeadlessRenderer>();
+            drawn = renderer->context.info();
+            return sharedBackend({renderer, &renderer->renderer});
+        };
+        order.frameReport = [&drawn, &renderer](const jobs::JobScene& scene, const PictureRequest& request,
+                                                const render::FrameReport& first) {
+            return pictureReport(*scene.museum, renderer->renderer, drawn, {scene.subject, scene.state, request},
+                                 first);
+        };
+    }
     const JobFolder* folder = folderOf(job);
     std::optional<Parts> made;
     std::unique_ptr<StudyParts> measures;

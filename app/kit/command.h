@@ -19,7 +19,6 @@ int openWindow(int& argc, char** argv, const std::vector<std::string>& files);
 void addOpenCommand(CLI::App&, Action& chosen, int& argc, char** argv);
 /// Each function adds its command to the parser. When that command is given, parsing sets `chosen`.
 void addListCommand(CLI::App&, Action& chosen);
-void addRenderCommand(CLI::App&, Action& chosen);
 void addTourCommand(CLI::App&, Action& chosen);
 void addPresetCommand(CLI::App&, Action& chosen);
 void addLessonCommand(CLI::App&, Action& chosen);

@@ -34,31 +34,6 @@ std::vector<std::string> split(const std::string& text, char separator)
     return parts;
 }
 
-bool isLinear(const std::string& file)
-{
-    const auto format = render::writtenFormat(file);
-    return format && render::fileFormat(*format).isLinear;
-}
-
-Channels parseChannels(const std::string& text, PictureRequest& request, bool& beyondColor)
-{
-    Channels channels;
-    for (const std::string& name : split(text, ',')) {
-        if (name == "depth")
-            request.depth = true;
-        else if (name == "normal")
-            channels.normal = true;
-        else if (name == "evaluations")
-            channels.evaluations = true;
-        else if (name != "color")
-            throw Failure(Blame::usage,
-                          "--channels: \"" + name +
-                              "\" is no channel; give color, depth, normal or evaluations, separated by commas.");
-        beyondColor = beyondColor || name != "color";
-    }
-    return channels;
-}
-
 glm::dmat4 exhibitTransform(const PictureOptions& options, const PictureRecord* taken)
 {
     if (taken && options.rotate.empty() && options.scale.empty()) return taken->exhibitTransform;
@@ -79,23 +54,6 @@ glm::dmat4 exhibitTransform(const PictureOptions& options, const PictureRecord* 
         m = glm::scale(m, scale);
     }
     return m;
-}
-
-/// Sets the channels of the file, and whether samples are averaged in linear light.
-void setChannels(const PictureOptions& options, const PictureRecord* taken, PictureRequest& request)
-{
-    bool beyondColor = false;
-    const bool linear = isLinear(options.out);
-    if (!options.channels.empty()) {
-        request.frame.channels = parseChannels(options.channels, request, beyondColor);
-    } else if (taken && linear) {
-        request.frame.channels = taken->channels;
-        request.depth = taken->depth;
-    }
-    request.frame.averageIn = linear ? AverageIn::radiance : AverageIn::display;
-    if (beyondColor && !linear && !options.out.empty())
-        throw Failure(Blame::usage,
-                      "--channels: only OpenEXR carries more than color; give --out a name that ends in .exr.");
 }
 
 std::vector<std::string> namesOf(const Museum& museum)
@@ -136,17 +94,6 @@ void setCamera(const PictureOptions& options, render::Camera& camera)
     if (!options.eye.empty()) camera.eye = parseTriple("--eye", options.eye, Unit::meter);
     if (!options.target.empty()) camera.target = parseTriple("--target", options.target, Unit::meter);
     if (options.fovDegrees > 0) camera.fovY = options.fovDegrees * std::numbers::pi / 180;
-}
-
-render::PictureFormat pictureFormat(const std::string& option, const std::string& file, bool sixteenBit)
-{
-    const std::optional<int> bits = sixteenBit ? std::optional(16) : std::nullopt;
-    if (const auto format = render::writtenFormat(file, bits)) return *format;
-    if (render::writtenFormat(file))
-        throw Failure(Blame::usage, option + ' ' + file + ": this format holds no 16 bits; give a name that ends in " +
-                                        render::writtenExtensions(bits) + ", or leave --sixteen-bit out.");
-    throw Failure(Blame::usage,
-                  option + ' ' + file + ": give a name that ends in " + render::writtenExtensions() + '.');
 }
 
 glm::dvec3 parseTriple(const std::string& option, const std::string& text, Unit unit)
@@ -235,20 +182,6 @@ void addSceneOptions(CLI::App& command, PictureOptions& o, const std::string& he
         ->group(heading);
     add("--environment", o.environment, "File of a panorama that replaces the sky");
     add("--model", o.model, "File of a glTF object that stands on the free plinth");
-}
-
-void addPictureOptions(CLI::App& command, PictureOptions& o)
-{
-    command.add_option("--size", o.size, "Width x height in pixels")
-        ->each([](const std::string& typed) { (void)parseSize("--size", typed); })
-        ->default_str(usualPictureSize);
-    addSceneOptions(command, o);
-    command.add_flag("--run-everything", o.everything,
-                     "Run all passes, even those that can be skipped. The picture stays the same; this is a check");
-    command
-        .add_option("--channels", o.channels,
-                    "Channels of an OpenEXR file, separated by commas: color, depth, normal, evaluations")
-        ->default_str("color");
 }
 
 namespace {
@@ -433,7 +366,6 @@ RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& op
     frame.seed = options.seed.value_or(taken ? taken->seed : 1);
     frame.transparent = options.transparent || (taken && taken->transparent);
     if (frame.transparent && !alone && !isHall) frame.cutOut = *subject;
-    frame.runEverything = options.everything;
     frame.needsFiles = true;  // A missing file must fail: a picture without a named object would be wrong.
     frame.exhibitTransform = exhibitTransform(options, taken);
     if (alone)
@@ -441,7 +373,6 @@ RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& op
     else if (!isHall)
         frame.subject = *subject;
     job.request.samples = options.samples > 0 ? options.samples : chosenSamples(job, supersamples);
-    setChannels(options, taken, job.request);
     return job;
 }
 

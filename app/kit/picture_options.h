@@ -34,14 +34,10 @@ struct PictureOptions {
     double fovDegrees = 0;  ///< 0: that of the view.
     bool alone = false;
     bool transparent = false;
-    bool everything = false;
-    int samples = 0;       ///< 0: the hall's supersamples if they were set, or 4.
-    std::string channels;  ///< Empty: those of the picture that `preset` names, or color only.
+    int samples = 0;  ///< 0: the hall's supersamples if they were set, or 4.
     std::string environment, model;
 };
 
-/// Adds all options that describe a picture to a command.
-void addPictureOptions(CLI::App&, PictureOptions&);
 /// Adds the options about the scene and the view, but not those about size and file. All have one heading.
 void addSceneOptions(CLI::App&, PictureOptions&, const std::string& heading = "Options");
 
@@ -87,9 +83,6 @@ struct NamedRow {
 /// Animates one parameter: "name=motion", in the notation of `typedMotion`. Throws Failure (Blame::usage) naming the
 /// option.
 void applyMotion(const Museum&, SceneState&, std::size_t subject, const std::string& assignment);
-
-/// Returns the format that belongs to the file's suffix. Throws Failure (Blame::usage) naming the option.
-[[nodiscard]] render::PictureFormat pictureFormat(const std::string& option, const std::string& file, bool sixteenBit);
 
 /// Parses "1.5,2,0" as three finite numbers; plain ones are in `unit`. Throws Failure (Blame::usage) naming the option.
 [[nodiscard]] glm::dvec3 parseTriple(const std::string& option, const std::string& text, Unit unit = Unit::none);

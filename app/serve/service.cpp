@@ -17,6 +17,8 @@
 #include "exhibits/framework/files/preset_store.h"
 #include "exhibits/framework/table/preset_values.h"
 #include "exhibits/jobs.h"
+#include "exhibits/jobs/picture/picture_job.h"
+#include "exhibits/jobs/picture/picture_table.h"
 #include "exhibits/museum/picture_settings.h"
 #include "render/failure.h"
 #include "render/files/assets.h"
@@ -28,6 +30,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -77,6 +80,12 @@ const std::vector<Service::Entry>& Service::methods()
     return all;
 }
 
+bool Service::hasMethod(std::string_view name)
+{
+    const std::vector<Entry>& all = methods();
+    return std::any_of(all.begin(), all.end(), [&](const Entry& entry) { return entry.name == name; });
+}
+
 std::string Service::methodsText()
 {
     std::string text;
@@ -86,6 +95,7 @@ std::string Service::methodsText()
     };
     for (const Entry& entry : methods()) add(entry.name, entry.help);
     for (const auto& job : jobs::allJobs()) {
+        if (hasMethod(job->name())) continue;
         const std::string name(job->name());
         const bool answers = job->needs().answers;
         add(name, (answers ? "{...} as of `vitrine " : "{out, ...} as of `vitrine ") + name + "`: " +
@@ -103,6 +113,7 @@ Json Service::answer(const std::string& method, const Json& params, const Watch&
         names += std::string(entry.name) + ", ";
     }
     for (const auto& job : jobs::allJobs()) {
+        if (hasMethod(job->name())) continue;
         if (method == job->name()) return runJob(*job, params, watch);
         names += std::string(job->name()) + ", ";
     }
@@ -130,7 +141,8 @@ Json Service::discover(const Json& params, const Watch& watch)
         add(entry.name, entry.help,
             schemaOf([&] { return entry.method ? (this->*entry.method)(nullptr, watch) : Json(); }));
     for (const auto& job : jobs::allJobs())
-        add(job->name(), std::string(job->summary()), schemaOf([&] { return runJob(*job, nullptr, watch); }));
+        if (!hasMethod(job->name()))
+            add(job->name(), std::string(job->summary()), schemaOf([&] { return runJob(*job, nullptr, watch); }));
     return {{"app", render::programVersion()}, {"methods", all}};
 }
 
@@ -281,9 +293,21 @@ namespace {
 /// Largest size of a picture in an answer, in bytes.
 constexpr std::size_t mostAnswerBytes = 48U << 20U;
 
-Json sizeJson(const RequestedPicture& job)
+Json sizeJson(const PictureRequest& request)
 {
-    return Json::array({job.request.frame.raster.size.x, job.request.frame.raster.size.y});
+    return Json::array({request.frame.raster.size.x, request.frame.raster.size.y});
+}
+
+const jobs::Job& pictureJob()
+{
+    return *jobs::findJob("render");
+}
+
+/// Adds the arguments of `vitrine render`, but not those that only a command has.
+void addPictureArguments(CLI::App& options, JobArguments& arguments)
+{
+    addJobArguments(options, pictureJob(), arguments);
+    for (const char* ofCommand : {"--report", "--dry-run"}) options.remove_option(options.get_option(ofCommand));
 }
 
 /// Returns the notes on corrected values, and the complaints of the drawn pictures.
@@ -295,12 +319,12 @@ Json notesJson(const std::vector<std::string>& notes, const std::vector<render::
     return json;
 }
 
-std::string pictureInBase64(const RequestedPicture& job, const PictureMaker& maker, render::PictureFormat format,
+std::string pictureInBase64(const PictureRequest& request, const PictureMaker& maker, render::PictureFormat format,
                             const render::PictureMetadata& metadata)
 {
     const std::string bytes = render::encodedPicture("The picture", maker.picture(), format, metadata);
     if (bytes.size() > mostAnswerBytes)
-        throw Failure(Blame::usage, "render: a picture of " + sizeJson(job).dump() + " pixels has " +
+        throw Failure(Blame::usage, "render: a picture of " + sizeJson(request).dump() + " pixels has " +
                                         std::to_string(bytes.size()) + " bytes, and an answer takes " +
                                         std::to_string(mostAnswerBytes) + "; let out name a file.");
     return base64(bytes);
@@ -308,61 +332,71 @@ std::string pictureInBase64(const RequestedPicture& job, const PictureMaker& mak
 
 }  // namespace
 
+JobStart Service::start(bool answers) const
+{
+    return {[this]() -> const Museum& { return museum_; }, &sceneState_,
+            [this](const std::string& exhibit) { return cameraOf(exhibit); }, answers};
+}
+
 Json Service::planPicture(const Json& params, const Watch&)
 {
-    PictureOptions picture;
+    JobArguments arguments;
     CLI::App options;
-    options.add_option("exhibit", picture.subject)->required();
-    addPictureOptions(options, picture);
+    addPictureArguments(options, arguments);
+    options.remove_option(options.get_option("--out"));
     readParams(options, "plan", params);
-    const RequestedPicture job = requestedPicture(museum_, picture, sceneState_, cameraOf(picture.subject));
-    PictureMaker maker(museum_, renderer_, job.sceneState, job.request);
+    const OrderedJob ordered = orderedJob(options, pictureJob(), arguments, start(true));
+    if (!ordered.plan.refusal.empty()) throw Failure(Blame::usage, ordered.plan.refusal);
+    const jobs::JobScene& scene = ordered.order.scene;
+    const PictureRequest request = jobs::pictureRequest(ordered.order.values, scene, {});
+    PictureMaker maker(museum_, renderer_, scene.state, request);
     const render::FramePlan plan = maker.firstPlan();
-    return Json{{"exhibit", picture.subject},
-                {"size", sizeJson(job)},
+    return Json{{"exhibit", std::string(museum_.subject(scene.subject).name())},
+                {"size", sizeJson(request)},
                 {"runs", plannedJson(plan.passes())},
                 {"skipped", skippedJson(plan.skipped())},
-                {"notes", notesJson(job.notes, plan.skipped())}};
+                {"notes", notesJson(ordered.notes, plan.skipped())}};
 }
 
 Json Service::renderPicture(const Json& params, const Watch& watch)
 {
-    PictureOptions picture;
+    JobArguments arguments;
     std::string raw;
-    bool sixteenBit = false, withReport = false;
+    bool withReport = false;
     CLI::App options;
-    options.add_option("exhibit", picture.subject)->required();
-    options.add_option("--out", picture.out);
-    options.add_flag("--sixteen-bit", sixteenBit);
+    addPictureArguments(options, arguments);
     options.add_flag("--frame-report", withReport, "The report of `vitrine render --report` in the answer");
     addRawOption(options, raw);
-    addPictureOptions(options, picture);
     readParams(options, "render", params);
-    requireRawChannels(raw, picture.channels);
-    const bool inAnswer = picture.out.empty();
-    if (inAnswer) picture.out = raw == rawLinear ? answerOfLight : answerOnDisplay;
-    const render::PictureFormat format = pictureFormat("--out", picture.out, sixteenBit);
-    const RequestedPicture job = requestedPicture(museum_, picture, sceneState_, cameraOf(picture.subject));
+    const bool inAnswer = arguments.out.empty();
+    if (inAnswer) arguments.out = raw == rawLinear ? answerOfLight : answerOnDisplay;
+    const OrderedJob ordered = orderedJob(options, pictureJob(), arguments, start(true));
+    const jobs::JobOrder& order = ordered.order;
+    requireRawChannels(raw, order.values[pictureTable().channels]);
+    if (!ordered.plan.refusal.empty()) throw Failure(Blame::usage, ordered.plan.refusal);
+    const render::PictureFormat format = jobs::pictureFormat(order.values, order.out);
+    const RequestedPicture job{order.scene.subject, order.scene.state,
+                               jobs::pictureRequest(order.values, order.scene, order.out)};
     PictureMaker maker(museum_, renderer_, job.sceneState, job.request);
     do watch(maker.progress(), "drawing");
     while (maker.step());
     const render::PictureMetadata metadata{
         .preset = pictureSettings(museum_, job.subject, job.sceneState, job.request, "Picture")};
-    Json answer{{"exhibit", picture.subject}, {"size", sizeJson(job)}};
+    Json answer{{"exhibit", std::string(museum_.subject(job.subject).name())}, {"size", sizeJson(job.request)}};
     if (!raw.empty()) {
         answer["binary"] = rawJson(maker.picture());
         bytes_ = rawBytes(maker.picture(), raw);
     } else if (inAnswer) {
-        answer["png"] = pictureInBase64(job, maker, format, metadata);
+        answer["png"] = pictureInBase64(job.request, maker, format, metadata);
     } else {
-        render::writePicture(picture.out, maker.picture(), format, metadata);
-        answer["out"] = std::filesystem::absolute(picture.out).string();
+        render::writePicture(order.out, maker.picture(), format, metadata);
+        answer["out"] = std::filesystem::absolute(order.out).string();
     }
     if (withReport) {
         const auto between = [&] { watch(maker.progress(), "measuring"); };
         answer["frame_report"] = pictureReport(museum_, renderer_, gl_, job, maker.report(), between);
     }
-    answer["notes"] = notesJson(job.notes, maker.report().skipped);
+    answer["notes"] = notesJson(ordered.notes, maker.report().skipped);
     return answer;
 }
 
@@ -391,9 +425,7 @@ Json Service::runJob(const jobs::Job& job, const Json& params, const Watch& watc
     addJobArguments(options, job, arguments);
     if (answers) options.remove_option(options.get_option("--out"));
     readParams(options, std::string(job.name()), params);
-    OrderedJob ordered = orderedJob(options, job, arguments,
-                                    {[this]() -> const Museum& { return museum_; }, &sceneState_,
-                                     [this](const std::string& exhibit) { return cameraOf(exhibit); }, answers});
+    OrderedJob ordered = orderedJob(options, job, arguments, start(answers));
     Json answer;
     if (arguments.dryRun) {
         answer = planJson(job, ordered.plan);

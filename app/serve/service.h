@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/jobs/job_arguments.h"
 #include "exhibits/jobs/kit/job.h"
 #include "exhibits/museum/museum.h"
 #include "render/files/strict_json.h"
@@ -46,6 +47,8 @@ private:
         const char* help;
     };
     static const std::vector<Entry>& methods();
+    /// Returns whether a method is written by hand, and not derived from a job.
+    [[nodiscard]] static bool hasMethod(std::string_view name);
 
     render::Json discover(const render::Json&, const Watch&);
     render::Json listExhibits(const render::Json&, const Watch&);
@@ -59,6 +62,8 @@ private:
     render::Json comparePictures(const render::Json&, const Watch&);
     render::Json runJob(const jobs::Job&, const render::Json&, const Watch&);
 
+    /// Returns where jobs begin: the service's scene state and cameras.
+    [[nodiscard]] JobStart start(bool answers) const;
     [[nodiscard]] std::size_t subjectNamed(const std::string& name) const;
     [[nodiscard]] std::optional<render::Camera> cameraOf(const std::string& name) const;
     /// Replaces the scene state, and notes the changes.

@@ -2,6 +2,8 @@
 
 #include "render/text/translation.h"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace vitrine {
@@ -22,6 +24,15 @@ PictureRecord pictureRecord(const PictureRequest& request, const render::Camera&
     if (!(frame.camera == ofExhibition)) record.camera = frame.camera;
     record.language = language();
     return record;
+}
+
+render::Camera widened(const render::Camera& camera, double aspect)
+{
+    constexpr double widest = 2.6;  // Radians. A wider field of view distorts too much.
+    if (!(aspect > 0) || aspect >= keptAspect) return camera;
+    render::Camera wide = camera;
+    wide.fovY = std::max(camera.fovY, std::min(2 * std::atan(std::tan(camera.fovY / 2) * keptAspect / aspect), widest));
+    return wide;
 }
 
 int usualSamples(const ParameterValues& hall)

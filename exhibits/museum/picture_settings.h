@@ -11,6 +11,13 @@ namespace vitrine {
 /// exhibition: if the exhibit is shown alone, where its own space is the world, or if the view was widened.
 [[nodiscard]] PictureRecord pictureRecord(const PictureRequest&, const render::Camera& ofExhibition);
 
+/// Aspect ratio (width / height) for which the exhibits' best views are made.
+inline constexpr double keptAspect = 1.5;
+
+/// Returns the camera for a picture of this aspect ratio (width / height). Below `keptAspect` the field of view grows,
+/// so that the picture shows as much from left to right as one of that ratio does.
+[[nodiscard]] render::Camera widened(const render::Camera&, double aspect);
+
 /// Returns the samples per pixel of a picture if nothing else gives them: the hall's supersamples if they are set,
 /// or 4.
 [[nodiscard]] int usualSamples(const ParameterValues& hall);

@@ -117,8 +117,9 @@ void expectSamePicture(const std::string& file, std::size_t subject, const Scene
     EXPECT_EQ(a.cutOut, b.cutOut) << file;
     EXPECT_EQ(a.subject, b.subject) << file;
     EXPECT_TRUE(a.exhibitTransform == b.exhibitTransform) << file;
-    EXPECT_TRUE(a.channels == b.channels) << file;
-    EXPECT_EQ(again.request.depth, request.depth) << file;
+    ASSERT_TRUE(again.taken) << file;
+    EXPECT_TRUE(again.taken->channels == b.channels) << file;
+    EXPECT_EQ(again.taken->depth, request.depth) << file;
     EXPECT_EQ(again.request.samples, request.samples) << file;
 }
 

@@ -140,15 +140,6 @@ render::Camera Glide::camera() const
     return camera;
 }
 
-render::Camera widened(const render::Camera& camera, double aspect)
-{
-    constexpr double widest = 2.6;  // Radians. A wider field of view distorts too much.
-    if (!(aspect > 0) || aspect >= keptAspect) return camera;
-    render::Camera wide = camera;
-    wide.fovY = std::max(camera.fovY, std::min(2 * std::atan(std::tan(camera.fovY / 2) * keptAspect / aspect), widest));
-    return wide;
-}
-
 void CameraControl::jumpTo(const render::Camera& camera)
 {
     const bool stands = std::abs(camera.eye.y - Walker::eyeHeight) < 0.01;

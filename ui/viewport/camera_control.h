@@ -101,13 +101,6 @@ private:
     double elapsed_ = duration;
 };
 
-/// Aspect ratio (width / height) for which the exhibits' best views are made.
-inline constexpr double keptAspect = 1.5;
-
-/// Returns `camera` for a picture of this aspect ratio (width / height). Below 3:2 the field of view grows, so that the
-/// picture shows as much from left to right as one of 3:2 does.
-[[nodiscard]] render::Camera widened(const render::Camera& camera, double aspect);
-
 /// Camera of the visitor: walks, glides to an exhibit, orbits it, and walks on.
 class CameraControl {
 public:

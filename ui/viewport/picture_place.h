@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/viewport/camera_control.h"
+#include "exhibits/museum/picture_settings.h"
 
 #include <QRectF>
 #include <QSize>

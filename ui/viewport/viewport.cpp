@@ -2,6 +2,7 @@
 
 #include "exhibits/framework/scene/tree.h"
 #include "exhibits/framework/table/acting.h"
+#include "exhibits/museum/picture_settings.h"
 #include "render/failure.h"
 #include "ui/kit/language.h"
 #include "ui/kit/message_of.h"

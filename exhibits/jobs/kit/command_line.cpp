@@ -25,7 +25,7 @@ std::vector<std::string> commandOf(const Job& job, const JobOrder& order)
     if (scene.museum && job.needs().anyScene) {
         words.insert(words.begin() + 1, std::string(scene.museum->subject(scene.subject).name()));
         if (scene.frame.alone) words.emplace_back("--alone");
-        if (scene.frame.transparent) words.emplace_back("--transparent");
+        if (scene.frame.transparent && !job.parameters().find("transparent")) words.emplace_back("--transparent");
         for (std::string& word :
              sceneWords(*scene.museum, scene.state, scene.frame, job.usesCamera(order.values, scene)))
             words.push_back(std::move(word));

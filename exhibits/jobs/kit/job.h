@@ -3,6 +3,7 @@
 #include "exhibits/framework/scene/frame_request.h"
 #include "exhibits/framework/table/parameters.h"
 #include "exhibits/museum/museum.h"
+#include "exhibits/museum/picture.h"
 #include "render/files/strict_json.h"
 #include "render/plan/render_backend.h"
 
@@ -30,13 +31,23 @@ struct SceneRow {
     bool operator==(const SceneRow&) const = default;
 };
 
+/// Values of a picture's parameters that are left to the scene.
+struct UsualPicture {
+    int samples = 0;      ///< Samples per pixel of the picture whose settings were taken; 0: unknown.
+    glm::ivec2 size{0};   ///< Pixels of that picture, or of the view in the window; 0: unknown.
+    Channels channels{};  ///< Further channels of that picture.
+    bool depth = false;   ///< Whether it had a channel of depths.
+    /// Whether the field of view grows for a narrow picture, as in the window (`widened`).
+    bool widens = false;
+};
+
 /// Scene that a job works on: the museum and everything that is set in it.
 struct JobScene {
     const Museum* museum = nullptr;  ///< Null for a job without a scene. Must outlive what is made of it.
     SceneState state = {};
     std::size_t subject = 0;  ///< In `Museum::subjects`.
     FrameRequest frame = {};
-    int samples = 0;  ///< Samples per pixel of the picture whose settings were taken; 0: unknown.
+    UsualPicture usual = {};
     /// Parameters that were set one by one, which a job with `JobNeeds::anySettings` does not change.
     std::vector<SceneRow> pinned = {};
 };
@@ -53,7 +64,10 @@ struct JobNeeds {
     std::vector<std::string_view> extensions = {};
     bool inWindow = false;  ///< Whether the window offers it.
     bool inParts = false;   ///< Whether several processes can share it.
-    bool answers = false;   ///< Whether the service answers what was made (`JobRun::answer`) in place of writing it.
+    bool reports = false;   ///< Whether it can write the report of a frame (`JobOrder::frameReport`).
+    /// Whether the output itself carries the settings, so that no document lies beside it.
+    bool carriesSettings = false;
+    bool answers = false;  ///< Whether the service answers what was made (`JobRun::answer`) in place of writing it.
 
     [[nodiscard]] bool hasScene() const { return anyScene || anySettings || !subject.empty(); }
     /// Whether it works on an exhibit that people choose.
@@ -164,6 +178,10 @@ struct JobOrder {
     int largestTile = 2048;  ///< Largest side of what is drawn in one step, in pixels.
     /// Describes the machine that draws. Called after the backend was made.
     std::function<render::Json()> machine = {};
+    /// Measures the report of a picture's frame. `first`: report of its first sample. Empty: none is written.
+    std::function<render::Json(const JobScene&, const PictureRequest&, const render::FrameReport& first)> frameReport =
+        {};
+    std::filesystem::path reportFile = {};
     /// Writes the folder of a job whose pages and charts are made by the program. Empty: the job writes all files.
     std::function<void(const JobRun&)> writeFolder = {};
 };
@@ -178,6 +196,8 @@ public:
     [[nodiscard]] virtual std::string_view name() const = 0;
     /// Returns the title of its dialog: "Export sprites".
     [[nodiscard]] virtual std::string_view title() const = 0;
+    /// Returns what it makes, as an entry of a list: "Sprites".
+    [[nodiscard]] virtual std::string_view product() const { return title(); }
     /// Returns one sentence without a full stop, for the help of the command.
     [[nodiscard]] virtual std::string_view summary() const = 0;
     [[nodiscard]] virtual const Parameters& parameters() const = 0;
@@ -203,6 +223,12 @@ public:
     /// Returns the pattern of the files that a part makes instead of `out`: "%06d.png". Empty: a part makes its items
     /// of `out` itself, and there is nothing to merge.
     [[nodiscard]] virtual std::string partItems(const std::filesystem::path&) const { return {}; }
+    /// Returns the scene as the job shows it with these values. Command lines and runs use this scene.
+    [[nodiscard]] virtual JobScene sceneFor(const ParameterValues&, JobScene scene) const { return scene; }
+    /// Returns a sentence on how a draft differs from the whole.
+    [[nodiscard]] virtual std::string_view draftNote() const { return "The preview shows a part of it."; }
+    /// Returns the effort of a run, relative to that of other values: samples that are drawn. 0: unknown.
+    [[nodiscard]] virtual double effort(const ParameterValues&, const JobScene&) const { return 0; }
     /// Returns the values of a smaller run that previews the whole one.
     [[nodiscard]] virtual ParameterValues draft(const ParameterValues& values, const JobInputs&) const
     {

@@ -23,7 +23,7 @@ Json sceneJson(const Job& job, const JobScene& scene)
     const bool any = job.needs().anyScene;
     PictureRequest picture;
     picture.frame = scene.frame;
-    picture.samples = scene.samples != 0 ? scene.samples : usualSamples(scene.state.hall());
+    picture.samples = scene.usual.samples != 0 ? scene.usual.samples : usualSamples(scene.state.hall());
     Json json = render::parseJson(pictureSettings(*scene.museum, scene.subject, scene.state, picture,
                                                   "Settings of a job", any ? nullptr : &scene.state.camera),
                                   "scene")

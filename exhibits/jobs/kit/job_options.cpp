@@ -190,9 +190,12 @@ Value readWord(const std::string& option, const ParameterInfo& parameter, const 
     if (parameter.isNumeric()) {
         const bool isWord =
             std::any_of(parameter.words.begin(), parameter.words.end(), [&](const Word& w) { return w.text == word; });
-        if (const auto plain = evaluate(word, parameter.given.unit); plain && !isWord)
+        if (const auto plain = evaluate(word, parameter.given.unit); plain && !isWord) {
+            // A value outside of the range that has a word is typed as that word: "auto", not 0.
+            if (parameter.wordFor(*plain) && !(*plain >= parameter.range.low && *plain <= parameter.range.high))
+                throw refuse();
             value = *plain;
-        else
+        } else
             value = parseValue(parameter, word);
         if (!value) refuseDecimalComma(option, word);
     } else {

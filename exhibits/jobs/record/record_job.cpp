@@ -53,7 +53,7 @@ RecordingRequest requestOf(const ParameterValues& values, const JobScene& scene)
     request.picture.frame.raster.size = {values[t.width], values[t.height]};
     request.picture.frame.needsFiles = true;
     request.picture.samples = values[t.samples];
-    if (request.picture.samples == 0) request.picture.samples = scene.samples;
+    if (request.picture.samples == 0) request.picture.samples = scene.usual.samples;
     if (request.picture.samples == 0) request.picture.samples = scene.museum ? usualSamples(scene.state.hall()) : 1;
     request.seconds = values[t.seconds];
     request.framesPerSecond = values[t.framesPerSecond];

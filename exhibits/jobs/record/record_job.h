@@ -9,6 +9,7 @@ class RecordJob final : public Job {
 public:
     [[nodiscard]] std::string_view name() const override { return "record"; }
     [[nodiscard]] std::string_view title() const override { return "Record"; }
+    [[nodiscard]] std::string_view product() const override { return "Recording"; }
     [[nodiscard]] std::string_view summary() const override
     {
         return "Record a video or frames: around an exhibit, through the hall, or along the bookmarks of a tour";

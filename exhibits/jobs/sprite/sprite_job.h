@@ -45,6 +45,7 @@ class SpriteJob final : public Job {
 public:
     [[nodiscard]] std::string_view name() const override { return "sprite"; }
     [[nodiscard]] std::string_view title() const override { return "Export sprites"; }
+    [[nodiscard]] std::string_view product() const override { return "Sprites"; }
     [[nodiscard]] std::string_view summary() const override
     {
         return "Draw an object from all sides as a sprite sheet, with normals, depth and Aseprite's JSON beside it";

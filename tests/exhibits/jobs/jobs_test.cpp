@@ -107,6 +107,10 @@ TEST(EveryJob, HasAnOptionAKeyAndAHelpTextForEachParameter)
         if (job->needs().anyScene)
             names.insert({"--settings-only", "--animate", "--time", "--seed", "--eye", "--target", "--fov", "--scale",
                           "--rotate", "--alone", "--transparent", "--environment", "--model"});
+        // A parameter takes the place of an option of the scene.
+        for (const JobOption& option : optionsOf(job->parameters()))
+            if (job->needs().anyScene && option.name == "--transparent") names.erase(option.name);
+        if (job->needs().reports) names.insert("--report");
         if (job->needs().inParts) names.insert({"--shard", "--from-parts"});
         std::set<std::size_t> given;
         const render::Json schema = schemaOf(*job);
@@ -500,7 +504,7 @@ TEST(JobDocument, OfAnySceneHoldsWhatIsShownAndHow)
     order.scene.frame.time = 1.5;
     order.scene.frame.seed = 7;
     order.scene.frame.transparent = true;
-    order.scene.samples = 9;
+    order.scene.usual.samples = 9;
     const JobDocument read = parseDocument(documentText(job, order, {}), "a.json", job, order.scene.museum);
     EXPECT_EQ(read.chosen, "sdf_morph");
     ASSERT_TRUE(read.taken);

@@ -1,5 +1,6 @@
 #include "tests/ui/ui_main.h"
 
+#include "exhibits/museum/picture_settings.h"
 #include "ui/viewport/camera_control.h"
 #include "ui/viewport/picture_place.h"
 

@@ -2,6 +2,7 @@
 #include "tests/ui/point_at.h"
 #include "tests/ui/ui_main.h"
 
+#include "exhibits/museum/picture_settings.h"
 #include "render/image/image_io.h"
 #include "render/version.h"
 #include "ui/export/picture_export.h"

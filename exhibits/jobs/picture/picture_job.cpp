@@ -1,0 +1,260 @@
+#include "exhibits/jobs/picture/picture_job.h"
+
+#include "exhibits/jobs/picture/picture_table.h"
+#include "exhibits/museum/picture_settings.h"
+#include "render/failure.h"
+#include "render/files/atomic_write.h"
+#include "render/files/number_text.h"
+#include "render/plan/diagnostics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace vitrine {
+
+const PictureTable& pictureTable()
+{
+    static const PictureTable table;
+    return table;
+}
+
+namespace jobs {
+namespace {
+
+constexpr glm::ivec2 usualSize{640, 360};
+constexpr int draftSide = 480;  // Pixels.
+
+glm::ivec2 sizeOf(const ParameterValues& values, const JobScene& scene)
+{
+    const glm::ivec2 usual = scene.usual.size.x > 0 && scene.usual.size.y > 0 ? scene.usual.size : usualSize;
+    const int width = values[pictureTable().width], height = values[pictureTable().height];
+    const double aspect = static_cast<double>(usual.x) / usual.y;
+    if (width > 0 && height > 0) return {width, height};
+    if (width > 0) return {width, std::max(1, static_cast<int>(std::lround(width / aspect)))};
+    if (height > 0) return {std::max(1, static_cast<int>(std::lround(height * aspect))), height};
+    return usual;
+}
+
+int samplesOf(const ParameterValues& values, const JobScene& scene)
+{
+    if (const int given = values[pictureTable().samples]; given > 0) return given;
+    if (scene.usual.samples > 0) return scene.usual.samples;
+    return scene.museum ? usualSamples(scene.state.hall()) : 1;
+}
+
+/// Channels that a text names. Throws Failure (Blame::usage).
+struct NamedChannels {
+    Channels channels;
+    bool depth = false, beyondColor = false;
+};
+NamedChannels channelsNamed(const std::string& text)
+{
+    NamedChannels named;
+    std::istringstream parts(text);
+    for (std::string name; std::getline(parts, name, ',');) {
+        std::erase(name, ' ');
+        if (name == "depth")
+            named.depth = true;
+        else if (name == "normal")
+            named.channels.normal = true;
+        else if (name == "evaluations")
+            named.channels.evaluations = true;
+        else if (name != "color")
+            throw Failure(Blame::usage,
+                          "--channels: \"" + name +
+                              "\" is no channel; give color, depth, normal or evaluations, separated by commas.");
+        named.beyondColor = named.beyondColor || name != "color";
+    }
+    return named;
+}
+
+bool isLinear(const std::filesystem::path& out)
+{
+    const auto format = render::writtenFormat(out);
+    return format && render::fileFormat(*format).isLinear;
+}
+
+std::vector<Fact> factsOf(const PictureRequest& request)
+{
+    const glm::dvec2 size = request.frame.raster.size;
+    return {{"Size", render::shortestNumber(size.x) + " × " + render::shortestNumber(size.y), "px"},
+            {"Samples per pixel", static_cast<double>(request.samples)}};
+}
+
+}  // namespace
+
+PictureRequest pictureRequest(const ParameterValues& values, const JobScene& scene, const std::filesystem::path& out)
+{
+    const PictureTable& t = pictureTable();
+    PictureRequest request;
+    request.frame = scene.frame;
+    request.frame.raster.size = sizeOf(values, scene);
+    request.frame.runEverything = values[t.runEverything];
+    request.frame.needsFiles = true;  // A missing file must fail: a picture without a named object would be wrong.
+    if (values[t.transparent]) request.frame.transparent = true;
+    if (request.frame.transparent && !request.frame.alone && scene.subject != hallIndex)
+        request.frame.cutOut = scene.subject;
+    request.samples = samplesOf(values, scene);
+    const bool linear = isLinear(out);
+    request.frame.averageIn = linear ? AverageIn::radiance : AverageIn::display;
+    const NamedChannels named = channelsNamed(values[t.channels]);
+    if (!values[t.channels].empty()) {
+        request.frame.channels = named.channels;
+        request.depth = named.depth;
+    } else if (linear) {
+        request.frame.channels = scene.usual.channels;
+        request.depth = scene.usual.depth;
+    }
+    if (named.beyondColor && !linear && !out.empty())
+        throw Failure(Blame::usage,
+                      "--channels: only OpenEXR carries more than color; give --out a name that ends in .exr.");
+    return request;
+}
+
+render::PictureFormat pictureFormat(const ParameterValues& values, const std::filesystem::path& out)
+{
+    const std::optional<int> bits = values[pictureTable().sixteenBit] ? std::optional(16) : std::nullopt;
+    if (const auto format = render::writtenFormat(out, bits)) return *format;
+    if (render::writtenFormat(out))
+        throw Failure(Blame::usage, out.string() + ": this format holds no 16 bits; give a name that ends in " +
+                                        render::writtenExtensions(bits) + ", or leave --sixteen-bit out.");
+    throw Failure(Blame::usage, out.string() + ": give a name that ends in " + render::writtenExtensions() + '.');
+}
+
+PictureRun::PictureRun(JobOrder order)
+    : order_(std::move(order)), request_(pictureRequest(order_.values, order_.scene, order_.out))
+{
+    request_.largestTile = order_.largestTile;
+}
+
+JobRun::Next PictureRun::next() const
+{
+    return isDone_ ? Next::done : Next::draw;
+}
+
+double PictureRun::progress() const
+{
+    return maker_ ? maker_->progress() : isDone_ ? 1 : 0;
+}
+
+void PictureRun::step(const Watch&)
+{
+    if (!maker_) begin();
+    if (!maker_->step() || maker_->finished()) end();
+}
+
+void PictureRun::begin()
+{
+    backend_ = order_.backend ? order_.backend() : nullptr;
+    if (!backend_) throw Failure(Blame::openGl, "No picture can be made: there is no graphics context.");
+    maker_ = std::make_unique<PictureMaker>(*order_.scene.museum, *backend_, order_.scene.state, request_);
+}
+
+void PictureRun::end()
+{
+    for (const render::CulledPass& complaint : render::Diagnostics().begun(maker_->report().skipped))
+        report_.warnings.push_back(render::lineOf(complaint));
+    report_.facts = factsOf(request_);
+    const JobScene& scene = order_.scene;
+    if (!order_.out.empty()) {
+        const render::Camera* view = scene.frame.alone ? nullptr : &scene.state.camera;
+        staged_.push_back(render::stagedPicture(
+            order_.out, maker_->picture(), pictureFormat(order_.values, order_.out),
+            {.preset = pictureSettings(*scene.museum, scene.subject, scene.state, request_, "Picture", view)}));
+        report_.files.push_back(order_.out);
+    } else {
+        picture_ = maker_->picture();
+    }
+    if (order_.frameReport) {
+        staged_.push_back(render::stagedFile(order_.reportFile,
+                                             render::writeJson(order_.frameReport(scene, request_, maker_->report()))));
+        report_.files.push_back(order_.reportFile);
+    }
+    maker_.reset();
+    backend_.reset();
+    isDone_ = true;
+}
+
+void PictureRun::publish()
+{
+    render::publishAll(staged_);
+}
+
+const Parameters& PictureJob::parameters() const
+{
+    return pictureTable();
+}
+
+JobNeeds PictureJob::needs() const
+{
+    return {.anyScene = true,
+            .extensions = render::writtenEndings(),
+            .inWindow = true,
+            .reports = true,
+            .carriesSettings = true};
+}
+
+std::shared_ptr<const JobInputs> PictureJob::read(const ParameterValues&) const
+{
+    return std::make_shared<JobInputs>();
+}
+
+JobPlan PictureJob::plan(const ParameterValues& values, const JobScene& scene, const JobInputs&,
+                         const std::filesystem::path& out) const
+{
+    JobPlan plan;
+    plan.offers["channels"] = {"color", "color,depth", "color,normal", "color,depth,normal,evaluations"};
+    try {
+        const PictureRequest request = pictureRequest(values, scene, out);
+        plan.facts = factsOf(request);
+        if (!out.empty()) static_cast<void>(pictureFormat(values, out));
+        if (!values[pictureTable().transparent] || request.frame.alone || !scene.museum) {
+        } else if (scene.subject == hallIndex) {
+            plan.refusal = "The hall has nothing around it that could be left out; visit an exhibit first.";
+        } else if (capability<OverFrame>(scene.museum->subject(scene.subject))) {
+            plan.refusal = "This exhibit is made of light alone: there is nothing to cut out.";
+        }
+    } catch (const Failure& failure) {
+        plan.refusal = failure.what();
+    }
+    if (!out.empty()) plan.files = {{out, "picture"}};
+    return plan;
+}
+
+std::unique_ptr<JobRun> PictureJob::start(JobOrder order) const
+{
+    return std::make_unique<PictureRun>(std::move(order));
+}
+
+JobScene PictureJob::sceneFor(const ParameterValues& values, JobScene scene) const
+{
+    if (!scene.usual.widens) return scene;
+    const glm::dvec2 size = sizeOf(values, scene);
+    scene.frame.camera = widened(scene.frame.camera, size.x / size.y);
+    scene.usual.widens = false;
+    return scene;
+}
+
+double PictureJob::effort(const ParameterValues& values, const JobScene& scene) const
+{
+    const glm::dvec2 size = sizeOf(values, scene);
+    return size.x * size.y * samplesOf(values, scene);
+}
+
+ParameterValues PictureJob::draft(const ParameterValues& values, const JobInputs&) const
+{
+    const PictureTable& t = pictureTable();
+    ParameterValues small = values;
+    const int width = values[t.width], height = values[t.height];
+    const double shrink = draftSide / static_cast<double>(std::max({width, height, draftSide}));
+    if (width > 0) small.set(t.width, std::max(1, static_cast<int>(std::lround(width * shrink))));
+    if (height > 0) small.set(t.height, std::max(1, static_cast<int>(std::lround(height * shrink))));
+    if (width <= 0 && height <= 0) small.set(t.width, draftSide);
+    small.set(t.samples, 1);
+    small.set(t.channels, std::string());
+    return small;
+}
+
+}  // namespace jobs
+}  // namespace vitrine
