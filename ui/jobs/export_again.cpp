@@ -1,38 +1,75 @@
-#include "ui/export/export_again.h"
+#include "ui/jobs/export_again.h"
 
+#include "exhibits/jobs.h"
 #include "ui/kit/replace_question.h"
 #include "ui/model/workbench.h"
+#include "ui/viewport/viewport.h"
+
+#include <algorithm>
+#include <utility>
 
 namespace vitrine::ui {
 
-ExportAgain::ExportAgain(Workbench& window, QObject& parent) : QObject(&parent), window_(window) {}
-
-void ExportAgain::note(const ExportWish& wish)
+ExportAgain::ExportAgain(Workbench& window, SceneSource scene, QObject& parent)
+    : QObject(&parent), window_(window), scene_(std::move(scene)),
+      runner_(window.renderers(), window.viewport().renderThread(), this)
 {
-    last_ = wish;
+    connect(&runner_, &JobRunner::finished, this, [this](const JobRunner::Run& run) {
+        const QString written = QString::fromStdString(run->report().files.front().string());
+        window_.say(MessageStrip::Mood::notice, tr("Picture saved to %1.").arg(written),
+                    tr("%1 pictures saved, the last one to %2."), written, written);
+        goOn();
+        emit ended(true);
+    });
+    connect(&runner_, &JobRunner::failed, this, [this](const QString& why) {
+        window_.say(MessageStrip::Mood::problem, why);
+        goOn();
+        emit ended(false);
+    });
+}
+
+void ExportAgain::note(const ParameterValues& values, const QString& path)
+{
+    values_ = values;
+    last_ = path;
     emit noted();
 }
 
 void ExportAgain::run()
 {
-    if (!last_) return;
-    // The path must also differ from that of an export in progress.
-    QString path = nextFreePath(QString::fromStdString(last_->path.string()));
-    const auto promised = [&] {
-        for (const PictureExport* other : parent()->findChildren<PictureExport*>())
-            if (other->running() && QString::fromStdString(other->path().string()) == path) return true;
-        return false;
+    if (!values_) return;
+    // The path must also differ from those of exports that wait.
+    const auto isPromised = [this](const QString& path) {
+        return std::any_of(orders_.begin(), orders_.end(), [&](const jobs::JobOrder& each) {
+            return QString::fromStdString(each.out.string()) == path;
+        });
     };
-    while (promised()) path = nextFreePath(path);
-    last_->path = path.toStdString();
-    auto* work = new PictureExport(window_, *last_, parent());
-    connect(work, &PictureExport::finished, this, [this](const QString& written) {
-        window_.say(MessageStrip::Mood::notice, tr("Picture saved to %1.").arg(written),
-                    tr("%1 pictures saved, the last one to %2."), written, written);
-    });
-    connect(work, &PictureExport::failed, this,
-            [this](const QString& why) { window_.say(MessageStrip::Mood::problem, why); });
-    work->start();
+    do last_ = nextFreePath(last_);
+    while (isPromised(last_));
+    const jobs::Job& job = *jobs::findJob("render");
+    jobs::JobOrder order{*values_, job.sceneFor(*values_, scene_(job)), job.read(*values_)};
+    order.out = last_.toStdString();
+    orders_.push_back(std::move(order));
+    if (orders_.size() == 1) runner_.start(job, orders_.front());
+}
+
+void ExportAgain::goOn()
+{
+    if (!orders_.empty()) orders_.pop_front();
+    if (!orders_.empty()) runner_.start(*jobs::findJob("render"), orders_.front());
+}
+
+QStringList ExportAgain::unfinished() const
+{
+    QStringList files;
+    for (const jobs::JobOrder& order : orders_) files << QString::fromStdString(order.out.filename().string());
+    return files;
+}
+
+void ExportAgain::stop()
+{
+    orders_.clear();
+    runner_.cancel();
 }
 
 }  // namespace vitrine::ui

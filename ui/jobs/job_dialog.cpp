@@ -17,7 +17,6 @@
 #include "ui/kit/scroll_room.h"
 #include "ui/kit/text.h"
 #include "ui/kit/type_size.h"
-#include "ui/kit/window_place.h"
 #include "ui/parameters/parameter_panel.h"
 
 #include <QAction>
@@ -33,13 +32,15 @@
 #include <QStandardPaths>
 #include <QVBoxLayout>
 
+#include <cmath>
 #include <utility>
 
 namespace vitrine::ui {
 namespace {
 
 constexpr int jobPanelWidth = 376;
-constexpr int planAfter = 250;  // Milliseconds.
+constexpr int planAfter = 250;       // Milliseconds.
+constexpr double leastExpected = 3;  // Seconds from which the expected time is shown.
 
 // Cause of a problem in the message list. Problems of different causes are removed separately.
 QString jobExportCause()
@@ -150,10 +151,12 @@ void JobDialog::buildBar()
     export_ = new ExportBar({tr("Output file. Further files take its name, and the settings lie beside it."),
                              said(job_.title()), filtersOf(job_), extensionOf(job_)},
                             this);
-    QPushButton* load = export_->addButton(
-        tr("Load settings…"),
-        tr("Loads all settings from a settings document, or from an exported file that has one beside it."));
-    connect(load, &QPushButton::clicked, this, &JobDialog::chooseDocument);
+    if (!job_.needs().carriesSettings) {
+        QPushButton* load = export_->addButton(
+            tr("Load settings…"),
+            tr("Loads all settings from a settings document, or from an exported file that has one beside it."));
+        connect(load, &QPushButton::clicked, this, &JobDialog::chooseDocument);
+    }
     QPushButton* copy =
         export_->addButton(tr("Copy command"), tr("A line for a terminal, which writes the same files."));
     connect(copy, &QPushButton::clicked, this, [this] {
@@ -211,7 +214,6 @@ void JobDialog::recall()
 {
     QSettings places(iniPath(jobPlaces()), QSettings::IniFormat);
     places.beginGroup(text(job_.name()));
-    restorePlace(*this, places.value(QStringLiteral("geometry")).toByteArray());
     QString folder = places.value(QStringLiteral("folder")).toString();
     if (folder.isEmpty() || !QDir(folder).exists())
         folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
@@ -229,7 +231,6 @@ void JobDialog::remember()
     setup_.remember();
     QSettings places(iniPath(jobPlaces()), QSettings::IniFormat);
     places.beginGroup(text(job_.name()));
-    places.setValue(QStringLiteral("geometry"), saveGeometry());
     places.setValue(QStringLiteral("folder"), QFileInfo(path()).absolutePath());
 }
 
@@ -260,7 +261,7 @@ std::filesystem::path JobDialog::output() const
 
 jobs::JobOrder JobDialog::order(const ParameterValues& values) const
 {
-    return {values, scene_(), inputs_, {}, {}};
+    return {values, job_.sceneFor(values, scene_()), inputs_, {}, {}};
 }
 
 void JobDialog::plan()
@@ -314,10 +315,21 @@ void JobDialog::showFacts(const jobs::JobReport& report, bool partly)
     for (const jobs::Fact& fact : report.facts)
         texts << said(fact.label) + QLatin1Char(' ') + withDecimalSign(QString::fromStdString(valueText(fact)));
     QStringList lines{texts.join(QStringLiteral(" · "))};
-    if (partly) lines << tr("The preview shows a part of it.");
+    if (partly) lines << said(std::string(job_.draftNote()));
+    if (const double seconds = secondsExpected(); seconds >= leastExpected)
+        lines << (seconds < 90 ? tr("It will take about %1 s.").arg(std::ceil(seconds))
+                               : tr("It will take about %1 min.").arg(std::round(seconds / 60)));
     for (const std::string& warning : planned_->warnings) lines << said(warning);
     for (const std::string& warning : report.warnings) lines << said(warning);
     facts_->setText(lines.join(QLatin1Char('\n')));
+}
+
+double JobDialog::secondsExpected() const
+{
+    if (draft_.seconds() <= 0 || !drawn_) return 0;
+    const jobs::JobScene scene = scene_();
+    const double drawn = job_.effort(*drawn_, scene);
+    return drawn > 0 ? draft_.seconds() * job_.effort(setup_.values(), scene) / drawn : 0;
 }
 
 void JobDialog::showButtons()
@@ -397,6 +409,7 @@ void JobDialog::begin()
     export_->showStatus(tr("Starting"));
     full_.start(job_, std::move(all));
     showButtons();
+    emit exportBegun();
 }
 
 void JobDialog::endExport(const QString& words)

@@ -59,6 +59,7 @@ public:
     void reject() override;
 
 signals:
+    void exportBegun();
     /// Emitted at the end of an export. `written`: the files were written.
     void exportEnded(bool written);
 
@@ -77,6 +78,8 @@ private:
     void showDraft(const JobRunner::Run&);
     void showFacts(const jobs::JobReport&, bool partly);
     void showButtons();
+    /// Returns how long the export will take, by the time of the draft; 0: unknown.
+    [[nodiscard]] double secondsExpected() const;
     void chooseDocument();
     void begin();
     void endExport(const QString& words);

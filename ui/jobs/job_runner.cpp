@@ -59,6 +59,7 @@ void JobRunner::go(Run run)
         return;
     }
     running_ = publishing_ = false;
+    seconds_ = static_cast<double>(elapsed_.elapsed()) / 1000;
     emit finished(run);
 }
 

@@ -1,6 +1,7 @@
 #include "ui/window/close_guard.h"
 
 #include "ui/export/picture_export.h"
+#include "ui/jobs/export_again.h"
 #include "ui/jobs/job_dialog.h"
 #include "ui/print/print_dialog.h"
 
@@ -17,6 +18,7 @@ QStringList unfinished(const QWidget& window)
     QStringList files;
     for (const PictureExport* work : window.findChildren<PictureExport*>())
         if (work->running() && !work->replaces()) files << QString::fromStdString(work->path().filename().string());
+    for (const ExportAgain* again : window.findChildren<ExportAgain*>()) files << again->unfinished();
     for (const PrintDialog* dialog : window.findChildren<PrintDialog*>())
         if (dialog->exporting()) files << QFileInfo(dialog->path()).fileName();
     for (const JobDialog* dialog : window.findChildren<JobDialog*>())
@@ -101,20 +103,15 @@ void CloseGuard::closeWhenDone()
     // After a failure the window stays open and shows the message.
     for (const PictureExport* work : window_.findChildren<PictureExport*>())
         connect(work, &PictureExport::finished, this, &CloseGuard::closeIfDone, Qt::QueuedConnection);
+    const auto follow = [this](bool written) {
+        if (written) closeIfDone();
+    };
+    for (const ExportAgain* again : window_.findChildren<ExportAgain*>())
+        connect(again, &ExportAgain::ended, this, follow, Qt::QueuedConnection);
     for (const PrintDialog* dialog : window_.findChildren<PrintDialog*>())
-        connect(
-            dialog, &PrintDialog::exportEnded, this,
-            [this](bool saved) {
-                if (saved) closeIfDone();
-            },
-            Qt::QueuedConnection);
+        connect(dialog, &PrintDialog::exportEnded, this, follow, Qt::QueuedConnection);
     for (const JobDialog* dialog : window_.findChildren<JobDialog*>())
-        connect(
-            dialog, &JobDialog::exportEnded, this,
-            [this](bool written) {
-                if (written) closeIfDone();
-            },
-            Qt::QueuedConnection);
+        connect(dialog, &JobDialog::exportEnded, this, follow, Qt::QueuedConnection);
     closeIfDone();
 }
 

@@ -1,5 +1,7 @@
 #include "ui/window/main_window.h"
 
+#include "ui/window/job_scene.h"
+
 #include "exhibits/framework/scene/capabilities.h"
 #include "render/files/assets.h"
 #include "ui/charts/charts_dock.h"
@@ -7,8 +9,8 @@
 #include "ui/compare/compare_bar.h"
 #include "ui/compare/compare_desk.h"
 #include "ui/explore/explore_dock.h"
-#include "ui/export/export_again.h"
 #include "ui/gamepad/gamepad_control.h"
+#include "ui/jobs/export_again.h"
 #include "ui/kit/context_key.h"
 #include "ui/kit/focus_ring.h"
 #include "ui/kit/idle_undo.h"
@@ -83,7 +85,8 @@ MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* pare
     docks_->addExplore(*shelf_);
     files_ = new FileOpener(*this, *shelf_, this);
     guard_ = new CloseGuard(*this);
-    again_ = new ExportAgain(*this, *this);
+    again_ = new ExportAgain(
+        *this, [this](const jobs::Job& job) { return jobSceneOf(*this, job); }, *this);
     new RowDrag(
         museum_, history_, *viewport_, [this] { return chosen_; }, this);
     new PixelInspector(museum_, history_, renderers, *viewport_, this);
@@ -176,6 +179,7 @@ void MainWindow::connectParts()
             [this](const QString& why) { setProblems(QStringLiteral("study"), {why}); });
     connect(&docks_->study(), &StudyDock::finished, this, [this] { setProblems(QStringLiteral("study"), {}); });
     panel().menus().setOther(&comparison_->other());
+    docks_->study().offerBoth(comparison_->other());
     connect(comparison_, &CompareDesk::reportChanged, &docks_->frameReport(), &FrameReportDock::noteOther);
     connect(messages_, &MessageStrip::said, &docks_->log(), &LogView::add);
 }

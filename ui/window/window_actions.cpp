@@ -8,8 +8,8 @@
 #include "ui/compare/compare_actions.h"
 #include "ui/compare/compare_desk.h"
 #include "ui/export/copies.h"
-#include "ui/export/export_again.h"
 #include "ui/export/screenshot.h"
+#include "ui/jobs/export_again.h"
 #include "ui/kit/language.h"
 #include "ui/kit/menu_text.h"
 #include "ui/kit/text.h"
@@ -251,7 +251,7 @@ void WindowActions::addFileMenu(Maker& make, MainWindow& window)
              [&window] { copyCommandLine(window); });
     make.add(tr("Export &picture…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E)},
              tr("Saves the picture at any size, as PNG, JPEG, EXR or TIFF."),
-             [&window] { window.dialogs().openScreenshot(); });
+             [&window] { window.dialogs().openJob(*jobs::findJob("render")); });
     enableOnly(
         make.add(tr("Export picture a&gain"), {QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_E)},
                  tr("Exports the current view with the settings of the last export, under the next free name."),

@@ -1,9 +1,10 @@
 #include "ui/window/window_dialogs.h"
 
+#include "exhibits/jobs.h"
 #include "exhibits/museum/museum.h"
-#include "ui/export/export_again.h"
+#include "ui/export/export_dialog.h"
 #include "ui/export/picture_export.h"
-#include "ui/export/screenshot_dialog.h"
+#include "ui/jobs/export_again.h"
 #include "ui/jobs/job_dialog.h"
 #include "ui/kit/text.h"
 #include "ui/lessons/lesson_desk.h"
@@ -17,6 +18,7 @@
 #include "ui/study/table_export.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/about_dialog.h"
+#include "ui/window/job_scene.h"
 
 #include <QFileDialog>
 
@@ -29,18 +31,6 @@ void bringUp(QWidget& dialog)
     dialog.show();
     dialog.raise();
     dialog.activateWindow();
-}
-
-/// Returns the scene that is shown, for a job.
-jobs::JobScene sceneOf(Workbench& workbench, const jobs::Job& job)
-{
-    const Museum& museum = workbench.museum();
-    jobs::JobScene scene{&museum, workbench.history().sceneState(), workbench.chosen(), {}};
-    if (!job.needs().anyScene) scene.subject = museum.find(job.needs().subject).value();
-    scene.frame.camera = scene.state.camera;
-    scene.frame.time = workbench.viewport().time();
-    if (scene.subject != hallIndex) scene.frame.subject = scene.subject;
-    return scene;
 }
 
 }  // namespace
@@ -56,32 +46,59 @@ void WindowDialogs::openAbout()
     (new AboutDialog(&window_))->show();
 }
 
-void WindowDialogs::openScreenshot()
+std::vector<ExportKind> WindowDialogs::exportKinds()
 {
-    auto* dialog = new ScreenshotDialog(workbench_, &window_);
-    connect(dialog, &ScreenshotDialog::begun, &again_, &ExportAgain::note);
-    dialog->show();
+    std::vector<ExportKind> kinds;
+    for (const auto& each : jobs::allJobs()) {
+        const jobs::Job& job = *each;
+        const std::string_view subject = job.needs().subject;
+        if (!job.needs().inWindow) continue;
+        kinds.push_back(
+            {text(job.name()), said(std::string(job.product())),
+             [this, &job](QWidget* parent) { return makeJobPage(job, parent); },
+             [](const QDialog& page) { return static_cast<const JobDialog&>(page).exporting(); },
+             subject.empty() || workbench_.museum().find(subject) ? QString() : tr("This museum lacks its exhibit.")});
+    }
+    const auto print = [this](QWidget* parent) {
+        return new PrintDialog(new ShownViews(workbench_, &window_), parent);
+    };
+    kinds.push_back({QStringLiteral("print"), tr("Lenticular print"), print,
+                     [](const QDialog& page) { return static_cast<const PrintDialog&>(page).exporting(); }});
+    return kinds;
+}
+
+QDialog* WindowDialogs::makeJobPage(const jobs::Job& job, QWidget* parent)
+{
+    auto* page = new JobDialog(
+        job, [this, &job] { return jobSceneOf(workbench_, job); }, workbench_.renderers(),
+        workbench_.viewport().renderThread(), parent);
+    connect(&bookmarks_, &Bookmarks::changed, page, &JobDialog::refresh);
+    if (job.name() == "render") {
+        connect(page, &JobDialog::exportBegun, &again_,
+                [this, page] { again_.note(page->setup().values(), page->path()); });
+        connect(&workbench_.history(), &History::changesSettled, page, &JobDialog::refresh);
+    }
+    return page;
+}
+
+QDialog* WindowDialogs::openExport(const QString& kind)
+{
+    auto* dialog = window_.findChild<ExportDialog*>();
+    if (!dialog) dialog = new ExportDialog(exportKinds(), &window_);
+    QDialog* page = dialog->showKind(kind);
+    bringUp(*dialog);
+    return page;
 }
 
 void WindowDialogs::openPrint(const QString& print)
 {
-    auto* dialog = window_.findChild<PrintDialog*>();
-    if (!dialog) dialog = new PrintDialog(new ShownViews(workbench_, &window_), &window_);
-    bringUp(*dialog);
+    auto* dialog = static_cast<PrintDialog*>(openExport(QStringLiteral("print")));
     if (!print.isEmpty()) dialog->open({print});
 }
 
 void WindowDialogs::openJob(const jobs::Job& job)
 {
-    JobDialog* dialog = nullptr;
-    for (JobDialog* open : window_.findChildren<JobDialog*>())
-        if (&open->job() == &job) dialog = open;
-    if (!dialog)
-        dialog = new JobDialog(
-            job, [&workbench = workbench_, &job] { return sceneOf(workbench, job); }, workbench_.renderers(),
-            workbench_.viewport().renderThread(), &window_);
-    connect(&bookmarks_, &Bookmarks::changed, dialog, &JobDialog::refresh, Qt::UniqueConnection);
-    bringUp(*dialog);
+    openExport(text(job.name()));
 }
 
 void WindowDialogs::saveTour()
@@ -118,8 +135,8 @@ void WindowDialogs::openPage(const QString& page)
 void WindowDialogs::closeAll()
 {
     qDeleteAll(window_.findChildren<PreferencesDialog*>());
-    qDeleteAll(window_.findChildren<PrintDialog*>());
-    qDeleteAll(window_.findChildren<JobDialog*>());
+    qDeleteAll(window_.findChildren<ExportDialog*>());
+    again_.stop();
     qDeleteAll(window_.findChildren<TableExport*>());
     qDeleteAll(window_.findChildren<PictureExport*>());
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ui/export/export_dialog.h"
+
 #include <QObject>
 #include <QString>
 
@@ -23,12 +25,11 @@ class WindowDialogs final : public QObject {
     Q_OBJECT
 
 public:
-    /// The window is the parent of all dialogs. `again` notes the exports that the screenshot dialog begins. All must
+    /// The window is the parent of all dialogs. `again` notes the exports of pictures. All must
     /// outlive this object.
     WindowDialogs(Workbench&, QWidget& window, Bookmarks&, LessonDesk&, ExportAgain& again);
 
     void openAbout();
-    void openScreenshot();
     /// Opens the print dialog, with this print if the path is not empty.
     void openPrint(const QString& print = {});
     /// Opens the dialog of a job. The museum must have the exhibit that it needs.
@@ -43,6 +44,11 @@ public:
     void closeAll();
 
 private:
+    [[nodiscard]] std::vector<ExportKind> exportKinds();
+    [[nodiscard]] QDialog* makeJobPage(const jobs::Job&, QWidget* parent);
+    /// Shows this kind of export and returns its page.
+    QDialog* openExport(const QString& kind);
+
     Workbench& workbench_;
     QWidget& window_;
     Bookmarks& bookmarks_;

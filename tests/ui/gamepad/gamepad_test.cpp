@@ -1,4 +1,5 @@
 // A virtual gamepad of SDL in the real window.
+#include "exhibits/jobs.h"
 #include "tests/ui/gamepad/virtual_pad.h"
 #include "tests/ui/open_window.h"
 #include "tests/ui/ui_main.h"
@@ -247,7 +248,7 @@ private slots:
     {
         plugIn();
         const render::Camera before = camera();
-        window_->dialogs().openScreenshot();
+        window_->dialogs().openJob(*jobs::findJob("render"));
         QPointer<QWidget> dialog = window_->findChild<QDialog*>();
         QVERIFY(dialog);
         QVERIFY(QTest::qWaitForWindowExposed(dialog, test::patience));

@@ -4,11 +4,11 @@
 #include "tests/ui/ui_main.h"
 
 #include "exhibits/exhibits.h"
+#include "exhibits/jobs.h"
 #include "exhibits/museum/museum.h"
 #include "render/measure/memory.h"
 #include "tests/support/environment_number.h"
 #include "ui/export/picture_export.h"
-#include "ui/export/screenshot_dialog.h"
 #include "ui/kit/theme.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/parameters/parameter_row.h"
@@ -98,9 +98,10 @@ class MemoryTest : public QObject {
 
     void openDialogs()
     {
-        const std::function<void()> dialogs[] = {
-            [this] { window_->dialogs().openScreenshot(); }, [this] { command("keyboard-mouse-and-gamepad"); },
-            [this] { window_->dialogs().openPrint(); }, [this] { command("search"); }};
+        const std::function<void()> dialogs[] = {[this] { window_->dialogs().openJob(*jobs::findJob("render")); },
+                                                 [this] { command("keyboard-mouse-and-gamepad"); },
+                                                 [this] { window_->dialogs().openPrint(); },
+                                                 [this] { command("search"); }};
         for (const auto& open : dialogs) {
             open();
             draw();

@@ -1,13 +1,17 @@
 #include "tests/ui/ui_main.h"
 
 #include "exhibits/exhibits.h"
+#include "exhibits/jobs.h"
+#include "exhibits/jobs/picture/picture_table.h"
 #include "render/files/assets.h"
 #include "render/image/image_io.h"
 #include "render/plan/frame_plan.h"
 #include "tests/ui/few_samples.h"
-#include "ui/export/export_again.h"
+#include "ui/export/export_dialog.h"
 #include "ui/export/picture_export.h"
-#include "ui/export/screenshot_dialog.h"
+#include "ui/jobs/export_again.h"
+#include "ui/jobs/job_dialog.h"
+#include "ui/jobs/picture_preview.h"
 #include "ui/kit/message_strip.h"
 #include "ui/kit/theme.h"
 #include "ui/parameters/parameter_panel.h"
@@ -31,6 +35,7 @@
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTemporaryDir>
+#include <QToolButton>
 #include <QUrl>
 
 #include <clocale>
@@ -366,19 +371,32 @@ private slots:
     void exportPictureTakesANewNameAfterEachExportAndEscapeCancelsFirst()
     {
         openWindow();
-        window_->dialogs().openScreenshot();
-        auto* dialog = window_->findChild<ScreenshotDialog*>();
-        dialog->setPath(path("look.png"));
-        for (QSpinBox* box : dialog->findChildren<QSpinBox*>())
-            box->setValue(box->accessibleName() == "Width" ? 64 : box->accessibleName() == "Height" ? 36 : 1);
+        const jobs::Job& job = *jobs::findJob("render");
+        window_->dialogs().openJob(job);
+        auto* all = window_->findChild<ExportDialog*>();
+        auto* dialog = all->findChild<JobDialog*>();
+        QVERIFY(dialog && dialog->isVisible());
+        const auto set = [&](int samples) {
+            ParameterValues values = dialog->setup().values();
+            values.set(pictureTable().width, 64);
+            values.set(pictureTable().height, 36);
+            values.set(pictureTable().samples, samples);
+            dialog->setup().change("Change", values);
+            QTRY_VERIFY_WITH_TIMEOUT(dialog->settled(), test::patience);
+        };
         const auto button = [&](const char* text) {
             for (QPushButton* each : dialog->findChildren<QPushButton*>())
                 if (each->text() == text) return each;
             return static_cast<QPushButton*>(nullptr);
         };
+        set(1);
+        const auto* preview = static_cast<const PicturePreview*>(dialog->preview());
+        QCOMPARE(preview->picture().size(), QSize(64, 36));
+        dialog->setPath(path("look.png"));
         button("Export")->click();
         QTRY_VERIFY(QFile::exists(path("look.png")));
         QTRY_COMPARE(dialog->path(), path("look-2.png"));
+        QVERIFY(!QFile::exists(path("look.png.vitrine-job.json")));  // The settings are in the picture.
         const QByteArray first = contentOf(path("look.png"));
         dialog->setPath(path("look.png"));
         button("Export")->click();
@@ -388,35 +406,70 @@ private slots:
         QTRY_VERIFY(QFile::exists(path("look-2.png")));
         QCOMPARE(contentOf(path("look.png")), first);
         QTRY_COMPARE(dialog->path(), path("look-3.png"));
-        // Once more without the dialog, with the same settings.
+        // Twice more without the dialog, with the same settings: the second one waits.
         window_->again().run();
-        QTRY_VERIFY(window_->findChild<MessageStrip*>()->texts().join(' ').contains(path("look-3.png")));
+        window_->again().run();
+        QCOMPARE(window_->again().unfinished(), QStringList({"look-3.png", "look-4.png"}));
+        QTRY_VERIFY(
+            window_->centralWidget()->findChild<MessageStrip*>()->texts().join(' ').contains(path("look-4.png")));
         QCOMPARE(QImage(path("look-3.png")).size(), QSize(64, 36));
-        auto* format = dialog->findChild<QComboBox*>("format");
-        format->setCurrentIndex(format->findText("JPEG", Qt::MatchStartsWith));
-        QCOMPARE(dialog->path(), path("look-3.jpg"));
+        dialog->setPath(path("look-5.jpg"));
         button("Export")->click();
-        QTRY_VERIFY(button("Show in folder")->isVisible());
-        QCOMPARE(QImageReader(path("look-3.jpg")).format(), QByteArray("jpeg"));
+        QTRY_COMPARE(dialog->path(), path("look-6.jpg"));
+        QCOMPARE(QImageReader(path("look-5.jpg")).format(), QByteArray("jpeg"));
         qputenv("DBUS_SESSION_BUS_ADDRESS",
                 "unix:path=/nonexistent");  // There is no file manager, so the folder is opened.
         QDesktopServices::setUrlHandler("file", this, "noteOpened");
-        button("Show in folder")->click();
-        QTRY_COMPARE(opened_, QList<QUrl>{QUrl::fromLocalFile(QFileInfo(path("look-3.jpg")).absolutePath())});
+        QToolButton* folder = nullptr;
+        for (QToolButton* each : dialog->findChild<MessageStrip*>()->findChildren<QToolButton*>())
+            if (each->text() == "Show in folder") folder = each;
+        QVERIFY(folder);
+        folder->click();
+        QTRY_COMPARE(opened_, QList<QUrl>{QUrl::fromLocalFile(QFileInfo(path("look-5.jpg")).absolutePath())});
         QDesktopServices::unsetUrlHandler("file");
-        dialog->setPath(path("look-4.png"));
-        // Esc first cancels the export, then closes the dialog.
-        for (QSpinBox* box : dialog->findChildren<QSpinBox*>())
-            if (box->accessibleName() != "Width" && box->accessibleName() != "Height") box->setValue(64);
-        QTRY_VERIFY(button("Export")->isEnabled());
+        dialog->setPath(path("look-7.gif"));
         button("Export")->click();
-        QVERIFY(button("Cancel"));
+        QTRY_VERIFY(dialog->findChild<MessageStrip*>()->texts().join(' ').contains(".png"));
+        dialog->setPath(path("look-7.png"));
+        // Esc first cancels the export, then closes the dialog.
+        set(4096);
+        button("Export")->click();
+        QTRY_VERIFY(dialog->exporting());
         QTest::keyClick(dialog, Qt::Key_Escape);
-        QVERIFY(dialog->isVisible());
-        QVERIFY(button("Close"));
+        QVERIFY(dialog->isVisible() && !dialog->exporting());
         QTest::keyClick(dialog, Qt::Key_Escape);
-        QTRY_VERIFY(!window_->findChild<ScreenshotDialog*>());
-        QVERIFY(!QFile::exists(path("look-4.png")));
+        QTRY_VERIFY(!window_->findChild<ExportDialog*>());
+        QVERIFY(!QFile::exists(path("look-7.png")));
+    }
+
+    void anExportGoesOnWhileAnotherKindIsShownAndTheDialogIsHidden()
+    {
+        openWindow();
+        window_->dialogs().openJob(*jobs::findJob("render"));
+        auto* all = window_->findChild<ExportDialog*>();
+        auto* picture = all->findChild<JobDialog*>();
+        ParameterValues values = picture->setup().values();
+        values.set(pictureTable().width, 64);
+        values.set(pictureTable().samples, 200);
+        picture->setup().change("Change", values);
+        QTRY_VERIFY_WITH_TIMEOUT(picture->settled(), test::patience);
+        picture->setPath(path("slow.png"));
+        picture->startExport();
+        QTRY_VERIFY(picture->exporting());
+        window_->dialogs().openPrint();
+        QCOMPARE(window_->findChildren<ExportDialog*>().size(), 1);
+        QCOMPARE(all->shownKind(), QString("print"));
+        QVERIFY(all->findChild<PrintDialog*>()->isVisible());
+        QVERIFY(picture->exporting());
+        all->close();
+        QTRY_VERIFY(!all->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path("slow.png")), test::patience);
+        QTRY_VERIFY(!picture->exporting());
+        window_->dialogs().openJob(*jobs::findJob("sprite"));
+        QVERIFY(all->isVisible());
+        QCOMPARE(all->shownKind(), QString("sprite"));
+        all->close();
+        QTRY_VERIFY(!window_->findChild<ExportDialog*>());
     }
 
 public slots:

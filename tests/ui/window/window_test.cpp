@@ -1,7 +1,8 @@
 #include "tests/ui/open_window.h"
 #include "tests/ui/ui_main.h"
 
-#include "ui/export/export_again.h"
+#include "exhibits/jobs/picture/picture_table.h"
+#include "ui/jobs/export_again.h"
 #include "ui/kit/message_strip.h"
 #include "ui/kit/preferences.h"
 #include "ui/kit/tile_delegate.h"
@@ -305,7 +306,7 @@ private slots:
         }
         const QString gray = action("Export picture again")->toolTip();
         QVERIFY2(gray.contains("No picture was exported yet"), qPrintable(gray));
-        window_->again().note({});
+        window_->again().note(pictureTable().initial(), {});
         QVERIFY(action("Export picture again")->isEnabled());
         QVERIFY(action("Export picture again")->toolTip() != gray);
         window_->visit(1);

@@ -1,0 +1,118 @@
+#include "ui/export/export_dialog.h"
+
+#include "exhibits/framework/files/state_folder.h"
+#include "ui/kit/ini_file.h"
+#include "ui/kit/type_size.h"
+#include "ui/kit/window_place.h"
+
+#include <QHBoxLayout>
+#include <QListWidget>
+#include <QSettings>
+#include <QStackedWidget>
+
+#include <algorithm>
+#include <utility>
+
+namespace vitrine::ui {
+namespace {
+
+constexpr int kindsWidth = 150;  // Pixels.
+constexpr int idRole = Qt::UserRole;
+
+QSettings exportPlaces()
+{
+    return {iniPath(QString::fromStdString((stateFolder() / "jobs.ini").string())), QSettings::IniFormat};
+}
+
+}  // namespace
+
+ExportDialog::ExportDialog(std::vector<ExportKind> kinds, QWidget* parent)
+    : QDialog(parent), kinds_(std::move(kinds)), list_(new QListWidget(this)), stack_(new QStackedWidget(this))
+{
+    setWindowTitle(tr("Export"));
+    setWindowFlag(Qt::WindowMaximizeButtonHint);
+    list_->setAccessibleName(tr("Kind of export"));
+    growMinimumWidth(*list_, kindsWidth);
+    list_->setMaximumWidth(list_->minimumWidth());
+    list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    list_->setFrameShape(QFrame::NoFrame);
+    for (const ExportKind& kind : kinds_) {
+        auto* item = new QListWidgetItem(kind.title, list_);
+        item->setData(idRole, kind.id);
+        item->setToolTip(kind.unavailable);
+        if (!kind.unavailable.isEmpty()) item->setFlags(Qt::NoItemFlags);
+    }
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(list_);
+    layout->addWidget(stack_, 1);
+    connect(list_, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
+        if (item) showKind(item->data(idRole).toString());
+    });
+    resize(1150, 680);  // With a title bar it fits 1280 x 720.
+    restorePlace(*this, exportPlaces().value(QStringLiteral("export/geometry")).toByteArray());
+}
+
+ExportDialog::~ExportDialog()
+{
+    exportPlaces().setValue(QStringLiteral("export/geometry"), saveGeometry());
+}
+
+QDialog* ExportDialog::page(const ExportKind& kind)
+{
+    QDialog*& page = pages_[kind.id];
+    if (page) return page;
+    page = kind.makePage(stack_);
+    page->setWindowFlags(Qt::Widget);
+    stack_->addWidget(page);
+    connect(page, &QDialog::finished, this, [this, id = kind.id] { endPage(id); });
+    return page;
+}
+
+QDialog* ExportDialog::showKind(const QString& id)
+{
+    const auto kind = std::find_if(kinds_.begin(), kinds_.end(), [&](const ExportKind& each) { return each.id == id; });
+    if (kind == kinds_.end()) return nullptr;
+    QDialog* shown = page(*kind);
+    stack_->setCurrentWidget(shown);
+    shown->show();
+    const QSignalBlocker quiet(list_);
+    list_->setCurrentRow(static_cast<int>(kind - kinds_.begin()));
+    return shown;
+}
+
+QString ExportDialog::shownKind() const
+{
+    const QListWidgetItem* item = list_->currentItem();
+    return item ? item->data(idRole).toString() : QString();
+}
+
+bool ExportDialog::isExporting(const QString& id) const
+{
+    const auto page = pages_.find(id);
+    const auto kind = std::find_if(kinds_.begin(), kinds_.end(), [&](const ExportKind& each) { return each.id == id; });
+    return page != pages_.end() && kind != kinds_.end() && kind->exporting(*page->second);
+}
+
+void ExportDialog::endPage(const QString& id)
+{
+    pages_.erase(id);  // A finished page deletes itself.
+    QDialog::reject();
+    // Other pages may still export; then the hidden dialog stays.
+    if (std::none_of(pages_.begin(), pages_.end(), [this](const auto& each) { return isExporting(each.first); }))
+        deleteLater();
+}
+
+void ExportDialog::reject()
+{
+    const auto shown = pages_.find(shownKind());
+    if (shown != pages_.end())
+        shown->second->reject();
+    else
+        endPage({});
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_export_dialog.cpp"

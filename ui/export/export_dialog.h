@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QDialog>
+#include <QString>
+
+#include <functional>
+#include <map>
+#include <vector>
+
+class QListWidget;
+class QStackedWidget;
+
+namespace vitrine::ui {
+
+/// Kind of export that the dialog offers.
+struct ExportKind {
+    QString id;                                     ///< "render".
+    QString title;                                  ///< Entry of the list: "Picture".
+    std::function<QDialog*(QWidget*)> makePage;     ///< Creates the page. Its `finished` closes the dialog.
+    std::function<bool(const QDialog&)> exporting;  ///< Returns whether a page is writing.
+    QString unavailable = {};                       ///< Reason why this kind cannot be chosen; empty: it can.
+};
+
+/// The dialog for all exports: a list of kinds, and a page for each, which is created when it is first chosen. An
+/// export goes on while another page is shown, or while the dialog is hidden.
+class ExportDialog final : public QDialog {
+    Q_OBJECT
+
+public:
+    ExportDialog(std::vector<ExportKind> kinds, QWidget* parent);
+    ~ExportDialog() override;
+
+    /// Shows a kind and returns its page.
+    QDialog* showKind(const QString& id);
+    [[nodiscard]] QString shownKind() const;
+    /// Cancels the export of the shown page. Without one, hides the dialog while other pages export, else closes it.
+    void reject() override;
+
+private:
+    [[nodiscard]] QDialog* page(const ExportKind&);
+    [[nodiscard]] bool isExporting(const QString& id) const;
+    void endPage(const QString& id);
+
+    std::vector<ExportKind> kinds_;
+    std::map<QString, QDialog*> pages_;
+    QListWidget* list_;
+    QStackedWidget* stack_;
+};
+
+}  // namespace vitrine::ui

@@ -1,0 +1,26 @@
+#include "ui/window/job_scene.h"
+
+#include "ui/model/history.h"
+#include "ui/model/workbench.h"
+#include "ui/viewport/viewport.h"
+
+#include <cmath>
+
+namespace vitrine::ui {
+
+jobs::JobScene jobSceneOf(Workbench& workbench, const jobs::Job& job)
+{
+    const Museum& museum = workbench.museum();
+    jobs::JobScene scene{&museum, workbench.history().sceneState(), workbench.chosen(), {}};
+    if (!job.needs().anyScene) scene.subject = museum.find(job.needs().subject).value();
+    scene.frame.camera = scene.state.camera;
+    scene.frame.time = workbench.viewport().time();
+    if (scene.subject != hallIndex) scene.frame.subject = scene.subject;
+    const Viewport& viewport = workbench.viewport();
+    const double ratio = viewport.devicePixelRatioF();
+    scene.usual.size = {std::lround(viewport.width() * ratio), std::lround(viewport.height() * ratio)};
+    scene.usual.widens = true;
+    return scene;
+}
+
+}  // namespace vitrine::ui
