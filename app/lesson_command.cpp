@@ -33,18 +33,18 @@ struct Tables {
 /// if it cannot be read.
 int checkLesson(const std::string& file, const NamedValues& tables)
 {
-    Blame blame = Blame::file;
+    ErrorKind kind = ErrorKind::file;
     try {
         const std::string text = render::readFile(file, lessonBytes);
-        blame = Blame::check;
+        kind = ErrorKind::check;
         const Lesson lesson = parseLesson(text, file, tables);
         std::printf("%s: %s (%s \"%s\", %zu steps)\n", file.c_str(), lesson.notes.empty() ? "good" : "changed",
                     lesson.exhibit.c_str(), lesson.title.c_str(), lesson.steps.size());
         for (const std::string& note : lesson.notes) std::printf("  %s\n", note.c_str());
-        return lesson.notes.empty() ? 0 : static_cast<int>(Blame::check);
+        return lesson.notes.empty() ? 0 : static_cast<int>(ErrorKind::check);
     } catch (const Failure& failure) {
         say(failure);
-        return static_cast<int>(blame);
+        return static_cast<int>(kind);
     }
 }
 

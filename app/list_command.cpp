@@ -33,7 +33,7 @@ int manual(const std::string& name)
         std::fputs(derive::manualTable(exhibit->parameters()).c_str(), stdout);
         return 0;
     }
-    throw Failure(Blame::usage, "list --manual: there is no exhibit \"" + name + "\"; `vitrine list` names them.");
+    throw Failure(ErrorKind::usage, "list --manual: there is no exhibit \"" + name + "\"; `vitrine list` names them.");
 }
 
 /// Returns the initial parameter tables. Reads no assets, so it is fast.

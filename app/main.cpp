@@ -94,7 +94,7 @@ int parseAndRun(int argc, char** argv)
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return parser.exit(error);  // Help, or the version.
         speak();
-        throw vitrine::Failure(vitrine::Blame::usage, vitrine::app::usageError(parser, error));
+        throw vitrine::Failure(vitrine::ErrorKind::usage, vitrine::app::usageError(parser, error));
     } catch (const vitrine::Failure&) {
         speak();
         vitrine::app::throwFirstTyped(parser, {argv + 1, argv + argc});
@@ -115,7 +115,7 @@ int parseAndRun(int argc, char** argv)
         throw;
     } catch (const std::bad_alloc&) {
         vitrine::app::sayInEnglish(vitrine::app::noMemory);
-        std::_Exit(static_cast<int>(vitrine::Blame::usage));
+        std::_Exit(static_cast<int>(vitrine::ErrorKind::usage));
     } catch (const std::exception& error) {
         vitrine::app::sayInEnglish(error.what());
         std::abort();
@@ -143,9 +143,9 @@ int main(int argc, char** argv)
         return failure.exitCode();
     } catch (const std::bad_alloc&) {
         vitrine::app::say(vitrine::app::noMemory);
-        return static_cast<int>(vitrine::Blame::usage);
+        return static_cast<int>(vitrine::ErrorKind::usage);
     } catch (const std::exception& error) {
         vitrine::app::say(error.what());
-        return static_cast<int>(vitrine::Blame::file);
+        return static_cast<int>(vitrine::ErrorKind::file);
     }
 }

@@ -55,7 +55,7 @@ int checkScene(const std::string& file, Json* report)
         for (const scenes::Finding& finding : read.findings) printFinding(finding);
     }
     if (read.scene) return 0;
-    return static_cast<int>(read.fileRead ? Blame::check : Blame::file);
+    return static_cast<int>(read.fileRead ? ErrorKind::check : ErrorKind::file);
 }
 
 int checkScenes(const std::vector<std::string>& files, bool asJson)

@@ -82,7 +82,7 @@ int checkShader(const std::string& file, guest::ShaderCompiler& compiler, Json* 
             for (const Finding& finding : checked.shader->notes) printFinding(finding);
     }
     if (checked.isGood()) return 0;
-    return static_cast<int>(checked.fileRead ? Blame::check : Blame::file);
+    return static_cast<int>(checked.fileRead ? ErrorKind::check : ErrorKind::file);
 }
 
 int checkShaders(const std::vector<std::string>& files, bool asJson)

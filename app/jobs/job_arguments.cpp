@@ -25,7 +25,7 @@ std::string commandName(const jobs::Job& job)
 [[noreturn]] void refuseMissing(const jobs::Job& job, const std::string& option)
 {
     const std::string name = commandName(job);
-    throw Failure(Blame::usage, '`' + name + "` needs " + option + "; `" + name + " --help` says what it is.");
+    throw Failure(ErrorKind::usage, '`' + name + "` needs " + option + "; `" + name + " --help` says what it is.");
 }
 
 /// Returns the parameters that options set one by one, and all that a document has changed.
@@ -123,7 +123,7 @@ OrderedJob orderedJob(const CLI::App& command, const jobs::Job& job, const JobAr
     if (order.out.empty() && !typed.dryRun && !start.answers) refuseMissing(job, "--out");
     if (const JobFolder* folder = folderOf(job); folder && !order.out.empty()) folder->require(order.out);
     if (const std::string refusal = jobs::refusedExtension(job, order.out); !order.out.empty() && !refusal.empty())
-        throw Failure(Blame::usage, refusal);
+        throw Failure(ErrorKind::usage, refusal);
     order.inputs = job.read(order.values);
     if (job.needs().hasScene()) {
         order.scene = sceneOf(command, job, typed, start, like ? &*like : nullptr, ordered.notes);

@@ -139,7 +139,7 @@ std::size_t Service::subjectNamed(const std::string& name) const
     if (const auto subject = museum_.find(name)) return *subject;
     std::vector<std::string> names;
     for (const Subject* subject : museum_.subjects()) names.emplace_back(subject->name());
-    throw Failure(Blame::usage,
+    throw Failure(ErrorKind::usage,
                   "There is no exhibit \"" + name + '"' + didYouMean(name, names) + " the method list names them.");
 }
 
@@ -300,9 +300,9 @@ std::string pictureInBase64(const RequestedPicture& job, const PictureMaker& mak
 {
     const std::string bytes = render::encodedPicture("The picture", maker.picture(), format, metadata);
     if (bytes.size() > mostAnswerBytes)
-        throw Failure(Blame::usage, "render: a picture of " + sizeJson(job).dump() + " pixels has " +
-                                        std::to_string(bytes.size()) + " bytes, and an answer takes " +
-                                        std::to_string(mostAnswerBytes) + "; let out name a file.");
+        throw Failure(ErrorKind::usage, "render: a picture of " + sizeJson(job).dump() + " pixels has " +
+                                            std::to_string(bytes.size()) + " bytes, and an answer takes " +
+                                            std::to_string(mostAnswerBytes) + "; let out name a file.");
     return base64(bytes);
 }
 
@@ -398,7 +398,7 @@ Json Service::runJob(const jobs::Job& job, const Json& params, const Watch& watc
     if (arguments.dryRun) {
         answer = planJson(job, ordered.plan);
     } else {
-        if (!ordered.plan.refusal.empty()) throw Failure(Blame::usage, ordered.plan.refusal);
+        if (!ordered.plan.refusal.empty()) throw Failure(ErrorKind::usage, ordered.plan.refusal);
         ordered.order.backend = [this] { return sharedBackend({std::shared_ptr<void>(), &renderer_}); };
         ordered.order.machine = [this] { return machineJson(gl_); };
         const std::unique_ptr<jobs::JobRun> run = job.start(std::move(ordered.order));

@@ -19,9 +19,9 @@ OfferedComparison offeredComparison(const Subject& subject, std::string_view nam
         if (offered.name == name) return offered;
     const std::string names = joined(all, ", ", &OfferedComparison::name);
     const std::string who(subject.name());
-    throw Failure(Blame::usage, names.empty() ? who + " offers no comparisons; name two settings."
-                                              : who + " offers no comparison \"" + std::string(name) +
-                                                    "\"; choose one of " + names + ".");
+    throw Failure(ErrorKind::usage, names.empty() ? who + " offers no comparisons; name two settings."
+                                                  : who + " offers no comparison \"" + std::string(name) +
+                                                        "\"; choose one of " + names + ".");
 }
 
 SceneState otherSide(const SceneState& a, std::size_t subject, const OfferedComparison& offered)

@@ -11,7 +11,7 @@ namespace vitrine {
 /// Returns the comparisons that the subject offers; empty if none.
 [[nodiscard]] std::vector<OfferedComparison> offeredComparisons(const Subject&);
 
-/// Returns the comparison of that name. Throws Failure (Blame::usage) that lists the names.
+/// Returns the comparison of that name. Throws Failure (ErrorKind::usage) that lists the names.
 [[nodiscard]] OfferedComparison offeredComparison(const Subject&, std::string_view name);
 
 /// Returns B of the comparison: A with the offered values of that subject, without their motions.

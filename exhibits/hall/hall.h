@@ -11,8 +11,8 @@ namespace vitrine {
 /// The building: light, walls, shadows, reflections and tone mapping.
 class Hall final : public Subject {
 public:
-    /// Creates the hall with these exhibits in it. Throws Failure (Blame::file) if the font of the plaques cannot be
-    /// read.
+    /// Creates the hall with these exhibits in it. Throws Failure (ErrorKind::file) if the font of the plaques cannot
+    /// be read.
     Hall(std::shared_ptr<const HallModel>, std::vector<ExhibitSlot>);
 
     [[nodiscard]] std::string_view name() const override { return "hall"; }

@@ -31,7 +31,7 @@ render::AssetStore::Made<render::Model> readModel(const std::string& path)
     if (!file.animations().empty())
         model->warnings.push_back(message("Animations are not played in the hall; the model stands still."));
     if (const Message why = render::whyNothingIsSeen(path, model->bounds); !why.empty())
-        throw Failure(Blame::file, why);
+        throw Failure(ErrorKind::file, why);
     const std::uint64_t bytes = heldBytes(*model);
     return {std::move(model), bytes};
 }

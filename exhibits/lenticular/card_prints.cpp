@@ -105,7 +105,7 @@ bool isPlainPicture(const fs::path& file)
 
 [[noreturn]] void refuse(const fs::path& file, const std::string& why)
 {
-    throw Failure(Blame::file, "The card cannot show " + file.string() + ": " + why);
+    throw Failure(ErrorKind::file, "The card cannot show " + file.string() + ": " + why);
 }
 
 /// Returns the raster as the shader reads it: columns across the lenses, rows along them. Below it are its smaller

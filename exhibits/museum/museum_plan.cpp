@@ -173,7 +173,7 @@ Prepared Museum::prepare(const SceneState& sceneState, const FrameRequest& reque
     render::AssetStore assets = request.waitless ? assets_->waitless() : *assets_;
     const auto complainOf = [&](const PreparedPart* part) {
         if (request.needsFiles && part && !part->unreadable.empty())
-            throw Failure(Blame::file, part->unreadable.front().why);
+            throw Failure(ErrorKind::file, part->unreadable.front().why);
     };
     made.hall = hall_->prepare(made.sceneState.hall(), assets);
     complainOf(made.hall.get());

@@ -34,7 +34,7 @@ struct PictureRequest {
 /// Makes a picture step by step, so that a window can show progress and cancel between steps.
 class PictureMaker {
 public:
-    /// Copies scene state and request; museum and backend must outlive it. Throws Failure (Blame::usage) for a size
+    /// Copies scene state and request; museum and backend must outlive it. Throws Failure (ErrorKind::usage) for a size
     /// without pixels, or if the pixels do not fit into half of the machine's memory.
     PictureMaker(const Museum&, render::RenderBackend&, SceneState, PictureRequest);
 

@@ -102,11 +102,11 @@ Chart::Chart(const PrintLayout& layout, ChartKind kind, double span) : layout_(l
     along_ = upright_ ? s.height + 2 * s.bleed : s.width + 2 * s.bleed;
     across_ = upright_ ? s.width + 2 * s.bleed : s.height + 2 * s.bleed;
     if (!(span > 0 && span < 0.5))
-        throw Failure(Blame::usage, "The span of a pitch chart must lie between 0 and 50 %.");
+        throw Failure(ErrorKind::usage, "The span of a pitch chart must lie between 0 and 50 %.");
     const double room = along_ - 2 * margin;
     const int fit = static_cast<int>(room / bandHeight);
     if (fit < 3 || across_ < 4 * margin)
-        throw Failure(Blame::usage, "A chart needs at least 40 mm across the lenses and 44 mm along them.");
+        throw Failure(ErrorKind::usage, "A chart needs at least 40 mm across the lenses and 44 mm along them.");
     const auto add = [&](double from, double to, PrintLayout own, std::vector<double> levels, std::string label) {
         bands_.push_back({margin + from, margin + to, std::move(own), std::move(levels), std::move(label)});
     };

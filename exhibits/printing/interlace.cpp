@@ -128,8 +128,8 @@ Interlacer::Interlacer(const PrintLayout& layout, const ViewSet& views, Instruct
       kernels_(kernels::kernelsFor(instructions))
 {
     if (views.count() != layout.settings().views) {
-        throw Failure(Blame::usage, "The print is laid out for " + std::to_string(layout.settings().views) +
-                                        " views, and there are " + std::to_string(views.count()) + ".");
+        throw Failure(ErrorKind::usage, "The print is laid out for " + std::to_string(layout.settings().views) +
+                                            " views, and there are " + std::to_string(views.count()) + ".");
     }
     if (layout.settings().compensate) compensation_ = compensation(viewMixing(layout_));
     if (layout_.vertical()) plan_.emplace(layout_, views);

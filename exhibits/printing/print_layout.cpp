@@ -15,7 +15,7 @@ constexpr double mostPixels = 2147483647;  // Per side; PNG and TIFF end there.
 
 [[noreturn]] void refuse(const std::string& why)
 {
-    throw Failure(Blame::usage, "This print cannot be made: " + why + ".");
+    throw Failure(ErrorKind::usage, "This print cannot be made: " + why + ".");
 }
 
 void requirePositive(double value, const char* what)

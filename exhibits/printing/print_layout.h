@@ -47,7 +47,7 @@ constexpr int mostViews = 256;
 /// count per lens is rounded, so the last column is as exact as the first.
 class PrintLayout {
 public:
-    /// Throws Failure (Blame::usage) that names an impossible setting with its limit.
+    /// Throws Failure (ErrorKind::usage) that names an impossible setting with its limit.
     explicit PrintLayout(const PrintSettings&);
 
     [[nodiscard]] const PrintSettings& settings() const { return settings_; }

@@ -162,7 +162,7 @@ struct PrintTable final : Parameters {
 /// Returns the bits per channel of the file.
 [[nodiscard]] int bitsOf(const ParameterValues&);
 
-/// Returns the sheet of the values. Throws Failure (Blame::usage) with the limit if it is impossible.
+/// Returns the sheet of the values. Throws Failure (ErrorKind::usage) with the limit if it is impossible.
 [[nodiscard]] Sheet sheetOf(const ParameterValues&);
 /// Returns the values with this sheet; `lens` is derived if the sheet follows from LPI, zone and index.
 [[nodiscard]] ParameterValues withSheet(ParameterValues, const Sheet&);

@@ -11,7 +11,7 @@ namespace {
 
 [[noreturn]] void refuse(const Sheet& sheet, const std::string& why)
 {
-    throw Failure(Blame::usage,
+    throw Failure(ErrorKind::usage,
                   "The sheet" + (sheet.name.empty() ? "" : " \"" + sheet.name + "\"") + " is impossible: " + why + ".");
 }
 
@@ -93,7 +93,7 @@ const Sheet& knownSheet(const std::string& name)
 {
     for (const Sheet& sheet : knownSheets())
         if (sheet.name == name) return sheet;
-    throw Failure(Blame::usage,
+    throw Failure(ErrorKind::usage,
                   "There is no sheet \"" + name + "\"; known are " + joined(knownSheets(), ", ", &Sheet::name) + ".");
 }
 

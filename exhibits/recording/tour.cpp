@@ -191,8 +191,8 @@ CameraPath tourPath(const Obstacles& obstacles, const Tour& tour)
 {
     for (const Bookmark& bookmark : tour.bookmarks)
         if (!obstacles.cameraPasses(bookmark.camera.eye, bookmark.camera.eye))
-            throw Failure(Blame::file, "The bookmark \"" + bookmark.name +
-                                           "\" is inside of a wall or of what stands in the hall; move it.");
+            throw Failure(ErrorKind::file, "The bookmark \"" + bookmark.name +
+                                               "\" is inside of a wall or of what stands in the hall; move it.");
     const std::size_t count = tour.bookmarks.size();
     std::vector<Leg> legs(tour.closed ? count : count - 1);
     // If a user cannot walk straight, a camera would fly over plinths and through what stands on them.
@@ -216,7 +216,7 @@ CameraPath tourPath(const Obstacles& obstacles, const Tour& tour)
                 : std::vector<glm::dvec3>();
         ++leg.tries;
         if (way.empty())
-            throw Failure(Blame::file,
+            throw Failure(ErrorKind::file,
                           "No way past the walls and what stands in the hall was found from the bookmark \"" +
                               from.name + "\" to \"" + to.name + "\"; put another one between them.");
         leg.between = walked(way, from.camera, to.camera);

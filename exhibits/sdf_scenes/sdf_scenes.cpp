@@ -357,7 +357,7 @@ using scenes::SceneField;
 const scenes::NodeKind& kindNamed(const std::string& word)
 {
     const scenes::NodeKind* kind = scenes::findKind(word);
-    if (!kind) throw Failure(Blame::check, "There is no kind of node \"" + word + "\".");
+    if (!kind) throw Failure(ErrorKind::check, "There is no kind of node \"" + word + "\".");
     return *kind;
 }
 
@@ -378,7 +378,7 @@ EditedScene edit(const SceneEdit& scene, const TreeEdit& wanted)
     case showAll: return scene.allShown();
     case kind: return scene.ofKind(wanted.node, kindNamed(wanted.word));
     }
-    throw Failure(Blame::check, "This cannot be done.");
+    throw Failure(ErrorKind::check, "This cannot be done.");
 }
 
 /// A ray of the exhibit's own space beyond the opening, in meters of the scene.
@@ -428,11 +428,11 @@ std::optional<TreeRows> SdfScenes::rowsOf(const ParameterValues& values, std::st
 ParameterValues SdfScenes::withText(const ParameterValues& values, std::string text, render::AssetStore& assets) const
 {
     if (text.size() > presetLimits.stringBytes)
-        throw Failure(Blame::check, "A scene of more than 1 MB is not edited here; change its file.");
+        throw Failure(ErrorKind::check, "A scene of more than 1 MB is not edited here; change its file.");
     ParameterValues next = values;
     next.set(table_.document, text);
     const CalledTable called = tableFor(next, assets);
-    if (!called.table) throw Failure(Blame::check, called.why);
+    if (!called.table) throw Failure(ErrorKind::check, called.why);
     std::vector<std::string> notes;
     return underTable(next, called.table, notes);
 }

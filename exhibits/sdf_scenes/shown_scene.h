@@ -40,7 +40,7 @@ struct ShownScene {
     std::uint64_t pictures = 0;  ///< Hash of the state of its environment's pictures when they were read.
 };
 
-/// Reads a scene. Throws Failure (Blame::file) with the first finding if it cannot be read.
+/// Reads a scene. Throws Failure (ErrorKind::file) with the first finding if it cannot be read.
 [[nodiscard]] std::shared_ptr<const ShownScene> readShownScene(const std::filesystem::path&);
 /// The same for a scene that is already parsed.
 [[nodiscard]] std::shared_ptr<const ShownScene> shownScene(std::shared_ptr<const Scene>, std::filesystem::path = {});

@@ -35,13 +35,14 @@ Study::Study(const Museum& museum, render::RenderBackend& backend, StudyRequest 
           [this] { judge(); })
 {
     if (request_.axes.empty())
-        throw Failure(Blame::usage,
+        throw Failure(ErrorKind::usage,
                       "A study needs a parameter that is marked as quality; `vitrine list --json` names them.");
     if (render::metricInfo(request_.metric).falls)
-        throw Failure(Blame::usage, "A study needs a measure that falls to 0, and psnr rises without end; give rmse, "
-                                    "the same error not in decibels.");
+        throw Failure(ErrorKind::usage,
+                      "A study needs a measure that falls to 0, and psnr rises without end; give rmse, "
+                      "the same error not in decibels.");
     if (queue_.isPart() && request_.axes.size() > 2)
-        throw Failure(Blame::usage,
+        throw Failure(ErrorKind::usage,
                       "A study over three parameters or more searches: which settings it measures depends on those "
                       "before, so it cannot be split; study one or two parameters.");
     request_.runs = std::max(request_.runs, 1);

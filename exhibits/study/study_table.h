@@ -69,8 +69,8 @@ struct StudyTable final : Parameters {
 
 [[nodiscard]] const StudyTable& studyTable();
 
-/// Returns the study that values of `StudyTable` describe. Throws Failure (Blame::usage) naming what cannot be and what
-/// to give.
+/// Returns the study that values of `StudyTable` describe. Throws Failure (ErrorKind::usage) naming what cannot be and
+/// what to give.
 [[nodiscard]] StudyRequest studyRequest(const ParameterValues&, const Museum&, SceneState, std::size_t subject);
 
 /// Returns the cost axis of a study's chart: the one that is set, else time, if its clock is exact enough or no count

@@ -77,8 +77,8 @@ ProgramInUse ProgramCache::use(const ShaderKey& key, Building building)
     if (std::optional<ProgramInUse> other = standIn(entry)) return *other;
     const Message problem = placeOf(key, entry.build.problem);
     programs_.erase(found);
-    throw Failure(Blame::shader, message("{1} (while building {2}); correct the shader or reinstall the program.",
-                                         problem, describe(key)));
+    throw Failure(ErrorKind::shader, message("{1} (while building {2}); correct the shader or reinstall the program.",
+                                             problem, describe(key)));
 }
 
 bool ProgramCache::canWait(const ShaderKey& key) const

@@ -46,7 +46,7 @@ public:
 
     enum class Building { goesOn, isWaitedFor };
     /// Returns the program or a fallback: its last good build, or another program of its slot. Throws Failure
-    /// (Blame::shader) if there is none.
+    /// (ErrorKind::shader) if there is none.
     [[nodiscard]] ProgramInUse use(const ShaderKey&, Building = Building::goesOn);
     /// Returns the specialized program of a key (ShaderKey::better) if it is built. Otherwise starts building it and
     /// returns nothing.

@@ -333,7 +333,7 @@ Renderer::Renderer() : Renderer(std::make_unique<State>(std::make_shared<Shared>
 
 Renderer::Renderer(std::unique_ptr<State> state) : state_(std::move(state))
 {
-    if (const Message why = whyUnusable(state_->info); !why.empty()) throw Failure(Blame::openGl, why);
+    if (const Message why = whyUnusable(state_->info); !why.empty()) throw Failure(ErrorKind::openGl, why);
 }
 
 Renderer::~Renderer() = default;

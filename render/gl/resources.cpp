@@ -34,7 +34,7 @@ BufferName makeBuffer(const BufferInfo& info)
                          GL_DYNAMIC_STORAGE_BIT);
     if (glGetError() != GL_NO_ERROR) {
         throw Failure(
-            Blame::openGl,
+            ErrorKind::openGl,
             message("The graphics driver cannot store the buffer \"{1}\" of {2} bytes; choose fewer or smaller things.",
                     info.name, info.bytes));
     }

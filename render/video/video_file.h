@@ -31,7 +31,7 @@ class PartFile;
 /// in .gif a comment extension, in .webp a chunk "VTRN" at its end.
 class VideoFile {
 public:
-    /// Throws Failure: Blame::usage if `whyNoVideo` refuses it, Blame::file if nothing can be written there.
+    /// Throws Failure: ErrorKind::usage if `whyNoVideo` refuses it, ErrorKind::file if nothing can be written there.
     VideoFile(const std::filesystem::path&, const VideoSpec&, FileOps& = systemFileOps());
     ~VideoFile();
     VideoFile(const VideoFile&) = delete;

@@ -99,7 +99,7 @@ public:
             else if (edit.what == TreeEdit::What::rename)
                 all[at].name = node = edit.word;
             else
-                throw Failure(Blame::check, "Cubes know no such change.");
+                throw Failure(ErrorKind::check, "Cubes know no such change.");
         }
         return {with(values, all, assets), node};
     }
@@ -180,7 +180,7 @@ private:
     [[nodiscard]] static std::size_t indexOf(const ParameterValues& values, std::string_view node)
     {
         const Block* block = find(values, node);
-        if (!block) throw Failure(Blame::check, "There is no such cube.");
+        if (!block) throw Failure(ErrorKind::check, "There is no such cube.");
         return static_cast<std::size_t>(block - blocks(values).data());
     }
     [[nodiscard]] static render::Box boxOf(const Block& block)
@@ -193,7 +193,7 @@ private:
         ParameterValues next = values;
         next.set(none_.document, textOfBlocks(all));
         const CalledTable called = tableFor(next, assets);
-        if (!called.table) throw Failure(Blame::check, called.why);
+        if (!called.table) throw Failure(ErrorKind::check, called.why);
         std::vector<std::string> notes;
         return underTable(next, called.table, notes);
     }

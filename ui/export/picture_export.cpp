@@ -95,7 +95,7 @@ void PictureExport::start()
     auto step = [this, work, &renderers = window_.renderers(), stage = stage_, sceneState = sceneState_,
                  request = request_, wish = wish_, preset = preset_](const RenderThread::Tell& tell) {
         if (!work->job.maker) work->job = renderers.makePicture(sceneState, request);
-        if (!work->job.maker) throw Failure(Blame::openGl, "No picture can be made: there is no graphics context.");
+        if (!work->job.maker) throw Failure(ErrorKind::openGl, "No picture can be made: there is no graphics context.");
         PictureMaker& maker = *work->job.maker;
         maker.step();
         if (!work->told.isValid() || work->told.elapsed() >= RenderThread::tellEvery) {

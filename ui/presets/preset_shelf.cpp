@@ -410,8 +410,8 @@ ReadSettings PresetShelf::read(const std::string& text, const QString& origin) c
     }
     const std::optional<std::size_t> found = window_.museum().find(header.exhibit);
     if (!found)
-        throw Failure(Blame::file, origin.toStdString() + " is a preset of \"" + header.exhibit +
-                                       "\", which is not in this museum.");
+        throw Failure(ErrorKind::file, origin.toStdString() + " is a preset of \"" + header.exhibit +
+                                           "\", which is not in this museum.");
     const Subject& subject = window_.museum().subject(*found);
     Preset preset = parsePreset(text, origin.toStdString(), subject.name(), subject.parameters());
     result.sceneState = window_.history().sceneState();
@@ -441,8 +441,9 @@ std::optional<ReadSettings> PresetShelf::settingsIn(const QString& path)
         std::optional<std::string> text = picture ? render::carriedSettings(path.toStdString())
                                                   : render::readFile(path.toStdString(), presetLimits.bytes);
         if (!text)
-            throw Failure(Blame::file, path.toStdString() + ": this picture carries no preset; choose a preset file, "
-                                                            "or a picture that Vitrine made.");
+            throw Failure(ErrorKind::file, path.toStdString() +
+                                               ": this picture carries no preset; choose a preset file, "
+                                               "or a picture that Vitrine made.");
         ReadSettings found = read(*text, path);
         tell(path, found.notes);
         result = std::move(found);

@@ -66,7 +66,7 @@ bool ShownViews::step(Renderers& renderers, Work& work, const RenderThread::Tell
         work.job = renderers.makePicture(shot.sceneState, shot.request);
     else if (!work.job.maker)
         renderers.nextPicture(work.job, shot.sceneState, shot.request);
-    if (!work.job.maker) throw Failure(Blame::openGl, "No views can be rendered: there is no graphics context.");
+    if (!work.job.maker) throw Failure(ErrorKind::openGl, "No views can be rendered: there is no graphics context.");
     work.job.maker->step();
     if (work.job.maker->finished()) {
         if (work.next == 0)

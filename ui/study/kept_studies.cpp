@@ -378,7 +378,8 @@ QByteArray KeptStudies::exported(const QString& suffix) const
     } else {
         const std::vector<std::string> costs = sharedCosts(studies);
         if (costs.empty())
-            throw Failure(Blame::check, "These studies share no count of work, so no chart can show them together.");
+            throw Failure(ErrorKind::check,
+                          "These studies share no count of work, so no chart can show them together.");
         auto several = std::make_unique<ComparisonChart>();
         several->setComparison(compareStudies(studies, labelsOf(studies), costs.front()));
         chart = std::move(several);

@@ -281,7 +281,7 @@ bool StudyDock::step(Work& work, const RenderThread::Tell& tell, const std::func
     if (!work.job.study) {
         work.job = work.renderers.makeStudy(work.request);
         work.shown.start();
-        if (!work.job.study) throw Failure(Blame::openGl, "Nothing can be measured: there is no graphics context.");
+        if (!work.job.study) throw Failure(ErrorKind::openGl, "Nothing can be measured: there is no graphics context.");
     }
     Study& study = *work.job.study;
     study.step();

@@ -64,7 +64,7 @@ TableExport::TableExport(Workbench& window, const MeasuresTable& source, QString
                 work->table = source.measureTable(values);
                 work->backend = renderers.makeBackend(true);
                 if (!work->backend)
-                    throw Failure(Blame::openGl, "Nothing can be measured: there is no graphics context.");
+                    throw Failure(ErrorKind::openGl, "Nothing can be measured: there is no graphics context.");
             }
             const bool more = work->table->step(*work->backend);
             tell([this, part = work->table->progress()] { note(part); });

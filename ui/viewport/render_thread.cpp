@@ -147,7 +147,7 @@ DrawnPicture RenderThread::picture(PictureOrder order)
     DrawnPicture done;
     const double start = render::wallSeconds();
     try {
-        if (!open_) throw Failure(Blame::openGl, "Nothing can be drawn: there is no graphics context.");
+        if (!open_) throw Failure(ErrorKind::openGl, "Nothing can be drawn: there is no graphics context.");
         const std::function<bool()> unwanted = [this] { return unwanted_.load(); };
         if (order.region)
             done.image =
@@ -186,7 +186,7 @@ void RenderThread::step()
     QString failure;
     bool more = false;
     try {
-        if (!open_) throw Failure(Blame::openGl, "Nothing can be drawn: there is no graphics context.");
+        if (!open_) throw Failure(ErrorKind::openGl, "Nothing can be drawn: there is no graphics context.");
         more = task->step(tell);
     } catch (const std::exception& thrown) {
         failure = messageOf(thrown);

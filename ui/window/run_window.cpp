@@ -47,7 +47,7 @@ int runWindow(int& argc, char** argv, const std::vector<std::string>& files)
     speak(languageAsked() ? spokenLanguage() : languageOfWindow());
     if (const QString why = whyNoOpenGl(); !why.isEmpty()) {
         std::fprintf(stderr, "vitrine: %s\n", qPrintable(why));
-        return static_cast<int>(Blame::openGl);
+        return static_cast<int>(ErrorKind::openGl);
     }
     applyAppearance(app, Preferences::saved(), {});
     const Museum museum{allExhibits()};

@@ -47,7 +47,7 @@ std::string_view trimmed(std::string_view s)
 
 Failure failureAt(const std::string& file, int line, const Message& problem)
 {
-    return {Blame::file, message("{1}, line {2}: {3}", file, line, problem)};
+    return {ErrorKind::file, message("{1}, line {2}: {3}", file, line, problem)};
 }
 
 /// Splits the file at its headings.

@@ -131,7 +131,7 @@ int seenPixels(const SpriteFrame& frame)
 
 SpriteSheet spriteSheet(const std::vector<SpriteFrame>& frames, const SpriteSheetOptions& options)
 {
-    if (frames.empty()) throw Failure(Blame::usage, "A sprite sheet takes at least one frame.");
+    if (frames.empty()) throw Failure(ErrorKind::usage, "A sprite sheet takes at least one frame.");
     SpriteSheet sheet;
     for (const SpriteFrame& frame : frames) {
         sheet.cells.push_back(cellOf(frame.color, options.trimmed));

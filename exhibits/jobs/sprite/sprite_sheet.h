@@ -66,7 +66,7 @@ struct SpriteSheet {
     std::vector<std::string> warnings;  ///< What will disappoint, sentences.
 };
 
-/// Makes a sheet of frames of one size, ordered by direction. Throws Failure (Blame::usage) if there are none.
+/// Makes a sheet of frames of one size, ordered by direction. Throws Failure (ErrorKind::usage) if there are none.
 [[nodiscard]] SpriteSheet spriteSheet(const std::vector<SpriteFrame>&, const SpriteSheetOptions&);
 
 }  // namespace vitrine

@@ -138,8 +138,8 @@ int SpriteSubject::animationOf(const SpriteRequest& request) const
     for (std::size_t i = 0; i < all.size(); ++i)
         if (all[i].name == request.animation) return static_cast<int>(i);
     const std::string names = joined(all, ", ", [](const auto& animation) { return animation.name; });
-    throw Failure(Blame::usage, "There is no animation \"" + request.animation + "\"; " +
-                                    (names.empty() ? "the file has none." : "the file has " + names + "."));
+    throw Failure(ErrorKind::usage, "There is no animation \"" + request.animation + "\"; " +
+                                        (names.empty() ? "the file has none." : "the file has " + names + "."));
 }
 
 double SpriteSubject::duration(const SpriteRequest& request) const
@@ -264,7 +264,7 @@ void SpriteShots::pose()
         all.include(boxes[i].high - gone);
     }
     if (const Message why = render::whyNothingIsSeen(subject_->name(), all); !why.empty())
-        throw Failure(Blame::file, why);
+        throw Failure(ErrorKind::file, why);
     const glm::dvec3 middle = turningPoint(all);
     SpriteExtent& extent = scene->extent;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -311,9 +311,9 @@ void SpriteShots::step(render::RenderBackend& backend)
     frames_.back().azimuth = azimuth;
     if (finished() &&
         std::none_of(frames_.begin(), frames_.end(), [](const SpriteFrame& f) { return seenPixels(f) > 0; }))
-        throw Failure(Blame::file, "Nothing of " + subject_->name() +
-                                       " is to be seen: every pixel of every frame is empty; choose an object with "
-                                       "more opacity, or larger frames.");
+        throw Failure(ErrorKind::file, "Nothing of " + subject_->name() +
+                                           " is to be seen: every pixel of every frame is empty; choose an object with "
+                                           "more opacity, or larger frames.");
 }
 
 std::vector<SpriteFrame> drawSprite(const ParameterValues& look, const SpriteSubject& subject,

@@ -23,7 +23,7 @@ std::string refusalOf(const Subject& subject, std::string_view name)
         (void)offeredComparison(subject, name);
         return {};
     } catch (const Failure& failure) {
-        EXPECT_EQ(failure.blame(), Blame::usage);
+        EXPECT_EQ(failure.kind(), ErrorKind::usage);
         return failure.what();
     }
 }

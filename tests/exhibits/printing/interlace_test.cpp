@@ -227,7 +227,7 @@ std::string refusal(const PrintSettings& settings)
     try {
         const PrintLayout layout(settings);
     } catch (const Failure& failure) {
-        EXPECT_EQ(failure.blame(), Blame::usage);
+        EXPECT_EQ(failure.kind(), ErrorKind::usage);
         return failure.what();
     }
     return {};

@@ -227,7 +227,7 @@ TEST(SceneMesh, RefusesWhatHasNoEndOrNoRoom)
         try {
             const scenes::SceneMesher mesher(field, request);
         } catch (const Failure& failure) {
-            EXPECT_EQ(failure.blame(), Blame::usage);
+            EXPECT_EQ(failure.kind(), ErrorKind::usage);
             return failure.what();
         }
         return {};

@@ -227,7 +227,7 @@ scenes::ReadScene readFiles(const std::map<std::string, std::string>& files)
 {
     const auto open = [&](const std::string& path) {
         const auto found = files.find(path);
-        if (found == files.end()) throw Failure(Blame::file, "Cannot read " + path + ": there is no file.");
+        if (found == files.end()) throw Failure(ErrorKind::file, "Cannot read " + path + ": there is no file.");
         return found->second;
     };
     return scenes::readScene(files.at("main.json"), "main.json", open);

@@ -38,7 +38,7 @@ struct Reader {
                 ++reads;
                 std::string text = test::bytesOf(file);
                 if (text.empty() || text == "broken")
-                    throw Failure(Blame::file, "Cannot read " + file + ": it is broken.");
+                    throw Failure(ErrorKind::file, "Cannot read " + file + ": it is broken.");
                 if (text == "huge") throw std::bad_alloc();
                 const std::uint64_t bytes = text.size();
                 return {std::make_shared<std::string>(std::move(text)), bytes};

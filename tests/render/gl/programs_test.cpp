@@ -112,7 +112,7 @@ TEST_F(GeneratedShaders, AreNamedInErrorsWithTheirOwnLine)
         (void)drawn(key("// A scene.\n\nfloat value()\n{\n    return undeclaredThing;\n}\n"));
         FAIL() << "nothing was thrown";
     } catch (const Failure& failure) {
-        EXPECT_EQ(failure.blame(), Blame::shader);
+        EXPECT_EQ(failure.kind(), ErrorKind::shader);
         EXPECT_NE(std::string(failure.what()).find("The generated shader generated/scene.glsl, line 5"),
                   std::string::npos)
             << failure.what();

@@ -77,7 +77,7 @@ private slots:
         compare();
         QVERIFY2(isB(0.6), "a control: there is a former B");
         const QSignalSpy failed(&desk().picture(), &OtherPicture::failed);
-        gallery_->otherThrown = std::make_exception_ptr(Failure(Blame::check, "out of paint"));
+        gallery_->otherThrown = std::make_exception_ptr(Failure(ErrorKind::check, "out of paint"));
         action("Hold the current settings as B")->trigger();
         QVERIFY(!desk().picture().upToDate());
         QTRY_VERIFY(!desk().picture().failure().isEmpty());

@@ -34,7 +34,7 @@ public:
         SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
         SDL_SetHint(SDL_HINT_JOYSTICK_HIDAPI, "0");  // The kernel's drivers do; this one would search USB as well.
         if (SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER) != 0)
-            throw Failure(Blame::file, std::string("Gamepads cannot be read: ") + SDL_GetError() + ".");
+            throw Failure(ErrorKind::file, std::string("Gamepads cannot be read: ") + SDL_GetError() + ".");
         SDL_JoystickEventState(SDL_IGNORE);
         SDL_GameControllerEventState(SDL_IGNORE);
     }

@@ -22,7 +22,7 @@ class RequestError(Error):
     def __init__(self, message, code=0, data=None):
         super().__init__(message)
         self.code = code  #: Code of JSON-RPC or of the service.
-        self.data = data or {}  #: "blame" and "exitCode" of an error that the command line has, too.
+        self.data = data or {}  #: "kind" and "exitCode" of an error that the command line has, too.
 
 
 class Canceled(RequestError):
