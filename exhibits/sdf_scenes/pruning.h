@@ -42,7 +42,7 @@ public:
     /// The same, but reuses the memory of `into`; `steps` must not be part of it.
     void prune(std::span<const Step> steps, const glm::dvec3& center, double radius, PrunedSteps& into);
     /// Number of shapes evaluated since construction.
-    [[nodiscard]] std::size_t evaluations() const { return walk_.shapesAsked(); }
+    [[nodiscard]] std::size_t evaluations() const { return walk_.primitiveEvaluations(); }
 
 private:
     /// Direction in which an operation changes its first operand, for all values that this may have in the ball.

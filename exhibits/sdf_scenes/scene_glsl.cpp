@@ -74,7 +74,7 @@ std::string GlslWriter::head() const
     std::string text = "// Made from a scene file.\n#include \"lib/bindings.glsl\"\n#include \"lib/numerics.glsl\"\n"
                        "#include \"lib/sdf.glsl\"\n#include \"lib/sdf_operators.glsl\"\n"
                        "#include \"sdf_scenes/operators.glsl\"\n#include \"sdf_scenes/material.glsl\"\n"
-                       "#include \"sdf_scenes/asked.glsl\"\n";
+                       "#include \"sdf_scenes/primitive_evaluations.glsl\"\n";
     if (shapes) text += "#include \"sdf_scenes/shapes.glsl\"\n";
     if (noise) text += "#include \"sdf_scenes/noise.glsl\"\n";
     if (!further_.file.empty()) text += "#include \"" + further_.file + "\"\n";
@@ -224,7 +224,7 @@ void GlslWriter::writeStep(const Step& step, bool withMaterials)
     case Step::Type::enter: writeEnter(step.node, withMaterials); break;
     case Step::Type::shape:
         line("float " + d + " = " + call(kind.distance.glsl, node, {{"p", named('p', step.node)}}) + ';');
-        line("SCENE_ASKED(true)");
+        line("COUNT_EVALUATION(true)");
         if (withMaterials) line("SceneMaterial " + m + " = " + material(node.material) + ';');
         break;
     case Step::Type::first:

@@ -227,10 +227,10 @@ std::optional<SceneMesh> SceneMesher::mesh(const MeshProgress& progress)
     return stitched(work.leaves, std::move(surfaces), work.field);
 }
 
-std::uint64_t SceneMesher::shapesAsked() const
+std::uint64_t SceneMesher::primitiveEvaluations() const
 {
     std::uint64_t sum = 0;
-    for (const auto& thread : work_->threads) sum += thread->shapesAsked();
+    for (const auto& thread : work_->threads) sum += thread->primitiveEvaluations();
     return sum;
 }
 

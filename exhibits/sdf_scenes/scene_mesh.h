@@ -64,7 +64,7 @@ public:
     /// Returns nothing if canceled.
     [[nodiscard]] std::optional<SceneMesh> mesh(const MeshProgress& = {});
     /// Number of shapes evaluated so far, and of evaluations of the scene.
-    [[nodiscard]] std::uint64_t shapesAsked() const;
+    [[nodiscard]] std::uint64_t primitiveEvaluations() const;
     [[nodiscard]] std::uint64_t evaluations() const;
 
 private:

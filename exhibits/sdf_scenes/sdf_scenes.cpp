@@ -4,9 +4,9 @@
 #include "exhibits/framework/files/preset.h"
 #include "exhibits/framework/files/table_change.h"
 #include "exhibits/kit/panorama.h"
-#include "exhibits/sdf_scenes/asked_scene.h"
 #include "exhibits/sdf_scenes/scene_document.h"
 #include "exhibits/sdf_scenes/scene_edit.h"
+#include "exhibits/sdf_scenes/scene_evaluator.h"
 #include "exhibits/sdf_scenes/scene_glsl.h"
 #include "exhibits/sdf_scenes/scene_reader.h"
 #include "exhibits/sdf_scenes/scene_tree.h"
@@ -37,8 +37,8 @@ struct PreparedScene final : PreparedPart {
     std::string note{};           ///< Sentence for the user if the environment is stretched; else empty.
     std::vector<double> numbers;  ///< Numbers of the scene at the prepared time.
     scenes::SceneWords words;     ///< The same numbers in the layout of the field evaluation.
-    scenes::AskedScene asked;
-    scenes::AskedScene askedRight;  ///< For the right half if the opening is divided.
+    scenes::SceneEvaluator asked;
+    scenes::SceneEvaluator askedRight;  ///< For the right half if the opening is divided.
 };
 
 /// Returns the position of the divider, in meters to the right of the opening's center.
@@ -234,10 +234,10 @@ std::shared_ptr<const PreparedPart> SdfScenes::prepare(const PrepareContext& con
     const scenes::SceneRest rest = !context.rests ? scenes::SceneRest::nothing
                                    : runs         ? scenes::SceneRest::steady
                                                   : scenes::SceneRest::all;
-    part->asked = scenes::askedScene(scene, part->words, context.values[table_.evaluation], rest, context.assets);
+    part->asked = scenes::sceneEvaluator(scene, part->words, context.values[table_.evaluation], rest, context.assets);
     if (context.values[table_.split])
         part->askedRight =
-            scenes::askedScene(scene, part->words, context.values[table_.rightEvaluation], rest, context.assets);
+            scenes::sceneEvaluator(scene, part->words, context.values[table_.rightEvaluation], rest, context.assets);
     const scenes::Record& environment = scene.scene->environment;
     if (environment.files.empty()) return part;
     const std::string path = (scene.path.parent_path() / environment.files.front()).string();
@@ -296,7 +296,7 @@ void SdfScenes::planPart(const std::string& name, const ParameterValues& values,
     }
     const ShownScene& scene = shown(values);
     const auto& prepared = static_cast<const PreparedScene&>(*context.prepared);
-    const scenes::AskedScene& asked = portal.side > 0 ? prepared.askedRight : prepared.asked;
+    const scenes::SceneEvaluator& asked = portal.side > 0 ? prepared.askedRight : prepared.asked;
     const std::string steps = portal.side > 0 ? name + '/' : "sdf_scenes/";
     // Shaders see only the rows that all scenes have, so that all scenes share one uniform block.
     std::vector<std::string> notes;

@@ -1,4 +1,4 @@
-#include "exhibits/sdf_scenes/asked_scene.h"
+#include "exhibits/sdf_scenes/scene_evaluator.h"
 
 #include "exhibits/sdf_scenes/list_glsl.h"
 #include "render/hash.h"
@@ -32,9 +32,9 @@ std::size_t shapesOf(const SceneProgram& program)
                                                   [](const ProgramNode& node) { return node.firstChild == none; }));
 }
 
-AskedScene everyShape(const ShownScene& shown, const SceneWords& words, const char* why = "")
+SceneEvaluator everyShape(const ShownScene& shown, const SceneWords& words, const char* why = "")
 {
-    AskedScene asked{.sources = shown.sources, .why = why};
+    SceneEvaluator asked{.sources = shown.sources, .why = why};
     asked.numbersInBlock = !isInBuffer(*shown.program);
     if (!asked.numbersInBlock)
         asked.buffers = {{STORAGE_EXHIBIT_A, std::make_shared<const render::Bytes>(sceneBlock(words))}};
@@ -42,23 +42,23 @@ AskedScene everyShape(const ShownScene& shown, const SceneWords& words, const ch
 }
 
 /// Returns null while it is being made.
-std::shared_ptr<const AskedScene> byLists(const ShownScene& shown, const SceneWords& words, render::AssetStore& assets)
+std::shared_ptr<const SceneEvaluator> byLists(const ShownScene& shown, const SceneWords& words,
+                                              render::AssetStore& assets)
 {
     return assets
-        .made<AskedScene>("sdf_scenes.near", keyOf(shown, words, "cells"),
-                          [&] {
-                              const ListVocabulary vocabulary = ListVocabulary::of(*shown.program);
-                              auto made = std::make_shared<AskedScene>();
-                              made->near =
-                                  nearScene(*shown.program, words, vocabulary, cellsAcross(shapesOf(*shown.program)));
-                              made->sources = generatedSources(listGlsl(vocabulary, made->near->planes, stageMember));
-                              made->buffers = {{STORAGE_EXHIBIT_A, made->near->records},
-                                               {STORAGE_EXHIBIT_B, made->near->lists},
-                                               {STORAGE_EXHIBIT_C, made->near->grid}};
-                              const std::uint64_t bytes =
-                                  made->near->bytes() + made->near->cells.cells.size() * sizeof(SceneCell);
-                              return render::AssetStore::Made<AskedScene>{std::move(made), bytes};
-                          })
+        .made<SceneEvaluator>(
+            "sdf_scenes.near", keyOf(shown, words, "cells"),
+            [&] {
+                const ListVocabulary vocabulary = ListVocabulary::of(*shown.program);
+                auto made = std::make_shared<SceneEvaluator>();
+                made->near = nearScene(*shown.program, words, vocabulary, cellsAcross(shapesOf(*shown.program)));
+                made->sources = generatedSources(listGlsl(vocabulary, made->near->planes, stageMember));
+                made->buffers = {{STORAGE_EXHIBIT_A, made->near->records},
+                                 {STORAGE_EXHIBIT_B, made->near->lists},
+                                 {STORAGE_EXHIBIT_C, made->near->grid}};
+                const std::uint64_t bytes = made->near->bytes() + made->near->cells.cells.size() * sizeof(SceneCell);
+                return render::AssetStore::Made<SceneEvaluator>{std::move(made), bytes};
+            })
         .value;
 }
 
@@ -70,7 +70,8 @@ bool hasLists(const ListVocabulary& vocabulary)
            vocabulary.places <= ListVocabulary::mostPlaces;
 }
 
-AskedScene unfolded(const ShownScene& shown, const SceneWords& words, SceneEvaluation way, render::AssetStore& assets)
+SceneEvaluator unfolded(const ShownScene& shown, const SceneWords& words, SceneEvaluation way,
+                        render::AssetStore& assets)
 {
     if (way == SceneEvaluation::shapes) return everyShape(shown, words);
     const bool automatic = way == SceneEvaluation::automatic;
@@ -78,7 +79,7 @@ AskedScene unfolded(const ShownScene& shown, const SceneWords& words, SceneEvalu
         return everyShape(shown, words, "with so few shapes, evaluating all of them is as fast");
     if (!hasLists(ListVocabulary::of(*shown.program)))
         return everyShape(shown, words, "the tree is nested too deep for lists");
-    const std::shared_ptr<const AskedScene> made = byLists(shown, words, assets);
+    const std::shared_ptr<const SceneEvaluator> made = byLists(shown, words, assets);
     if (!made) return everyShape(shown, words, "the lists of near shapes are still being computed");
     const bool noCells = made->near->cells.cells.empty();
     const char* const noEnd = !noCells ? ""
@@ -86,7 +87,7 @@ AskedScene unfolded(const ShownScene& shown, const SceneWords& words, SceneEvalu
                                   ? "so many shapes blend into each other that cells would hold them all"
                                   : "the scene has no end, so no cells hold it";
     if (noCells && automatic && !isInBuffer(*shown.program)) return everyShape(shown, words, noEnd);
-    AskedScene asked = *made;
+    SceneEvaluator asked = *made;
     asked.why = noEnd;
     return asked;
 }
@@ -133,7 +134,7 @@ std::vector<char> steadyWords(const SceneProgram& program)
 }
 
 /// Returns why the scene's numbers are not folded into its program; empty if they are.
-std::string whyNotFolded(const ShownScene& shown, const AskedScene& asked, SceneEvaluation way, SceneRest rest)
+std::string whyNotFolded(const ShownScene& shown, const SceneEvaluator& asked, SceneEvaluation way, SceneRest rest)
 {
     if (way != SceneEvaluation::automatic) return "numbers are folded by themselves where the evaluation is automatic";
     if (asked.near) return "the shader text of lists contains no numbers";
@@ -143,10 +144,10 @@ std::string whyNotFolded(const ShownScene& shown, const AskedScene& asked, Scene
 
 }  // namespace
 
-AskedScene askedScene(const ShownScene& shown, const SceneWords& words, SceneEvaluation way, SceneRest rest,
-                      render::AssetStore& assets)
+SceneEvaluator sceneEvaluator(const ShownScene& shown, const SceneWords& words, SceneEvaluation way, SceneRest rest,
+                              render::AssetStore& assets)
 {
-    AskedScene asked = unfolded(shown, words, way, assets);
+    SceneEvaluator asked = unfolded(shown, words, way, assets);
     asked.whyNotFolded = whyNotFolded(shown, asked, way, rest);
     if (!asked.whyNotFolded.empty()) return asked;
     const std::size_t count = words.words.size();

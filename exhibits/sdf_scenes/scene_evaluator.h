@@ -11,7 +11,7 @@
 namespace vitrine::scenes {
 
 /// Shader source and buffers that evaluate a scene's SDF in one frame.
-struct AskedScene {
+struct SceneEvaluator {
     std::shared_ptr<const render::ShaderSources> sources;
     std::vector<render::BufferUse> buffers;
     bool numbersInBlock = false;            ///< `sceneBlock` precedes the stage in the uniform block.
@@ -31,7 +31,7 @@ enum class SceneRest : std::uint8_t {
 
 /// Returns the evaluator for the requested method, or for the one that suits the scene best. Expensive parts are made
 /// in the store, once for the same numbers. While they are pending, every shape is evaluated.
-[[nodiscard]] AskedScene askedScene(const ShownScene&, const SceneWords&, SceneEvaluation, SceneRest,
-                                    render::AssetStore&);
+[[nodiscard]] SceneEvaluator sceneEvaluator(const ShownScene&, const SceneWords&, SceneEvaluation, SceneRest,
+                                            render::AssetStore&);
 
 }  // namespace vitrine::scenes
