@@ -236,7 +236,7 @@ void Pruner::prune(std::span<const Step> steps, const glm::dvec3& center, double
 
 namespace {
 
-/// Position and length of a list of steps in `SceneCells::steps`.
+/// Position and length of a list of steps in `GridCells::steps`.
 struct KnownList {
     std::uint32_t first = 0, count = 0;
 };
@@ -276,7 +276,7 @@ private:
 class CellPruner {
 public:
     /// Writes lists and counts into one, and cells into another one of the same grid.
-    CellPruner(const SceneProgram& program, const SceneWords& words, double tolerance, SceneCells& into,
+    CellPruner(const SceneProgram& program, const SceneWords& words, double tolerance, GridCells& into,
                std::vector<SceneCell>& cells, BudgetLeft& budget)
         : pruner_(program, words, tolerance), into_(into), cells_(cells), budget_(budget), size_(into.cellSize()),
           far_(cells.size() < fewCells ? 3 : 1)
@@ -397,7 +397,7 @@ private:
     static constexpr int largeSide = 8;  ///< Of a block, in cells.
 
     Pruner pruner_;
-    SceneCells& into_;
+    GridCells& into_;
     std::vector<SceneCell>& cells_;
     BudgetLeft& budget_;
     glm::dvec3 size_;
@@ -441,7 +441,7 @@ render::Box occupiedBox(const SceneProgram& program, const SceneWords& words, st
     return found;
 }
 
-std::size_t SceneCells::cellAt(const glm::dvec3& p) const
+std::size_t GridCells::cellAt(const glm::dvec3& p) const
 {
     const glm::ivec3 at(glm::clamp(glm::floor((p - box.low) / cellSize()), glm::dvec3(0), glm::dvec3(count - 1)));
     return (static_cast<std::size_t>(at.z) * static_cast<std::size_t>(count.y) + static_cast<std::size_t>(at.y)) *
@@ -449,7 +449,7 @@ std::size_t SceneCells::cellAt(const glm::dvec3& p) const
            static_cast<std::size_t>(at.x);
 }
 
-double SceneCells::clearance(std::size_t cell, const glm::dvec3& p) const
+double GridCells::clearance(std::size_t cell, const glm::dvec3& p) const
 {
     // Through float32, a distance moves by a part in 2^24.
     constexpr double certain = 1 - 1e-6;
@@ -460,11 +460,11 @@ double SceneCells::clearance(std::size_t cell, const glm::dvec3& p) const
     return std::copysign(std::abs(d) - glm::distance(p, center), d);
 }
 
-SceneCells pruneCells(const SceneProgram& program, const SceneWords& words, std::span<const Step> steps,
-                      const render::Box& box, const glm::ivec3& count, double tolerance, const PruneBudget& budget)
+GridCells pruneCells(const SceneProgram& program, const SceneWords& words, std::span<const Step> steps,
+                     const render::Box& box, const glm::ivec3& count, double tolerance, const PruneBudget& budget)
 {
     BudgetLeft left(budget);
-    SceneCells cells;
+    GridCells cells;
     cells.box = box;
     cells.count = count;
     cells.cells.resize(static_cast<std::size_t>(count.x) * static_cast<std::size_t>(count.y) *
@@ -474,7 +474,7 @@ SceneCells pruneCells(const SceneProgram& program, const SceneWords& words, std:
     if (cells.cells.size() < fewCells) {
         pruner.prune(steps, glm::ivec3(0), count);
     } else {
-        SceneCells others;
+        GridCells others;
         others.box = box;
         others.count = count;
         CellPruner other(program, words, tolerance, others, cells.cells, left);

@@ -79,7 +79,7 @@ private:
 
 /// Cell of the acceleration grid.
 struct SceneCell {
-    std::uint32_t first = 0, count = 0;  ///< Range in `SceneCells::steps`; empty if every surface is far from the cell.
+    std::uint32_t first = 0, count = 0;  ///< Range in `GridCells::steps`; empty if every surface is far from the cell.
     float distance = 0;                  ///< Distance at its center, or a value closer to 0; negative inside.
     std::uint32_t shapes = 0;
 };
@@ -87,7 +87,7 @@ struct SceneCell {
 /// Acceleration grid over a part of space: for each cell the steps that matter in it, in flat arrays for shaders. A
 /// cell has no steps if its center is farther from any surface than the cell's diagonal. The distance at its center,
 /// minus the distance from the center, is then a safe step, and at least half a diagonal.
-struct SceneCells {
+struct GridCells {
     render::Box box;
     glm::ivec3 count{0};
     std::vector<SceneCell> cells;  ///< In order of x, then y, then z.
@@ -129,8 +129,8 @@ struct PruneBudget {
 
 /// Prunes steps of a program for every cell of a finite box, from large parts of it to small ones. Parts that are far
 /// from every surface are not subdivided.
-[[nodiscard]] SceneCells pruneCells(const SceneProgram&, const SceneWords&, std::span<const Step> steps,
-                                    const render::Box&, const glm::ivec3& count, double tolerance = Pruner::asShaders,
-                                    const PruneBudget& = {});
+[[nodiscard]] GridCells pruneCells(const SceneProgram&, const SceneWords&, std::span<const Step> steps,
+                                   const render::Box&, const glm::ivec3& count, double tolerance = Pruner::asShaders,
+                                   const PruneBudget& = {});
 
 }  // namespace vitrine::scenes

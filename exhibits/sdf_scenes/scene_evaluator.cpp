@@ -51,7 +51,7 @@ std::shared_ptr<const SceneEvaluator> byLists(const ShownScene& shown, const Sce
             [&] {
                 const ListVocabulary vocabulary = ListVocabulary::of(*shown.program);
                 auto made = std::make_shared<SceneEvaluator>();
-                made->near = nearScene(*shown.program, words, vocabulary, cellsAcross(shapesOf(*shown.program)));
+                made->near = sceneGrid(*shown.program, words, vocabulary, cellsAcross(shapesOf(*shown.program)));
                 made->sources = generatedSources(listGlsl(vocabulary, made->near->planes, stageMember));
                 made->buffers = {{STORAGE_EXHIBIT_A, made->near->records},
                                  {STORAGE_EXHIBIT_B, made->near->lists},

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/sdf_scenes/near_scene.h"
+#include "exhibits/sdf_scenes/scene_grid.h"
 #include "exhibits/sdf_scenes/sdf_scenes_table.h"
 #include "exhibits/sdf_scenes/shown_scene.h"
 #include "render/plan/frame_plan.h"
@@ -15,7 +15,7 @@ struct SceneEvaluator {
     std::shared_ptr<const render::ShaderSources> sources;
     std::vector<render::BufferUse> buffers;
     bool numbersInBlock = false;            ///< `sceneBlock` precedes the stage in the uniform block.
-    std::shared_ptr<const NearScene> near;  ///< Null if every point evaluates every shape by its own code.
+    std::shared_ptr<const SceneGrid> near;  ///< Null if every point evaluates every shape by its own code.
     std::string why;                        ///< Reason for the frame report if there is no acceleration grid.
     /// The same as `sources` with numbers folded as constants, for the same inputs; null if it brings nothing.
     std::shared_ptr<const render::ShaderSources> folded;

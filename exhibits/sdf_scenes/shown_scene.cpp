@@ -1,7 +1,7 @@
 #include "exhibits/sdf_scenes/shown_scene.h"
 
-#include "exhibits/sdf_scenes/near_scene.h"
 #include "exhibits/sdf_scenes/scene_glsl.h"
+#include "exhibits/sdf_scenes/scene_grid.h"
 #include "exhibits/sdf_scenes/scene_reader.h"
 #include "render/failure.h"
 #include "render/hash.h"
@@ -80,7 +80,7 @@ std::shared_ptr<const Scene> framed(const std::shared_ptr<const Scene>& scene)
     if (program.nodes().empty()) return scene;
     const std::vector<double> numbers = scene->numbersAt(0);
     const SceneWords words = program.words(numbers);
-    const SceneWithoutPlanes rest(program, words, NearScene::mostPlanes);
+    const SceneWithoutPlanes rest(program, words, SceneGrid::mostPlanes);
     if (rest.steps.empty() || !std::isfinite(glm::length(rest.box.high - rest.box.low))) return scene;
     const render::Box box = occupiedBox(program, words, rest.steps, rest.box);
     const double radius = glm::length(box.halfSize());

@@ -1,4 +1,4 @@
-#include "exhibits/sdf_scenes/near_scene.h"
+#include "exhibits/sdf_scenes/scene_grid.h"
 
 #include <algorithm>
 #include <chrono>
@@ -29,8 +29,8 @@ bool isPlainUnion(const SceneProgram& program, const SceneWords& words, const Pr
 struct GridHead {
     glm::vec4 low, high, heldLow, heldHigh;
     glm::uvec4 count;
-    glm::vec4 planes[NearScene::mostPlanes];
-    std::uint32_t planeMaterials[NearScene::mostPlanes];
+    glm::vec4 planes[SceneGrid::mostPlanes];
+    std::uint32_t planeMaterials[SceneGrid::mostPlanes];
 };
 
 template <typename T> void append(render::Bytes& bytes, const T* first, std::size_t count)
@@ -53,7 +53,7 @@ struct PackedLists {
     std::map<std::uint32_t, std::uint32_t> startOf;  ///< Key: `SceneCell::first`.
 };
 
-PackedLists packLists(const SceneCells& cells, ListWriter& writer)
+PackedLists packLists(const GridCells& cells, ListWriter& writer)
 {
     PackedLists packed;
     for (const SceneCell& cell : cells.cells) {
@@ -66,11 +66,11 @@ PackedLists packLists(const SceneCells& cells, ListWriter& writer)
     return packed;
 }
 
-render::Bytes gridBytes(const NearScene& near, const SceneWithoutPlanes& rest, const ListRecords& records,
+render::Bytes gridBytes(const SceneGrid& near, const SceneWithoutPlanes& rest, const ListRecords& records,
                         const PackedLists& packed)
 {
     GridHead head{};
-    const SceneCells& cells = near.cells;
+    const GridCells& cells = near.cells;
     const glm::dvec3 perMeter = cells.cells.empty() ? glm::dvec3(1) : 1.0 / cells.cellSize();
     head.low = glm::vec4(glm::dvec4(cells.cells.empty() ? glm::dvec3(0) : cells.box.low, perMeter.x));
     head.high = glm::vec4(glm::dvec4(cells.cells.empty() ? glm::dvec3(0) : cells.box.high, perMeter.y));
@@ -144,12 +144,12 @@ int cellsAcross(std::size_t shapes)
     return std::clamp(static_cast<int>(14 * std::cbrt(static_cast<double>(shapes))), 24, 144);
 }
 
-std::shared_ptr<const NearScene> nearScene(const SceneProgram& program, const SceneWords& words,
+std::shared_ptr<const SceneGrid> sceneGrid(const SceneProgram& program, const SceneWords& words,
                                            const ListVocabulary& vocabulary, int across, const PruneBudget& budget)
 {
     const auto begun = std::chrono::steady_clock::now();
-    auto near = std::make_shared<NearScene>();
-    SceneWithoutPlanes rest(program, words, across > 0 ? NearScene::mostPlanes : 0);
+    auto near = std::make_shared<SceneGrid>();
+    SceneWithoutPlanes rest(program, words, across > 0 ? SceneGrid::mostPlanes : 0);
     near->planes = static_cast<std::uint32_t>(rest.planes.size());
     near->box = rest.box;
     const ListRecords records(program, words);

@@ -28,13 +28,13 @@ struct SceneWithoutPlanes {
 };
 
 /// Shapes that are near each place of a scene, in the buffers that shaders/sdf_scenes/near.glsl reads.
-struct NearScene {
+struct SceneGrid {
     static constexpr std::size_t mostPlanes = 4;
 
     std::shared_ptr<const render::Bytes> records, lists, grid;
     std::uint32_t planes = 0;
-    render::Box box;   ///< Bounding box of everything except the planes.
-    SceneCells cells;  ///< Empty if the scene is unbounded, if none were requested, or if `crowded`.
+    render::Box box;  ///< Bounding box of everything except the planes.
+    GridCells cells;  ///< Empty if the scene is unbounded, if none were requested, or if `crowded`.
     /// Cells would exceed their budget: too many shapes lie within the width of one blend.
     bool crowded = false;
     double seconds = 0;  ///< Time that it took to make.
@@ -51,7 +51,7 @@ inline constexpr PruneBudget cellBudget{128U << 20U, 60'000'000};
 /// Makes the lists. `across` is the number of cells along the longest side of everything except the planes. With 0
 /// there are no cells and every place has all steps. If the cells would exceed the budget, they are larger and fewer,
 /// or there are none.
-[[nodiscard]] std::shared_ptr<const NearScene> nearScene(const SceneProgram&, const SceneWords&, const ListVocabulary&,
+[[nodiscard]] std::shared_ptr<const SceneGrid> sceneGrid(const SceneProgram&, const SceneWords&, const ListVocabulary&,
                                                          int across, const PruneBudget& = cellBudget);
 
 }  // namespace vitrine::scenes
