@@ -18,7 +18,7 @@ constexpr double steepest = 1 + 2e-6, coordinateRounding = 1e-12;
 
 }  // namespace
 
-Pruner::Pruner(const SceneProgram& program, const SceneWords& words, double tolerance)
+Pruner::Pruner(const SceneProgram& program, const SceneConstants& words, double tolerance)
     : program_(program), words_(words), tolerance_(tolerance), walk_(program, words.words, false),
       reach_(program.nodes().size()), entered_(program.nodes().size()), joints_(program.nodes().size())
 {
@@ -276,7 +276,7 @@ private:
 class CellPruner {
 public:
     /// Writes lists and counts into one, and cells into another one of the same grid.
-    CellPruner(const SceneProgram& program, const SceneWords& words, double tolerance, GridCells& into,
+    CellPruner(const SceneProgram& program, const SceneConstants& words, double tolerance, GridCells& into,
                std::vector<SceneCell>& cells, BudgetLeft& budget)
         : pruner_(program, words, tolerance), into_(into), cells_(cells), budget_(budget), size_(into.cellSize()),
           far_(cells.size() < fewCells ? 3 : 1)
@@ -430,7 +430,7 @@ void includeOccupied(Pruner& pruner, std::span<const Step> steps, const render::
 
 }  // namespace
 
-render::Box occupiedBox(const SceneProgram& program, const SceneWords& words, std::span<const Step> steps,
+render::Box occupiedBox(const SceneProgram& program, const SceneConstants& words, std::span<const Step> steps,
                         const render::Box& box)
 {
     render::Box found;
@@ -460,7 +460,7 @@ double GridCells::clearance(std::size_t cell, const glm::dvec3& p) const
     return std::copysign(std::abs(d) - glm::distance(p, center), d);
 }
 
-GridCells pruneCells(const SceneProgram& program, const SceneWords& words, std::span<const Step> steps,
+GridCells pruneCells(const SceneProgram& program, const SceneConstants& words, std::span<const Step> steps,
                      const render::Box& box, const glm::ivec3& count, double tolerance, const PruneBudget& budget)
 {
     BudgetLeft left(budget);

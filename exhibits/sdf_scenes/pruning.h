@@ -35,7 +35,7 @@ public:
     static constexpr double exact = 1e-13, asShaders = 1e-6;
 
     /// Program and numbers must outlive it. `tolerance` is in meters of the space of each operation.
-    Pruner(const SceneProgram&, const SceneWords&, double tolerance = exact);
+    Pruner(const SceneProgram&, const SceneConstants&, double tolerance = exact);
 
     /// Prunes `steps` (all, or those left for a ball that contains this one) for a ball of `radius` around `center`.
     [[nodiscard]] PrunedSteps prune(std::span<const Step> steps, const glm::dvec3& center, double radius);
@@ -66,7 +66,7 @@ private:
     void dropAll();
 
     const SceneProgram& program_;
-    const SceneWords& words_;
+    const SceneConstants& words_;
     double tolerance_;
     SceneWalk walk_;
     std::vector<Step> kept_;
@@ -116,8 +116,9 @@ struct GridCells {
 };
 
 /// Returns the part of a finite box outside of which the box contains no part of the scene, to about a hundredth of its
-/// longest side. `SceneWords::extents` are much larger where many operands blend. Empty if the box contains nothing.
-[[nodiscard]] render::Box occupiedBox(const SceneProgram&, const SceneWords&, std::span<const Step> steps,
+/// longest side. `SceneConstants::extents` are much larger where many operands blend. Empty if the box contains
+/// nothing.
+[[nodiscard]] render::Box occupiedBox(const SceneProgram&, const SceneConstants&, std::span<const Step> steps,
                                       const render::Box&);
 
 /// Limits for building the grid. Without them, a scene whose shapes all lie within the width of one blend would list
@@ -129,7 +130,7 @@ struct PruneBudget {
 
 /// Prunes steps of a program for every cell of a finite box, from large parts of it to small ones. Parts that are far
 /// from every surface are not subdivided.
-[[nodiscard]] GridCells pruneCells(const SceneProgram&, const SceneWords&, std::span<const Step> steps,
+[[nodiscard]] GridCells pruneCells(const SceneProgram&, const SceneConstants&, std::span<const Step> steps,
                                    const render::Box&, const glm::ivec3& count, double tolerance = Pruner::asShaders,
                                    const PruneBudget& = {});
 

@@ -20,7 +20,7 @@ constexpr std::size_t manyShapes = 16;
 constexpr std::size_t mostFolded = 64;
 
 /// Returns a cache key. The hash of the shader text covers all steps; the numbers are hashed separately.
-std::string keyOf(const ShownScene& shown, const SceneWords& words, const char* way)
+std::string keyOf(const ShownScene& shown, const SceneConstants& words, const char* way)
 {
     return std::string(way) + ' ' + std::to_string(shown.sources->hash()) + ' ' +
            std::to_string(render::hashOfNumbers(words.words));
@@ -32,7 +32,7 @@ std::size_t shapesOf(const SceneProgram& program)
                                                   [](const ProgramNode& node) { return node.firstChild == none; }));
 }
 
-SceneEvaluator everyShape(const ShownScene& shown, const SceneWords& words, const char* why = "")
+SceneEvaluator everyShape(const ShownScene& shown, const SceneConstants& words, const char* why = "")
 {
     SceneEvaluator asked{.sources = shown.sources, .why = why};
     asked.numbersInBlock = !isInBuffer(*shown.program);
@@ -42,7 +42,7 @@ SceneEvaluator everyShape(const ShownScene& shown, const SceneWords& words, cons
 }
 
 /// Returns null while it is being made.
-std::shared_ptr<const SceneEvaluator> byLists(const ShownScene& shown, const SceneWords& words,
+std::shared_ptr<const SceneEvaluator> byLists(const ShownScene& shown, const SceneConstants& words,
                                               render::AssetStore& assets)
 {
     return assets
@@ -70,7 +70,7 @@ bool hasLists(const ListVocabulary& vocabulary)
            vocabulary.places <= ListVocabulary::mostPlaces;
 }
 
-SceneEvaluator unfolded(const ShownScene& shown, const SceneWords& words, SceneEvaluation way,
+SceneEvaluator unfolded(const ShownScene& shown, const SceneConstants& words, SceneEvaluation way,
                         render::AssetStore& assets)
 {
     if (way == SceneEvaluation::shapes) return everyShape(shown, words);
@@ -102,7 +102,7 @@ bool moves(const Scene& scene, std::uint32_t first, std::size_t count)
 }
 
 /// Returns for each number of a program whether it is time-invariant.
-std::vector<char> steadyWords(const SceneProgram& program)
+std::vector<char> timeInvariantConstants(const SceneProgram& program)
 {
     const Scene& scene = program.scene();
     std::vector<char> steady(program.wordCount(), 1);
@@ -144,15 +144,16 @@ std::string whyNotFolded(const ShownScene& shown, const SceneEvaluator& asked, S
 
 }  // namespace
 
-SceneEvaluator sceneEvaluator(const ShownScene& shown, const SceneWords& words, SceneEvaluation way, SceneRest rest,
+SceneEvaluator sceneEvaluator(const ShownScene& shown, const SceneConstants& words, SceneEvaluation way, SceneRest rest,
                               render::AssetStore& assets)
 {
     SceneEvaluator asked = unfolded(shown, words, way, assets);
     asked.whyNotFolded = whyNotFolded(shown, asked, way, rest);
     if (!asked.whyNotFolded.empty()) return asked;
     const std::size_t count = words.words.size();
-    const std::vector<char> steady = rest == SceneRest::all ? std::vector<char>(count, 1) : steadyWords(*shown.program);
-    SceneWords kept = words;
+    const std::vector<char> steady =
+        rest == SceneRest::all ? std::vector<char>(count, 1) : timeInvariantConstants(*shown.program);
+    SceneConstants kept = words;
     for (std::size_t i = 0; i < count; ++i)
         if (steady[i] == 0) kept.words[i] = 0;
     asked.folded = assets

@@ -31,7 +31,7 @@ enum class SceneRest : std::uint8_t {
 
 /// Returns the evaluator for the requested method, or for the one that suits the scene best. Expensive parts are made
 /// in the store, once for the same numbers. While they are pending, every shape is evaluated.
-[[nodiscard]] SceneEvaluator sceneEvaluator(const ShownScene&, const SceneWords&, SceneEvaluation, SceneRest,
+[[nodiscard]] SceneEvaluator sceneEvaluator(const ShownScene&, const SceneConstants&, SceneEvaluation, SceneRest,
                                             render::AssetStore&);
 
 }  // namespace vitrine::scenes

@@ -19,7 +19,7 @@ bool isFinite(const render::Box& box)
 }
 
 /// Returns whether a node is a hard union without a transformation.
-bool isPlainUnion(const SceneProgram& program, const SceneWords& words, const ProgramNode& node)
+bool isPlainUnion(const SceneProgram& program, const SceneConstants& words, const ProgramNode& node)
 {
     const bool moved = node.translate != none || node.rotate != none || node.scale != none;
     return !moved && program.kind(node).name == "union" && words.words[node.numbers + 1] == 0;
@@ -98,7 +98,7 @@ render::Bytes gridBytes(const SceneGrid& near, const SceneWithoutPlanes& rest, c
 
 }  // namespace
 
-SceneWithoutPlanes::SceneWithoutPlanes(const SceneProgram& program, const SceneWords& words, std::size_t mostPlanes)
+SceneWithoutPlanes::SceneWithoutPlanes(const SceneProgram& program, const SceneConstants& words, std::size_t mostPlanes)
 {
     const std::vector<ProgramNode>& nodes = program.nodes();
     std::vector<char> plain(nodes.size(), 0), gone(nodes.size(), 0);
@@ -144,7 +144,7 @@ int cellsAcross(std::size_t shapes)
     return std::clamp(static_cast<int>(14 * std::cbrt(static_cast<double>(shapes))), 24, 144);
 }
 
-std::shared_ptr<const SceneGrid> sceneGrid(const SceneProgram& program, const SceneWords& words,
+std::shared_ptr<const SceneGrid> sceneGrid(const SceneProgram& program, const SceneConstants& words,
                                            const ListVocabulary& vocabulary, int across, const PruneBudget& budget)
 {
     const auto begun = std::chrono::steady_clock::now();

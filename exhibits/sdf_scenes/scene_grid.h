@@ -24,7 +24,7 @@ struct SceneWithoutPlanes {
     render::Box box;          ///< Bounding box of the rest; empty if there is none.
 
     /// Removes planes that are children of hard unions without a transformation, starting at the root.
-    SceneWithoutPlanes(const SceneProgram&, const SceneWords&, std::size_t mostPlanes);
+    SceneWithoutPlanes(const SceneProgram&, const SceneConstants&, std::size_t mostPlanes);
 };
 
 /// Shapes that are near each place of a scene, in the buffers that shaders/sdf_scenes/near.glsl reads.
@@ -51,7 +51,8 @@ inline constexpr PruneBudget cellBudget{128U << 20U, 60'000'000};
 /// Makes the lists. `across` is the number of cells along the longest side of everything except the planes. With 0
 /// there are no cells and every place has all steps. If the cells would exceed the budget, they are larger and fewer,
 /// or there are none.
-[[nodiscard]] std::shared_ptr<const SceneGrid> sceneGrid(const SceneProgram&, const SceneWords&, const ListVocabulary&,
-                                                         int across, const PruneBudget& = cellBudget);
+[[nodiscard]] std::shared_ptr<const SceneGrid> sceneGrid(const SceneProgram&, const SceneConstants&,
+                                                         const ListVocabulary&, int across,
+                                                         const PruneBudget& = cellBudget);
 
 }  // namespace vitrine::scenes

@@ -227,9 +227,9 @@ void SceneProgram::findExactness()
     }
 }
 
-SceneWords SceneProgram::words(const std::vector<double>& numbers) const
+SceneConstants SceneProgram::words(const std::vector<double>& numbers) const
 {
-    SceneWords all;
+    SceneConstants all;
     all.words.resize(wordCount_);
     std::vector<double>& words = all.words;
     for (std::size_t m = 0; m < materialWords_.size(); ++m) {
@@ -258,7 +258,7 @@ SceneWords SceneProgram::words(const std::vector<double>& numbers) const
 }
 
 /// Returns the bounds of a node in its own space, from those of its children.
-Extent SceneProgram::extentInside(const SceneWords& all, const Cover& cover, std::uint32_t i) const
+Extent SceneProgram::extentInside(const SceneConstants& all, const Cover& cover, std::uint32_t i) const
 {
     const ProgramNode& node = nodes_[i];
     const NodeKind& k = kind(node);
@@ -277,7 +277,7 @@ Extent SceneProgram::extentInside(const SceneWords& all, const Cover& cover, std
 }
 
 /// Computes the numbers of a repeater that depend on the bounds of its child.
-void SceneProgram::fillAsked(SceneWords& all, const Cover& cover, std::uint32_t i) const
+void SceneProgram::fillAsked(SceneConstants& all, const Cover& cover, std::uint32_t i) const
 {
     const ProgramNode& node = nodes_[i];
     const NodeKind& k = kind(node);
@@ -306,7 +306,7 @@ void SceneProgram::fillAsked(SceneWords& all, const Cover& cover, std::uint32_t 
 /// the distance from the axis. Points at most `level` from the node are within some reach from the axis. The child's
 /// level follows from that reach, and the reach from the part of the child within that level. Infinite if no reach
 /// contains them all.
-double SceneProgram::levelWithinReach(const SceneWords& all, std::uint32_t i, double level, int nested) const
+double SceneProgram::levelWithinReach(const SceneConstants& all, std::uint32_t i, double level, int nested) const
 {
     constexpr double endless = std::numeric_limits<double>::infinity();
     constexpr int mostNested = 3;      // Limit, because each evaluates everything below it some hundred times.
@@ -336,7 +336,7 @@ double SceneProgram::levelWithinReach(const SceneWords& all, std::uint32_t i, do
     return levelAt(reach);
 }
 
-double SceneProgram::levelOfChild(const SceneWords& all, std::uint32_t i, double level, int nested) const
+double SceneProgram::levelOfChild(const SceneConstants& all, std::uint32_t i, double level, int nested) const
 {
     const ProgramNode& node = nodes_[i];
     const NodeKind& k = kind(node);
@@ -345,7 +345,8 @@ double SceneProgram::levelOfChild(const SceneWords& all, std::uint32_t i, double
     return k.childLevel ? k.childLevel(all.words.data() + node.numbers, level, siblings) : level;
 }
 
-SceneProgram::Cover SceneProgram::coverOf(const SceneWords& all, std::uint32_t first, double level, int nested) const
+SceneProgram::Cover SceneProgram::coverOf(const SceneConstants& all, std::uint32_t first, double level,
+                                          int nested) const
 {
     // Nodes are in depth-first order: descendants follow a node, up to the first one that is none.
     auto end = first + 1;
@@ -372,7 +373,7 @@ SceneProgram::Cover SceneProgram::coverOf(const SceneWords& all, std::uint32_t f
     return cover;
 }
 
-void SceneProgram::fillExtents(SceneWords& all) const
+void SceneProgram::fillExtents(SceneConstants& all) const
 {
     all.asked.assign(nodes_.size(), 1);
     if (nodes_.empty()) return;

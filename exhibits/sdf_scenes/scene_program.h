@@ -8,8 +8,8 @@
 
 namespace vitrine::scenes {
 
-/// A node that is drawn, with the indices of its numbers (`SceneWords`). Hidden nodes, and operations without children,
-/// are left out.
+/// A node that is drawn, with the indices of its numbers (`SceneConstants`). Hidden nodes, and operations without
+/// children, are left out.
 struct ProgramNode {
     std::uint32_t node = 0;                                       ///< Index in `Scene::nodes`.
     std::uint32_t parent = none, firstChild = none, next = none;  ///< Indices in `SceneProgram::nodes`.
@@ -40,7 +40,7 @@ struct Step {
 };
 
 /// Numbers with which a program is evaluated, in the form that it needs, and the bounds of each node.
-struct SceneWords {
+struct SceneConstants {
     std::vector<double> words;
     /// Bounds of each program node, in its parent's space, of everything at distance 0 or below.
     std::vector<Extent> extents;
@@ -65,14 +65,14 @@ public:
     [[nodiscard]] std::uint32_t materialWord(std::uint32_t material) const { return materialWords_[material]; }
 
     /// Converts the result of `Scene::numbersAt`.
-    [[nodiscard]] SceneWords words(const std::vector<double>& numbers) const;
+    [[nodiscard]] SceneConstants words(const std::vector<double>& numbers) const;
 
 private:
     void keepNodes();
     void placeWords();
     void writeSteps();
     void findExactness();
-    void fillExtents(SceneWords&) const;
+    void fillExtents(SceneConstants&) const;
     /// Bounds of a node and of all nodes below it, in the order of the nodes. For each also the distance from its
     /// surface, in meters, within which its field is needed.
     struct Cover {
@@ -83,11 +83,11 @@ private:
         [[nodiscard]] const Extent& extent(std::uint32_t node) const { return extents[node - first]; }
     };
     /// `nested`: number of enclosing nodes that search for a level of their child.
-    [[nodiscard]] Cover coverOf(const SceneWords&, std::uint32_t node, double level, int nested) const;
-    [[nodiscard]] double levelOfChild(const SceneWords&, std::uint32_t node, double level, int nested) const;
-    [[nodiscard]] double levelWithinReach(const SceneWords&, std::uint32_t node, double level, int nested) const;
-    [[nodiscard]] Extent extentInside(const SceneWords&, const Cover&, std::uint32_t node) const;
-    void fillAsked(SceneWords&, const Cover&, std::uint32_t node) const;
+    [[nodiscard]] Cover coverOf(const SceneConstants&, std::uint32_t node, double level, int nested) const;
+    [[nodiscard]] double levelOfChild(const SceneConstants&, std::uint32_t node, double level, int nested) const;
+    [[nodiscard]] double levelWithinReach(const SceneConstants&, std::uint32_t node, double level, int nested) const;
+    [[nodiscard]] Extent extentInside(const SceneConstants&, const Cover&, std::uint32_t node) const;
+    void fillAsked(SceneConstants&, const Cover&, std::uint32_t node) const;
 
     std::shared_ptr<const Scene> scene_;
     std::vector<ProgramNode> nodes_;

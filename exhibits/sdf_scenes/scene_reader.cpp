@@ -354,7 +354,7 @@ void SceneReader::checkCamera(std::uint32_t value)
 void SceneReader::checkRepeaters(const std::shared_ptr<const Scene>& scene)
 {
     const SceneProgram program(scene);
-    const SceneWords words = program.words(scene->numbersAt(0));
+    const SceneConstants words = program.words(scene->numbersAt(0));
     for (std::uint32_t i = 0; i < program.nodes().size(); ++i) {
         if (words.asked[i] <= mostCopiesAsked) continue;
         const Node& node = scene->nodes[program.nodes()[i].node];

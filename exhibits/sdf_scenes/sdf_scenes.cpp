@@ -34,9 +34,9 @@ using scenes::ShownScene;
 
 struct PreparedScene final : PreparedPart {
     std::shared_ptr<const render::Texture> environment;
-    std::string note{};           ///< Sentence for the user if the environment is stretched; else empty.
-    std::vector<double> numbers;  ///< Numbers of the scene at the prepared time.
-    scenes::SceneWords words;     ///< The same numbers in the layout of the field evaluation.
+    std::string note{};            ///< Sentence for the user if the environment is stretched; else empty.
+    std::vector<double> numbers;   ///< Numbers of the scene at the prepared time.
+    scenes::SceneConstants words;  ///< The same numbers in the layout of the field evaluation.
     scenes::SceneEvaluator asked;
     scenes::SceneEvaluator askedRight;  ///< For the right half if the opening is divided.
 };

@@ -79,7 +79,7 @@ std::shared_ptr<const Scene> framed(const std::shared_ptr<const Scene>& scene)
     const SceneProgram program(scene);
     if (program.nodes().empty()) return scene;
     const std::vector<double> numbers = scene->numbersAt(0);
-    const SceneWords words = program.words(numbers);
+    const SceneConstants words = program.words(numbers);
     const SceneWithoutPlanes rest(program, words, SceneGrid::mostPlanes);
     if (rest.steps.empty() || !std::isfinite(glm::length(rest.box.high - rest.box.low))) return scene;
     const render::Box box = occupiedBox(program, words, rest.steps, rest.box);
@@ -323,7 +323,7 @@ void setBox(SceneStage& stage, const render::Box& box)
     stage.boxHigh = glm::vec3(glm::clamp(box.high + 1e-3, glm::dvec3(-1e6), glm::dvec3(1e6)));
 }
 
-SceneStage sceneStage(const ShownScene& shown, const SceneWords& words, const std::vector<double>& numbers)
+SceneStage sceneStage(const ShownScene& shown, const SceneConstants& words, const std::vector<double>& numbers)
 {
     const Scene& scene = *shown.scene;
     const double* look = &numbers[scene.look.numbers];

@@ -60,7 +60,7 @@ struct SceneCamera {
 [[nodiscard]] render::Camera sceneView(double fovY);
 
 /// Returns lights and environment of the scene. Only the first `SCENE_MOST_LIGHTS` lights are used.
-[[nodiscard]] SceneStage sceneStage(const ShownScene&, const SceneWords&, const std::vector<double>& numbers);
+[[nodiscard]] SceneStage sceneStage(const ShownScene&, const SceneConstants&, const std::vector<double>& numbers);
 
 /// Sets the box that rays are traced in; infinite sides are clipped.
 void setBox(SceneStage&, const render::Box&);

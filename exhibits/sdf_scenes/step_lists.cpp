@@ -53,7 +53,7 @@ ListVocabulary ListVocabulary::of(const SceneProgram& program)
     return own;
 }
 
-ListRecords::ListRecords(const SceneProgram& program, const SceneWords& words)
+ListRecords::ListRecords(const SceneProgram& program, const SceneConstants& words)
     : program_(program), words_(words), nodes_(program.nodes().size()),
       materials_(program.scene().materials.size(), none), ways_(program.nodes().size())
 {

@@ -56,7 +56,7 @@ inline constexpr std::uint32_t moreSteps = 1U << 31U;
 class ListRecords {
 public:
     /// Program and words must outlive it.
-    ListRecords(const SceneProgram&, const SceneWords&);
+    ListRecords(const SceneProgram&, const SceneConstants&);
 
     [[nodiscard]] const std::vector<glm::vec4>& records() const { return records_; }
     [[nodiscard]] std::uint32_t ofNode(std::uint32_t node) const { return nodes_[node]; }
@@ -74,7 +74,7 @@ private:
     void addNode(std::uint32_t node);
 
     const SceneProgram& program_;
-    const SceneWords& words_;
+    const SceneConstants& words_;
     std::vector<glm::vec4> records_;
     std::vector<std::uint32_t> nodes_, materials_;
     std::vector<Way> ways_;
