@@ -129,7 +129,7 @@ std::vector<char> timeInvariantConstants(const SceneProgram& program)
     for (const ProgramNode& node : program.nodes())
         if (anyNodeMoves && program.kind(node).form == Form::repeater)
             std::fill_n(steady.begin() + node.numbers + static_cast<std::ptrdiff_t>(program.kind(node).numbers()),
-                        numbersOfAsked, char{0});
+                        numbersOfRepeatRange, char{0});
     return steady;
 }
 

@@ -17,7 +17,7 @@ struct ProgramNode {
     std::uint32_t translate = none;  ///< Index of three numbers.
     std::uint32_t rotate = none;     ///< Index of nine: the axes of its own space.
     std::uint32_t scale = none;      ///< Index of four: the reciprocal of each factor, and the smallest factor.
-    std::uint32_t numbers = 0;       ///< Index of the kind's numbers; in a repeater, those of `Asked` follow.
+    std::uint32_t numbers = 0;       ///< Index of the kind's numbers; in a repeater, those of `RepeatRange` follow.
     std::uint32_t material = 0;      ///< Shapes: index in the scene's list of materials.
     Exactness exactness = Exactness::exact;
 };
@@ -43,7 +43,7 @@ struct Step {
 struct SceneConstants {
     std::vector<double> words;
     /// Bounds of each program node, in its parent's space, of everything at distance 0 or below.
-    std::vector<Extent> extents;
+    std::vector<Bounds> extents;
     /// For each program node: how many copies a repeater needs to evaluate; 1 for other nodes.
     std::vector<double> asked;
 };
@@ -78,15 +78,15 @@ private:
     struct Cover {
         std::uint32_t first = 0;
         std::vector<double> levels;
-        std::vector<Extent> extents;
+        std::vector<Bounds> extents;
 
-        [[nodiscard]] const Extent& extent(std::uint32_t node) const { return extents[node - first]; }
+        [[nodiscard]] const Bounds& extent(std::uint32_t node) const { return extents[node - first]; }
     };
     /// `nested`: number of enclosing nodes that search for a level of their child.
     [[nodiscard]] Cover coverOf(const SceneConstants&, std::uint32_t node, double level, int nested) const;
     [[nodiscard]] double levelOfChild(const SceneConstants&, std::uint32_t node, double level, int nested) const;
     [[nodiscard]] double levelWithinReach(const SceneConstants&, std::uint32_t node, double level, int nested) const;
-    [[nodiscard]] Extent extentInside(const SceneConstants&, const Cover&, std::uint32_t node) const;
+    [[nodiscard]] Bounds extentInside(const SceneConstants&, const Cover&, std::uint32_t node) const;
     void fillAsked(SceneConstants&, const Cover&, std::uint32_t node) const;
 
     std::shared_ptr<const Scene> scene_;
