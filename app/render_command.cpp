@@ -68,7 +68,7 @@ int renderTour(const std::string& folder, const std::string& size, int samples)
     if (error)
         throw Failure(ErrorKind::file,
                       folder + ": the folder cannot be made (" + error.message() + "); choose another with --out.");
-    for (const Subject* subject : museum.subjects()) {
+    for (const SceneObject* subject : museum.subjects()) {
         PictureOptions options;
         options.subject = subject->name();
         options.size = size;

@@ -102,7 +102,7 @@ void setChannels(const PictureOptions& options, const PictureRecord* taken, Pict
 std::vector<std::string> namesOf(const Museum& museum)
 {
     std::vector<std::string> names;
-    for (const Subject* subject : museum.subjects()) names.emplace_back(subject->name());
+    for (const SceneObject* subject : museum.subjects()) names.emplace_back(subject->name());
     return names;
 }
 

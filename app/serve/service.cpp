@@ -138,7 +138,7 @@ std::size_t Service::subjectNamed(const std::string& name) const
 {
     if (const auto subject = museum_.find(name)) return *subject;
     std::vector<std::string> names;
-    for (const Subject* subject : museum_.subjects()) names.emplace_back(subject->name());
+    for (const SceneObject* subject : museum_.subjects()) names.emplace_back(subject->name());
     throw Failure(ErrorKind::usage,
                   "There is no exhibit \"" + name + '"' + didYouMean(name, names) + " the method list names them.");
 }

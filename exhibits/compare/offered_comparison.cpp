@@ -1,18 +1,18 @@
 #include "exhibits/compare/offered_comparison.h"
 
-#include "exhibits/framework/scene/subject.h"
+#include "exhibits/framework/scene/scene_object.h"
 #include "render/failure.h"
 #include "render/text/joined.h"
 
 namespace vitrine {
 
-std::vector<OfferedComparison> offeredComparisons(const Subject& subject)
+std::vector<OfferedComparison> offeredComparisons(const SceneObject& subject)
 {
     const auto* offers = capability<OffersComparisons>(subject);
     return offers ? offers->comparisons() : std::vector<OfferedComparison>();
 }
 
-OfferedComparison offeredComparison(const Subject& subject, std::string_view name)
+OfferedComparison offeredComparison(const SceneObject& subject, std::string_view name)
 {
     const std::vector<OfferedComparison> all = offeredComparisons(subject);
     for (const OfferedComparison& offered : all)

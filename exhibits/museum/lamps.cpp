@@ -40,8 +40,8 @@ void planLampFace(const Lamps& lamps, const render::LocalLight& light, int map, 
 
 }  // namespace
 
-void takeLamps(const Subject& subject, const ExhibitState& state, const glm::dmat4& worldFromSubject, bool steadyOnly,
-               std::vector<render::LocalLight>& lamps)
+void takeLamps(const SceneObject& subject, const ExhibitState& state, const glm::dmat4& worldFromSubject,
+               bool steadyOnly, std::vector<render::LocalLight>& lamps)
 {
     const auto* carrier = capability<HasLocalLights>(subject);
     if (!carrier || (steadyOnly && carrier->lightsChange(state))) return;

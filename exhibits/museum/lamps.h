@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exhibits/framework/scene/prepare.h"
-#include "exhibits/framework/scene/subject.h"
+#include "exhibits/framework/scene/scene_object.h"
 #include "render/plan/frame_plan.h"
 #include "render/plan/local_lights.h"
 
@@ -24,8 +24,8 @@ struct Lamps {
 };
 
 /// Appends the lamps of an exhibit, in world space. With `steadyOnly`, skips lamps whose light changes by itself.
-void takeLamps(const Subject& subject, const ExhibitState& state, const glm::dmat4& worldFromSubject, bool steadyOnly,
-               std::vector<render::LocalLight>& lamps);
+void takeLamps(const SceneObject& subject, const ExhibitState& state, const glm::dmat4& worldFromSubject,
+               bool steadyOnly, std::vector<render::LocalLight>& lamps);
 
 /// Returns whether any of the lights casts shadows.
 [[nodiscard]] bool throwShadows(std::span<const render::LocalLight>);

@@ -37,7 +37,7 @@ Museum::Museum(std::vector<std::unique_ptr<Exhibit>> exhibits)
 
 Museum::~Museum() = default;
 
-const Subject& Museum::hall() const
+const SceneObject& Museum::hall() const
 {
     return *hall_;
 }
@@ -58,7 +58,7 @@ std::optional<std::size_t> Museum::find(std::string_view name) const
 SceneState Museum::initialSceneState() const
 {
     SceneState sceneState;
-    for (const Subject* each : subjects_) sceneState.values.push_back(each->parameters().initial());
+    for (const SceneObject* each : subjects_) sceneState.values.push_back(each->parameters().initial());
     sceneState.camera = hall_->bestView(sceneState.hall());
     return sceneState;
 }

@@ -67,12 +67,12 @@ public:
     ~Museum();
 
     /// The building.
-    [[nodiscard]] const Subject& hall() const;
+    [[nodiscard]] const SceneObject& hall() const;
     /// The exhibits, in the order in which a visitor meets them.
     [[nodiscard]] std::span<const MuseumExhibit> exhibits() const { return exhibits_; }
     /// The hall and the exhibits: everything that has parameters. Functions that take an index refer to this list.
     [[nodiscard]] Subjects subjects() const { return subjects_; }
-    [[nodiscard]] const Subject& subject(std::size_t i) const { return *subjects_[i]; }
+    [[nodiscard]] const SceneObject& subject(std::size_t i) const { return *subjects_[i]; }
     /// Returns subject `i` as an exhibit; it must not be the hall.
     [[nodiscard]] const Exhibit& exhibit(std::size_t i) const;
     /// Cache of the assets that prepared pictures use, with the number of builds.
@@ -166,7 +166,7 @@ private:
     Obstacles building_;
     std::vector<std::unique_ptr<Exhibit>> owned_;
     std::unique_ptr<const Hall> hall_;
-    std::vector<const Subject*> subjects_;
+    std::vector<const SceneObject*> subjects_;
     std::vector<MuseumExhibit> exhibits_;
     std::unique_ptr<render::AssetStore> assets_;
 };

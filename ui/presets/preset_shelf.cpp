@@ -188,7 +188,7 @@ void PresetShelf::save()
 
 void PresetShelf::saveAs()
 {
-    const Subject& subject = window_.museum().subject(window_.shown());
+    const SceneObject& subject = window_.museum().subject(window_.shown());
     const QString title = said(subject.title());
     const StoredPreset* used = inUse();
     const QString before = used ? presetName(used->preset.name, used->shipped) : title;
@@ -295,7 +295,7 @@ void PresetShelf::setTags(const QString& id, const PresetTags& tags, std::size_t
 {
     trySafely([&] {
         store_.setTags(pathOf(id), tags);
-        const Subject& subject = window_.museum().subject(exhibit);
+        const SceneObject& subject = window_.museum().subject(exhibit);
         // The preset in use takes the changed tags from the file.
         uses_.renamed(pathOf(id), store_.load(pathOf(id), subject.name(), subject.parameters()));
     });
@@ -412,7 +412,7 @@ ReadSettings PresetShelf::read(const std::string& text, const QString& origin) c
     if (!found)
         throw Failure(ErrorKind::file, origin.toStdString() + " is a preset of \"" + header.exhibit +
                                            "\", which is not in this museum.");
-    const Subject& subject = window_.museum().subject(*found);
+    const SceneObject& subject = window_.museum().subject(*found);
     Preset preset = parsePreset(text, origin.toStdString(), subject.name(), subject.parameters());
     result.sceneState = window_.history().sceneState();
     result.sceneState.values[*found] = preset.values;

@@ -27,7 +27,7 @@ struct TableExport::Work {
 
 void TableExport::ask(Workbench& window, QWidget* parent)
 {
-    const Subject& subject = window.museum().subject(window.chosen());
+    const SceneObject& subject = window.museum().subject(window.chosen());
     const auto* source = capability<MeasuresTable>(subject);
     if (!source) {
         window.say(

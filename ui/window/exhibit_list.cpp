@@ -89,7 +89,7 @@ void ExhibitList::fill(const Museum& museum)
             item->setFlags(Qt::NoItemFlags);
             continue;
         }
-        const Subject& subject = museum.subject(*entry.subject);
+        const SceneObject& subject = museum.subject(*entry.subject);
         item->setText(said(subject.title()));
         item->setData(exhibitRole, static_cast<qulonglong>(*entry.subject));
         item->setData(nameRole, text(subject.name()));

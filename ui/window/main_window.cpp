@@ -185,7 +185,7 @@ void MainWindow::connectViewport()
     connect(viewport_, &Viewport::visited, this, &MainWindow::choose);
     connect(viewport_, &Viewport::pressed, this, [this](std::size_t exhibit) {
         SceneState next = history_.sceneState();
-        const Subject& subject = museum_.subject(exhibit);
+        const SceneObject& subject = museum_.subject(exhibit);
         if (const auto* button = capability<HasButton>(subject); button && button->press(next.values[exhibit]))
             history_.change(tr("Press the button of %1").arg(said(subject.title())), next);
     });

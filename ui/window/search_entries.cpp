@@ -78,7 +78,7 @@ QString textOfPage(const QString& name)
 
 void addPage(std::vector<SearchEntry>& all, const MainWindow& window, std::size_t subject)
 {
-    const Subject& about = window.museum().subject(subject);
+    const SceneObject& about = window.museum().subject(subject);
     all.push_back({QObject::tr("How it works: %1").arg(said(about.title())),
                    QObject::tr("Page"),
                    said(about.summary()),

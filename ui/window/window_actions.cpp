@@ -179,7 +179,7 @@ void expose(MainWindow& window, double stops)
 /// Sets the shown exhibit's parameters to their initial values.
 void resetShown(MainWindow& window)
 {
-    const Subject& subject = window.museum().subject(window.shown());
+    const SceneObject& subject = window.museum().subject(window.shown());
     SceneState next = window.history().sceneState();
     next.values[window.shown()] = subject.parameters().initial();
     window.history().change(tr("Reset %1").arg(said(subject.title())), next);

@@ -2,7 +2,7 @@
 
 #include "exhibits/framework/files/picture_record.h"
 #include "exhibits/framework/files/preset_tags.h"
-#include "exhibits/framework/scene/subject.h"
+#include "exhibits/framework/scene/scene_object.h"
 #include "exhibits/framework/table/parameters.h"
 #include "render/files/strict_json.h"
 #include "render/scene/camera.h"

@@ -15,7 +15,7 @@
 
 namespace vitrine {
 
-class Subject;
+class SceneObject;
 struct PlanContext;
 
 /// Parameters that the files in the values add, or the reason why there are none.
@@ -123,7 +123,7 @@ public:
 };
 
 /// Returns the subject as that capability; null if it does not have it.
-template <typename Capability> [[nodiscard]] const Capability* capability(const Subject& subject)
+template <typename Capability> [[nodiscard]] const Capability* capability(const SceneObject& subject)
 {
     return dynamic_cast<const Capability*>(&subject);
 }

@@ -17,7 +17,7 @@ namespace vitrine {
 namespace {
 
 /// Returns the error for a comparison that is not offered; empty if it is offered.
-std::string refusalOf(const Subject& subject, std::string_view name)
+std::string refusalOf(const SceneObject& subject, std::string_view name)
 {
     try {
         (void)offeredComparison(subject, name);

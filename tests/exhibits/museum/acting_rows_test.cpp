@@ -89,7 +89,7 @@ render::Camera beforeThePlinth()
 std::vector<Situation> situationsOf(std::size_t exhibit, const ParameterValues& start)
 {
     const Museum& museum = gallery().museum;
-    const Subject& shown = museum.subject(exhibit);
+    const SceneObject& shown = museum.subject(exhibit);
     std::vector<Situation> all{{start, museum.bestView(exhibit, start)}};
     Situation later = all.front();
     later.time = 11.3;

@@ -138,7 +138,7 @@ private slots:
     {
         const std::set<std::string> known = knownTexts();
         const Museum museum{completeExhibits()};
-        for (const Subject* subject : museum.subjects()) {
+        for (const SceneObject* subject : museum.subjects()) {
             std::set<std::string> texts = textsOf(subject->parameters());
             texts.emplace(subject->title());
             texts.emplace(subject->summary());
@@ -209,7 +209,7 @@ private slots:
         const auto check = [&halves](const QString& text) {
             if (englishIn(text)) halves << text;
         };
-        for (const Subject* subject : museum.subjects()) {
+        for (const SceneObject* subject : museum.subjects()) {
             const ParameterValues values = subject->parameters().initial();
             for (std::size_t i = 0; i < values.rows().size(); ++i) {
                 const ParameterInfo& row = values.rows()[i];

@@ -21,9 +21,9 @@ struct StudyView {
 
 /// The building or an exhibit: everything that has parameters. Panels, presets, undo, command-line options and studies
 /// work on subjects, whatever their kind.
-class Subject {
+class SceneObject {
 public:
-    virtual ~Subject() = default;
+    virtual ~SceneObject() = default;
 
     [[nodiscard]] virtual std::string_view name() const = 0;         ///< Name of its folder, presets and options.
     [[nodiscard]] virtual std::string_view title() const = 0;        ///< Shown to visitors.
@@ -42,6 +42,6 @@ public:
 };
 
 /// All subjects of a museum, in its order.
-using Subjects = std::span<const Subject* const>;
+using Subjects = std::span<const SceneObject* const>;
 
 }  // namespace vitrine
