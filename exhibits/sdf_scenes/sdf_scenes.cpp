@@ -204,7 +204,7 @@ std::vector<StudyView> SdfScenes::studyViews(const ParameterValues& values) cons
             {"gone around", bestView(values), 0, around}};
 }
 
-CalledTable SdfScenes::tableFor(const ParameterValues& values, render::AssetStore& assets) const
+DynamicParameters SdfScenes::dynamicParameters(const ParameterValues& values, render::AssetStore& assets) const
 {
     const std::string path = filePath(table_.rows()[table_.scene.row], values[table_.scene]);
     const std::string text = values[table_.document];
@@ -431,7 +431,7 @@ ParameterValues SdfScenes::withText(const ParameterValues& values, std::string t
         throw Failure(ErrorKind::check, "A scene of more than 1 MB is not edited here; change its file.");
     ParameterValues next = values;
     next.set(table_.document, text);
-    const CalledTable called = tableFor(next, assets);
+    const DynamicParameters called = dynamicParameters(next, assets);
     if (!called.table) throw Failure(ErrorKind::check, called.why);
     std::vector<std::string> notes;
     return underTable(next, called.table, notes);

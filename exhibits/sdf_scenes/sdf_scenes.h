@@ -23,7 +23,7 @@ public:
     using Table = SdfScenesTable;
 
     /// Starts with the scene file `first` (default: a shipped scene), used while the values name no file. If it cannot
-    /// be read, a sphere replaces it, and `tableFor` reports the reason.
+    /// be read, a sphere replaces it, and `dynamicParameters` reports the reason.
     explicit SdfScenes(const std::filesystem::path& first = {});
     [[nodiscard]] std::string_view name() const override { return "sdf_scenes"; }
     [[nodiscard]] std::string_view title() const override { return "SDF Scenes"; }
@@ -45,7 +45,7 @@ public:
     bool press(ParameterValues&) const override;
     [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;
     [[nodiscard]] bool castsShadow() const override { return false; }
-    [[nodiscard]] CalledTable tableFor(const ParameterValues&, render::AssetStore&) const override;
+    [[nodiscard]] DynamicParameters dynamicParameters(const ParameterValues&, render::AssetStore&) const override;
     [[nodiscard]] std::vector<std::string> furtherFiles(const ParameterValues&) const override;
     [[nodiscard]] std::shared_ptr<const PreparedPart> prepare(const PrepareContext&) const override;
     void plan(const PlanContext&, render::FramePlan&) const override;

@@ -234,7 +234,7 @@ TEST(Tables, EveryRowIsReadByItsOwnExhibit)
 }
 
 /// Returns the table whose fields a shader may use; null: none.
-const Parameters* tableFor(const std::string& file, const std::string& exhibit)
+const Parameters* dynamicParameters(const std::string& file, const std::string& exhibit)
 {
     // Shaders of fields use the parameters of every field, and those of a material kind the parameters of a material.
     struct FieldTable final : SdfRows {};
@@ -255,7 +255,7 @@ TEST(Tables, ShadersUseOnlyFieldsThatTheirTableHas)
         const std::string text = test::withoutComments(test::sourceText(file));
         for (auto match = std::sregex_iterator(text.begin(), text.end(), field); match != std::sregex_iterator();
              ++match) {
-            const Parameters* table = tableFor(file, exhibit);
+            const Parameters* table = dynamicParameters(file, exhibit);
             ASSERT_TRUE(table) << file << " uses " << match->str() << " but belongs to no exhibit";
             const std::string name = (*match)[1];
             ++found;

@@ -63,7 +63,8 @@ public:
     {
         return std::numeric_limits<double>::infinity();
     }
-    [[nodiscard]] CalledTable tableFor(const ParameterValues& values, render::AssetStore& assets) const override
+    [[nodiscard]] DynamicParameters dynamicParameters(const ParameterValues& values,
+                                                      render::AssetStore& assets) const override
     {
         const std::string file = values[none_.file];
         if (file.empty()) return {{std::shared_ptr<const Parameters>(), &none_}, {}};

@@ -55,7 +55,8 @@ public:
     {
         return std::numeric_limits<double>::infinity();
     }
-    [[nodiscard]] CalledTable tableFor(const ParameterValues& values, render::AssetStore& assets) const override
+    [[nodiscard]] DynamicParameters dynamicParameters(const ParameterValues& values,
+                                                      render::AssetStore& assets) const override
     {
         const std::string text = values[none_.document], file = values[none_.pile];
         if (text.empty() && file.empty()) return {{std::shared_ptr<const Parameters>(), &none_}, {}};
@@ -192,7 +193,7 @@ private:
     {
         ParameterValues next = values;
         next.set(none_.document, textOfBlocks(all));
-        const CalledTable called = tableFor(next, assets);
+        const DynamicParameters called = dynamicParameters(next, assets);
         if (!called.table) throw Failure(ErrorKind::check, called.why);
         std::vector<std::string> notes;
         return underTable(next, called.table, notes);

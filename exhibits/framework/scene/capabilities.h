@@ -19,7 +19,7 @@ class SceneObject;
 struct PlanContext;
 
 /// Parameters that the files in the values add, or the reason why there are none.
-struct CalledTable {
+struct DynamicParameters {
     std::shared_ptr<const Parameters> table = {};  ///< Null: the values keep their parameters.
     Message why = {};  ///< A full sentence if a file cannot be read (`unreadableFile`); else empty.
 };
@@ -116,7 +116,7 @@ public:
     /// parameters made through the asset store, the same object for the same files. They contain those of
     /// `parameters()` and more. The exhibit then receives values with these parameters; so a class derived from
     /// Parameters may carry the scene it was made from. Thread-safe; never throws for a file that cannot be read.
-    [[nodiscard]] virtual CalledTable tableFor(const ParameterValues&, render::AssetStore&) const = 0;
+    [[nodiscard]] virtual DynamicParameters dynamicParameters(const ParameterValues&, render::AssetStore&) const = 0;
     /// Returns further files that the parameters or pictures of these values depend on, besides those that the values
     /// name. They are watched for changes, too.
     [[nodiscard]] virtual std::vector<std::string> furtherFiles(const ParameterValues&) const { return {}; }

@@ -130,7 +130,8 @@ public:
     [[nodiscard]] virtual std::optional<TreeRows> rowsOf(const ParameterValues&, std::string_view node) const = 0;
 
     // Each of the next functions throws Failure with a sentence for the user if the edit is invalid, and then changes
-    // nothing. The result has the table of the new document, made through the store like `TableFromFiles::tableFor`.
+    // nothing. The result has the table of the new document, made through the store like
+    // `TableFromFiles::dynamicParameters`.
 
     [[nodiscard]] virtual EditedTree edited(const ParameterValues&, const TreeEdit&, render::AssetStore&) const = 0;
     /// Returns the values with a new value in a row of the node.

@@ -171,8 +171,8 @@ class ParameterValues;
 ///     };
 ///
 /// A table copies every text that it is given, so it can be made of a file that is read at run time as well:
-/// `MadeTable`, `TableFromFiles::tableFor`. Values of a table that a std::shared_ptr owns keep it alive; any other has
-/// to outlive its values.
+/// `MadeTable`, `TableFromFiles::dynamicParameters`. Values of a table that a std::shared_ptr owns keep it alive; any
+/// other has to outlive its values.
 class Parameters : public std::enable_shared_from_this<Parameters> {
 public:
     Parameters(const Parameters&) = delete;  // Handles are only meaningful to their own table.
@@ -232,7 +232,7 @@ protected:
     /// that name (`filePath`).
     [[nodiscard]] static Shipped shippedIn(std::string_view folder) { return {folder}; }
     struct GivesRows {};
-    /// For a file parameter: its file adds parameters to the table (`TableFromFiles::tableFor`).
+    /// For a file parameter: its file adds parameters to the table (`TableFromFiles::dynamicParameters`).
     [[nodiscard]] static GivesRows givesRows() { return {}; }
     struct Essential {
         bool is;
