@@ -323,7 +323,7 @@ void applySets(const Museum& museum, SceneState& sceneState, std::size_t subject
     for (const std::string& text : assignments) {
         Assignment a = assignmentOf(museum, subject, text);
         const auto row = sceneState.values[a.owner].table().find(a.name);
-        if (row && sceneState.values[a.owner].rows()[*row].givesRows)
+        if (row && sceneState.values[a.owner].rows()[*row].addsParameters)
             assign(museum, sceneState, a, notes);
         else
             rest.push_back(std::move(a));

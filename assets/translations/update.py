@@ -167,7 +167,7 @@ def table_texts(texts, known):
             for text in row.findall(source):
                 texts.add(spelled_out(text), name)
         if '_table' in name or '_rows' in name:
-            for text in re.findall(r'\b(?:group|called)\("([^"]+)"', source):
+            for text in re.findall(r'\b(?:group|labeled)\("([^"]+)"', source):
                 texts.add(text, name)
             for choices in re.findall(r'\bchoice\([^{;]*\{(\s*"[^}]*)\}', source):
                 for text in re.findall(r'"([^"]+)"', choices):

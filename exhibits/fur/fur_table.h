@@ -33,7 +33,7 @@ struct FurTable final : Parameters {
     File ringModel =
         file("ringModel",
              "Path of a glTF object that wears the ring's coat in place of the ring; models/teddy.glb is supplied.",
-             endings("glb gltf"));
+             extensions("glb gltf"));
 
     Group strands = group("Strands");
     Real strandRoundness = real(

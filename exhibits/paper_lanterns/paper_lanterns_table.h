@@ -142,7 +142,7 @@ struct PaperLanternsTable final : Parameters {
         real("moonSize", degrees(2.4), degree, Range{degrees(0.1), degrees(20)}.soft(degrees(0.5), degrees(6)),
              "Angular diameter of the moon; the real one has half a degree.", physical and moonlit);
     File panorama = file("panorama", "Path of a panorama, twice as wide as high, that replaces the night sky.",
-                         endings(render::readEndings()));
+                         extensions(render::readEndings()));
     Real stars = real("stars", 0.7, none, Range{0, 10}.soft(0, 2), "Brightness of the stars: 0 shows none.", physical);
     Real dusk = real("dusk", 0.12, none, Range{0, 10}.soft(0, 2),
                      "Strength of the daylight left in the sky: 0 is deep night.", physical);

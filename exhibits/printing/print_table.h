@@ -102,7 +102,7 @@ struct PrintTable final : Parameters {
              "Printed dots per inch: the native resolution of the printer or a whole fraction of it.", option("dpi"));
     Real dotsDown = real("dotsDown", 0, none, Range{0, 100000}.soft(0, 2880),
                          "Printed dots per inch in vertical direction. Auto: as in horizontal direction.",
-                         reads(0, "auto"), option("dpi-y"), called("Dots per inch, vertical"));
+                         reads(0, "auto"), option("dpi-y"), labeled("Dots per inch, vertical"));
     Real distance = real(
         "distance", std::numeric_limits<double>::infinity(), centimeter, Range{0.0001, 1000, logarithmic}.soft(0.1, 10),
         "Viewing distance that determines the pitch of the strips. Inf: strips have exactly the pitch of the lenses.",
@@ -131,7 +131,7 @@ struct PrintTable final : Parameters {
     Toggle compensate = toggle("compensate", false,
                                "Correct the views in advance for the crosstalk of the sheet, which mixes neighboring "
                                "views; lowers the contrast.",
-                               called("Compensate cross-talk"), option("crosstalk-compensation"));
+                               labeled("Compensate cross-talk"), option("crosstalk-compensation"));
     Real guard =
         real("guard", 0.25, percent, {0, 1},
              "Share of a strip's width that is blended with its two neighbors: 0 blends nothing, 100 % all of it.",

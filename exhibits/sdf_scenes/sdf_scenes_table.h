@@ -26,7 +26,7 @@ struct SdfScenesTable final : Parameters {
     Group show = group("Display");
     File scene =
         file("scene", "Path of a scene of shapes (JSON); its format is described in assets/scenes/scene.schema.json.",
-             endings("json"), givesRows(), shippedIn("scenes"), essential());
+             extensions("json"), addsParameters(), inAssetFolder("scenes"), essential());
     File document = this->Parameters::document(
         "document", scene,
         "The edited scene (JSON) with all changes that are not in its file yet. Resetting it discards them.");

@@ -40,7 +40,7 @@ struct StudyTable final : Parameters {
         "Measure the exhibit without the hall, in the environment's light: quicker, but without sun and shadows.");
     Toggle asSet =
         toggle("asSet", false, "Do not adjust other parameters or skip views to make the studied parameter visible.",
-               called("Keep all settings"));
+               labeled("Keep all settings"));
 
     Group measureGroup = group("Measurement");
     Choice<int> metric = choice("metric", 0, studyMetrics(), "Measure of the error.");
@@ -56,12 +56,12 @@ struct StudyTable final : Parameters {
                                         "Setting to choose: the cheapest within an error, or the best within a time.");
     Real maxError =
         real("maxError", 0.02, none, Range{0, 1e6}.soft(0, 1),
-             "Largest error allowed in any view: the cheapest setting within it is chosen.", called("Largest error"),
+             "Largest error allowed in any view: the cheapest setting within it is chosen.", labeled("Largest error"),
              when(choosing, StudyFind::cheapest), implies(choosing, StudyFind::cheapest));
     Real maxMilliseconds = real(
         "maxMilliseconds", 10, none, Range{0, 1e9}.soft(0, 100),
         "Longest frame time allowed, in milliseconds: the most exact setting within it is chosen.",
-        called("Longest time"), option("max-ms"), when(choosing, StudyFind::best), implies(choosing, StudyFind::best));
+        labeled("Longest time"), option("max-ms"), when(choosing, StudyFind::best), implies(choosing, StudyFind::best));
     Choice<ChartCost> cost = choice("cost", ChartCost::automatic, {"auto", "ms", "work"},
                                     "Cost in chart.svg and chart.png: ms (milliseconds per picture) or work (counted). "
                                     "Auto: ms if the clock is reliable. The page shows both.");

@@ -22,11 +22,11 @@ struct YourShaderTable final : Parameters {
     explicit YourShaderTable(std::shared_ptr<const guest::Work> = {});
 
     Group show = group("Display");
-    File file =
-        this->Parameters::file("file",
-                               "Path of a shader: ISF (.fs), Shadertoy code or its JSON, or a plain fragment shader. "
-                               "Its inputs become sliders.",
-                               endings("fs frag glsl json txt"), givesRows(), shippedIn("shaders"), essential());
+    File file = this->Parameters::file(
+        "file",
+        "Path of a shader: ISF (.fs), Shadertoy code or its JSON, or a plain fragment shader. "
+        "Its inputs become sliders.",
+        extensions("fs frag glsl json txt"), addsParameters(), inAssetFolder("shaders"), essential());
     Toggle animate =
         toggle("animate", false, "Whether time runs; it shows only in shaders that read the time.", essential());
     Real moment = real("moment", 0, second, Range{-1e6, 1e6}.soft(0, 60),

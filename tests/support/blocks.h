@@ -37,7 +37,7 @@ struct BlockTable final : Parameters {
     explicit BlockTable(std::vector<Block> read) : blocks(std::move(read)) {}
 
     const std::vector<Block> blocks;
-    File pile = file("pile", "Blocks, as JSON.", endings("json"), givesRows());
+    File pile = file("pile", "Blocks, as JSON.", extensions("json"), addsParameters());
     File document = this->Parameters::document("document", pile, "The blocks as they were edited.");
 };
 

@@ -35,7 +35,7 @@ QString nameOf(const ParameterInfo& row)
 /// Returns the filters of a file dialog: the parameter's own extensions, and all files.
 QStringList filtersOf(const ParameterInfo& row)
 {
-    const QString patterns = filePatterns(row.endings);
+    const QString patterns = filePatterns(row.extensions);
     const QString all = FileEditor::tr("All files (*)");
     return patterns.isEmpty() ? QStringList{all}
                               : QStringList{FileEditor::tr("%1 (%2)").arg(nameOf(row), patterns), all};

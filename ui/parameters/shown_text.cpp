@@ -136,7 +136,7 @@ QString shownText(const ParameterInfo& row, const Value& value)
     case Kind::text: {
         const std::string& written = std::get<std::string>(value);
         if (written.empty()) return tr("none");
-        return row.givesRows ? tr("a text") : text(written);
+        return row.addsParameters ? tr("a text") : text(written);
     }
     }
     return {};

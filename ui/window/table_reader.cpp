@@ -12,7 +12,7 @@ TableReader::TableReader(Workbench& window, QObject* parent) : QObject(parent), 
 {
     History& history = window.history();
     connect(&history, &History::changed, this, [this, &history](std::size_t exhibit, std::size_t row) {
-        if (history.sceneState().values[exhibit].rows()[row].givesRows) read();
+        if (history.sceneState().values[exhibit].rows()[row].addsParameters) read();
     });
     connect(&history, &History::replaced, this, &TableReader::read);
     connect(&window.viewport(), &Viewport::filesChanged, this, &TableReader::readAgain);

@@ -22,7 +22,7 @@ constexpr double endless = std::numeric_limits<double>::infinity();
 
 struct MeshTable final : Parameters {
     Group sceneGroup = group("Scene");
-    File file = Parameters::file("scene", "Scene file.", endings("json"), positional(), mustBeGiven());
+    File file = Parameters::file("scene", "Scene file.", extensions("json"), positional(), mustBeGiven());
     Text set = text("set", "Value of one of the scene's parameters, name=value. Numbers are in SI units.", several());
     Real time = real("time", 0, second, Range{-1e9, 1e9}.soft(0, 60), "Time at which a moving scene is meshed.");
 

@@ -162,8 +162,8 @@ protected:
         if (!row.documentOf.empty()) return fileFor(table, table.rows()[table.find(row.documentOf).value()]);
         const std::filesystem::path assets = std::filesystem::path(VITRINE_SOURCE_DIR) / "assets";
         if (table.find("animation")) return writeMovedModel(folder_);
-        if (row.endings.find("glb") != std::string_view::npos) return (assets / "models" / "teddy.glb").string();
-        if (row.shipped == "scenes") return (assets / "scenes" / "torus.json").string();
+        if (row.extensions.find("glb") != std::string_view::npos) return (assets / "models" / "teddy.glb").string();
+        if (row.assetFolder == "scenes") return (assets / "scenes" / "torus.json").string();
         const std::filesystem::path panorama = folder_.path() / "panorama.hdr";
         if (!std::filesystem::exists(panorama))
             writePanorama(panorama,
