@@ -86,21 +86,21 @@ int parseAndRun(int argc, char** argv)
     vitrine::app::addServeCommand(parser, chosen);
     vitrine::app::addDoctorCommand(parser, chosen);
     takeLanguageEverywhere(parser, language);
-    const auto speak = [&language] {
-        if (!language.empty()) vitrine::ui::speak(QString::fromStdString(language));
+    const auto applyLanguage = [&language] {
+        if (!language.empty()) vitrine::ui::setLanguage(QString::fromStdString(language));
     };
     try {
         parser.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return parser.exit(error);  // Help, or the version.
-        speak();
+        applyLanguage();
         throw vitrine::Failure(vitrine::ErrorKind::usage, vitrine::app::usageError(parser, error));
     } catch (const vitrine::Failure&) {
-        speak();
+        applyLanguage();
         vitrine::app::throwFirstTyped(parser, {argv + 1, argv + argc});
         throw;
     }
-    speak();
+    applyLanguage();
     // The window installs no handler: it has a journal, and starts other programs.
     if (!parser.get_subcommands().empty() && !parser.got_subcommand("open")) vitrine::app::endOnStopSignals();
     return chosen();

@@ -40,7 +40,7 @@ int renderPicture(const RenderOptions& options)
     const RequestedPicture job = requestedPicture(museum, options.picture);
     for (const std::string& note : job.notes) say(note);
     if (job.taken && job.taken->language != language() && !ui::languageAsked())
-        ui::speak(QString::fromStdString(job.taken->language));
+        ui::setLanguage(QString::fromStdString(job.taken->language));
     render::gl::Renderer renderer;
     PictureMaker maker(museum, renderer, job.sceneState, job.request);
     while (maker.step()) {

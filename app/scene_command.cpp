@@ -32,7 +32,7 @@ Json findingsJson(const std::vector<scenes::Finding>& findings)
 /// language.
 void printFinding(scenes::Finding finding)
 {
-    finding.sentence = ui::saidInLocale(finding.sentence);
+    finding.sentence = ui::translatedInLocale(finding.sentence);
     std::printf("%s\n", finding.text().c_str());
 }
 

@@ -64,7 +64,7 @@ Json shaderJson(const std::string& file, const guest::CheckedShader& checked)
 void printFinding(const Finding& finding)
 {
     std::printf("%s:%d:%d: %s\n", finding.file.c_str(), finding.line, finding.column,
-                ui::saidInLocale(finding.sentence).c_str());
+                ui::translatedInLocale(finding.sentence).c_str());
 }
 
 /// Checks one file and prints the findings. Returns 0, or the exit code of a failed check or a failed read.

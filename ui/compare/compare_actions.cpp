@@ -123,9 +123,9 @@ void CompareActions::addOffers()
     const Museum& museum = desk_.workbench().museum();
     for (std::size_t subject = 0; subject < museum.subjects().size(); ++subject)
         for (const OfferedComparison& offered : offeredComparisons(museum.subject(subject))) {
-            QAction* action =
-                add(tr("Compare with: %1").arg(menuText(said(offered.title))), {},
-                    tr("%1 B follows the current settings; drag the line between the two.").arg(said(offered.help)));
+            QAction* action = add(tr("Compare with: %1").arg(menuText(translatedText(offered.title))), {},
+                                  tr("%1 B follows the current settings; drag the line between the two.")
+                                      .arg(translatedText(offered.help)));
             action->setObjectName(
                 QStringLiteral("compare-%1-with-%2")
                     .arg(QString::fromUtf8(museum.subject(subject).name()), QString::fromStdString(offered.name)));

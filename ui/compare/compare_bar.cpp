@@ -35,7 +35,7 @@ ValueSlider* sliderOver(std::uint16_t row, const QString& name, QWidget* parent)
     const ParameterInfo& info = compareRows().rows()[row];
     auto* slider = new ValueSlider(info, parent);
     slider->setAccessibleName(name);
-    slider->setToolTip(said(info.help));
+    slider->setToolTip(translatedText(info.help));
     return slider;
 }
 

@@ -102,7 +102,7 @@ void CompareDesk::hold(const SceneState& sceneState, const QString& name)
             return [this, read, name, number] {
                 if (number != holds_) return;
                 QStringList unreadable;
-                for (const Message& why : read.unreadable) unreadable << tr("B: %1").arg(said(why));
+                for (const Message& why : read.unreadable) unreadable << tr("B: %1").arg(translatedText(why));
                 workbench_.setProblems(QStringLiteral("files of B"), unreadable);
                 if (name.isNull())
                     other_->readAgain(read.sceneState);
@@ -201,8 +201,8 @@ std::vector<RowDifference> CompareDesk::differences() const
         };
         all.push_back({row.subject, row.name,
                        tr("%1: %2: %3 | %4")
-                           .arg(said(workbench_.museum().subject(row.subject).title()), said(label(row.info)),
-                                value(row.a), value(row.b))});
+                           .arg(translatedText(workbench_.museum().subject(row.subject).title()),
+                                translatedText(label(row.info)), value(row.a), value(row.b))});
     }
     return all;
 }

@@ -151,7 +151,7 @@ void ExploreDock::addVariations(QVBoxLayout& all)
     auto* strength = new QLabel(tr("S&trength"), this);
     strength->setBuddy(strength_);
     strength_->setAccessibleName(tr("Strength"));
-    strength_->setToolTip(said(exploreRows().rows()[exploreRows().strength.row].help));
+    strength_->setToolTip(translatedText(exploreRows().rows()[exploreRows().strength.row].help));
     strength_->showValue(variations_->strength());
     percent_->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("100 %")));
     line->addWidget(number);

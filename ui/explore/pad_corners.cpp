@@ -59,7 +59,7 @@ void PadCorners::takePreset(std::size_t corner, const QString& id)
         return [this, read, exhibit, corner, number] {
             if (number != readings_.at(corner)) return;
             QStringList unreadable;
-            for (const Message& why : read.unreadable) unreadable << said(why);
+            for (const Message& why : read.unreadable) unreadable << translatedText(why);
             workbench_.setProblems(QStringLiteral("files of corner %1").arg(corner), unreadable);
             corners_.at(corner).values = read.sceneState.values[exhibit];
             emit changed();

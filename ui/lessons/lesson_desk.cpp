@@ -259,7 +259,7 @@ void LessonDesk::noteFrame(const render::FrameReport& report, const QSize& pixel
 QString LessonDesk::nameOf(const LessonNumber& number) const
 {
     switch (number.of) {
-    case LessonNumber::Of::counter: return said(costTitle(number.name));
+    case LessonNumber::Of::counter: return translatedText(costTitle(number.name));
     case LessonNumber::Of::milliseconds: return tr("time of a picture");
     case LessonNumber::Of::row: break;
     }

@@ -33,7 +33,7 @@ const ParameterInfo& angle(std::size_t i)
 DirectionEditor::DirectionEditor(const ValueRef& value, QWidget* parent)
     : ValueEditor(value, parent), azimuth_(new NumberField(angle(0), this)), elevation_(new NumberField(angle(1), this))
 {
-    const QString name = said(label(row()));
+    const QString name = translatedText(label(row()));
     azimuth_->setAccessibleName(tr("%1, azimuth").arg(name));
     elevation_->setAccessibleName(tr("%1, elevation").arg(name));
     azimuth_->setToolTip(tooltipText(angle(0)));

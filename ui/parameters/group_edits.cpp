@@ -59,7 +59,7 @@ void GroupEdits::hold(std::size_t row, const Value& value, Gesture gesture, cons
         values.setMotion(each, std::nullopt);  // Setting the value ends the animation.
         values.chooseFile(each, value);
     }
-    const QString name = within(said(labelInGroup(values.rows()[row])));
+    const QString name = midSentence(translatedText(labelInGroup(values.rows()[row])));
     history_.change(words.isEmpty() ? tr("Change %1 of all together").arg(name) : words, next, gesture);
 }
 

@@ -164,8 +164,9 @@ private:
 };
 
 MotionDialog::MotionDialog(History& history, std::size_t exhibit, const std::vector<std::size_t>& rows, QWidget* parent)
-    : QuietDialog(tr("Animate %1").arg(said(label(history.sceneState().values[exhibit].rows()[rows.front()]))),
-                  tr("Done"), parent),
+    : QuietDialog(
+          tr("Animate %1").arg(translatedText(label(history.sceneState().values[exhibit].rows()[rows.front()]))),
+          tr("Done"), parent),
       history_(history), exhibit_(exhibit), name_(history.sceneState().values[exhibit].rows()[rows.front()].name),
       before_(history.sceneState()), numbers_(std::make_unique<Numbers>(*this))
 {
@@ -238,7 +239,7 @@ void MotionDialog::change(const Motion& motion)
     if (!row || !values.setMotion(*row, motion)) return;
     for (const std::string& other : others_)
         if (const auto twin = values.table().find(other)) values.setMotion(*twin, motion);
-    history_.change(tr("Animate %1").arg(within(said(label(values.rows()[*row])))), next, gesture_);
+    history_.change(tr("Animate %1").arg(midSentence(translatedText(label(values.rows()[*row])))), next, gesture_);
 }
 
 void MotionDialog::refresh()
@@ -272,7 +273,7 @@ void MotionDialog::reject()
     takeBack(name_);
     for (const std::string& other : others_) takeBack(other);
     if (const auto row = values.table().find(name_))
-        history_.change(tr("Animate %1").arg(within(said(label(values.rows()[*row])))), next, gesture_);
+        history_.change(tr("Animate %1").arg(midSentence(translatedText(label(values.rows()[*row])))), next, gesture_);
     QuietDialog::reject();
 }
 

@@ -24,7 +24,7 @@ namespace {
 
 QString rowLabel(const ParameterInfo& row)
 {
-    return said(label(row));
+    return translatedText(label(row));
 }
 
 }  // namespace
@@ -103,7 +103,7 @@ void ParameterMenus::addMotionTo(QMenu& menu, std::size_t row)
         (new MotionDialog(history_, panel_.exhibit(), edits().rowsWith(row), &panel_))->openOver(rowOf(row));
     });
     animate->setEnabled(why.empty());
-    animate->setToolTip(said(why));
+    animate->setToolTip(translatedText(why));
     menu.setToolTipsVisible(true);
     const Motion* motion = values().motion(row);
     if (!motion) return;
@@ -248,7 +248,7 @@ void ParameterMenus::addArrayTo(QMenu& menu, const ParameterInfo& first)
     }));
     for (const GroupEdits::Group& group : groups) {
         if (group.element == here) continue;
-        QAction* take = menu.addAction(menuText(tr("Copy from %1").arg(said(group.heading))), this,
+        QAction* take = menu.addAction(menuText(tr("Copy from %1").arg(translatedText(group.heading))), this,
                                        [&edit, array, from = group.element, here] { edit.copy(array, from, here); });
         take->setEnabled(!edit.alike(array, group.element, here));
     }

@@ -138,7 +138,7 @@ void ParameterPanel::showValue(std::size_t row)
 {
     const ParameterInfo& info = values().rows()[row];
     const Motion* motion = values().motion(row);
-    rows_[row]->setMotion(motion ? said(describe(info, *motion)) : QString());
+    rows_[row]->setMotion(motion ? translatedText(describe(info, *motion)) : QString());
     rows_[row]->showValue(motion ? valueOf(info, *motion, menus_->moment()) : values().row(row));
 }
 
@@ -206,7 +206,7 @@ QString ParameterPanel::titleOf(const PanelGroup& group) const
     case PanelGroup::Kind::pinned: return tr("Pinned");
     case PanelGroup::Kind::table: break;
     }
-    return said(group.title);
+    return translatedText(group.title);
 }
 
 void ParameterPanel::addSection(std::size_t i)

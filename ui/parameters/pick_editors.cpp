@@ -29,7 +29,7 @@ QHBoxLayout* rowLayout(QWidget* parent)
 
 QString nameOf(const ParameterInfo& row)
 {
-    return said(label(row));
+    return translatedText(label(row));
 }
 
 /// Returns the filters of a file dialog: the parameter's own extensions, and all files.
@@ -63,7 +63,7 @@ void ToggleEditor::showValue(const Value& value)
 ChoiceEditor::ChoiceEditor(const ValueRef& value, QWidget* parent)
     : ValueEditor(value, parent), box_(new QComboBox(this))
 {
-    for (const std::string_view name : row().choices) box_->addItem(said(name));
+    for (const std::string_view name : row().choices) box_->addItem(translatedText(name));
     box_->setAccessibleName(nameOf(row()));
     box_->setFocusPolicy(Qt::StrongFocus);
     growHeight(*box_, 22);

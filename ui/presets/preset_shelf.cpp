@@ -189,7 +189,7 @@ void PresetShelf::save()
 void PresetShelf::saveAs()
 {
     const SceneObject& subject = window_.museum().subject(window_.shown());
-    const QString title = said(subject.title());
+    const QString title = translatedText(subject.title());
     const StoredPreset* used = inUse();
     const QString before = used ? presetName(used->preset.name, used->shipped) : title;
     auto* ask = new NameDialog(tr("Save preset of %1 as").arg(title), freeName(before), list_.window());

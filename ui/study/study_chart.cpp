@@ -375,9 +375,10 @@ void StudyChart::leaveEvent(QEvent* event)
 
 QString settingWords(const std::vector<SettingPart>& parts)
 {
-    if (parts.empty()) return said(settingText(parts));
+    if (parts.empty()) return translatedText(settingText(parts));
     QStringList all;
-    for (const SettingPart& part : parts) all << said(part.label) + QLatin1Char(' ') + said(part.value);
+    for (const SettingPart& part : parts)
+        all << translatedText(part.label) + QLatin1Char(' ') + translatedText(part.value);
     return all.join(QStringLiteral(", "));
 }
 
@@ -389,7 +390,7 @@ QString axisTitle(const StudyCosts& costs, bool clockTrusted)
         return clockTrusted ? StudyChart::tr("milliseconds of a picture")
                             : StudyChart::tr("milliseconds of a picture, by a clock that is not trusted");
     return costs.name.empty() ? StudyChart::tr("counted work")
-                              : StudyChart::tr("%1 in all views").arg(said(costTitle(costs.name)));
+                              : StudyChart::tr("%1 in all views").arg(translatedText(costTitle(costs.name)));
 }
 
 void setCost(ChartPoint& point, const StudyCosts& costs, std::size_t i)
@@ -407,16 +408,16 @@ void setCost(ChartPoint& point, const StudyCosts& costs, std::size_t i)
 QString pointWords(const std::vector<SettingPart>& parts, std::size_t parameters)
 {
     if (parameters > 2) return {};
-    return parameters == 1 && !parts.empty() ? said(parts.front().value) : settingWords(parts);
+    return parameters == 1 && !parts.empty() ? translatedText(parts.front().value) : settingWords(parts);
 }
 
 ChartedStudy chartedBy(const StudyCosts& costs, render::Metric metric, bool clockTrusted)
 {
     ChartedStudy study;
     study.costTitle = axisTitle(costs, clockTrusted);
-    study.errorTitle = said(title(metric));
+    study.errorTitle = translatedText(title(metric));
     study.parameters = costs.parameters;
-    study.law = said(lawSentence(costs));
+    study.law = translatedText(lawSentence(costs));
     return study;
 }
 

@@ -209,7 +209,7 @@ void StudyDock::setSubject(std::size_t exhibit)
     for (const ParameterInfo& row : table_->rows()) {
         if (!row.qualityReference) continue;
         names.emplace_back(row.name);
-        parameter_->addItem(said(label(row)), text(row.name));
+        parameter_->addItem(translatedText(label(row)), text(row.name));
     }
     settings_->setOffers({{"parameters", names}});
     showVaried();
@@ -325,7 +325,8 @@ void StudyDock::take(News news)
     showsRunning_ = showsRunning_ || isNew;
     progress_->setValue(static_cast<int>(100 * news.progress));
     const double left = secondsLeft(news.progress, elapsed_);
-    doing_->setText(said(news.doing) + (left >= 0 && !done ? QStringLiteral(", ") + timeLeft(left) : QString()));
+    doing_->setText(translatedText(news.doing) +
+                    (left >= 0 && !done ? QStringLiteral(", ") + timeLeft(left) : QString()));
     if (!showsRunning_) return;
     shown_->showMeasured(running_, std::move(news.result), news.machine, isNew);
 }

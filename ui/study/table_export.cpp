@@ -30,13 +30,13 @@ void TableExport::ask(Workbench& window, QWidget* parent)
     const SceneObject& subject = window.museum().subject(window.chosen());
     const auto* source = capability<MeasuresTable>(subject);
     if (!source) {
-        window.say(
-            MessageStrip::Mood::notice,
-            tr("%1 has no table of measurements; the Study panel measures its parameters.").arg(said(subject.title())));
+        window.say(MessageStrip::Mood::notice,
+                   tr("%1 has no table of measurements; the Study panel measures its parameters.")
+                       .arg(translatedText(subject.title())));
         return;
     }
     auto* dialog =
-        new QFileDialog(parent, said(source->tableTitle()), QStringLiteral("methods.csv"), tr("CSV (*.csv)"));
+        new QFileDialog(parent, translatedText(source->tableTitle()), QStringLiteral("methods.csv"), tr("CSV (*.csv)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("csv"));
@@ -47,7 +47,7 @@ void TableExport::ask(Workbench& window, QWidget* parent)
 
 TableExport::TableExport(Workbench& window, const MeasuresTable& source, QString path, QWidget* parent)
     : QObject(parent), window_(window), path_(std::move(path)),
-      shown_(new QProgressDialog(said(source.tableTitle()), tr("Cancel"), 0, 1000, parent))
+      shown_(new QProgressDialog(translatedText(source.tableTitle()), tr("Cancel"), 0, 1000, parent))
 {
     shown_->setWindowTitle(QStringLiteral("Vitrine"));
     shown_->setMinimumDuration(0);

@@ -174,7 +174,7 @@ void PixelInspector::show(const QPointF& at, const InspectedPixel& pixel)
         lines << tr("Position  %1 m").arg(numbers(*pixel.position));
         if (pixel.normal != glm::dvec3(0)) lines << tr("Normal  %1").arg(numbers(pixel.normal));
         lines << tr("Distance  %1 m").arg(QLocale(spokenLanguage()).toString(pixel.distance, 'f', 3));
-        lines << (pixel.object.empty() ? tr("The building") : said(pixel.object));
+        lines << (pixel.object.empty() ? tr("The building") : translatedText(pixel.object));
     } else {
         lines << tr("Nothing but the sky");
     }

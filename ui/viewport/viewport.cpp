@@ -382,7 +382,7 @@ void Viewport::cameraChanged()
         schedule_.cameraMoved(now());
     tickSoon();
     lookedAt_ = control_.mode() == CameraControl::Mode::walk ? museum_.lookedAt(prepared()) : std::nullopt;
-    label_->say(lookedAt_ ? said(lookedAt_->text) : QString());
+    label_->say(lookedAt_ ? translatedText(lookedAt_->text) : QString());
     input_->lookAgain();
     emit looked();
 }
@@ -480,7 +480,7 @@ void Viewport::visit(std::size_t exhibit)
     remember();
     glideTo(exhibit, {museum_.bestView(exhibit, history_.sceneState().values[exhibit]),
                       exhibit == hallIndex ? CameraControl::Mode::walk : CameraControl::Mode::orbit});
-    going_->say(tr("Going to %1 …").arg(said(museum_.subject(exhibit).title())));
+    going_->say(tr("Going to %1 …").arg(translatedText(museum_.subject(exhibit).title())));
 }
 
 bool Viewport::isInDepot() const

@@ -70,7 +70,7 @@ void FileOpener::setHallFile(const char* parameter, const QString& path)
             for (const Message& why : unreadableFiles(museum, next))
                 if (why.english().starts_with(label(next.hall().rows()[row]) + " of "))
                     return [this, why, path] {
-                        window_.setProblems(openingOf(path), {tr("%1 Nothing was changed.").arg(said(why))});
+                        window_.setProblems(openingOf(path), {tr("%1 Nothing was changed.").arg(translatedText(why))});
                     };
             return [this, parameter, path, file = next.hall().row(row)] {
                 // Another file may have taken the parameter in the meantime.

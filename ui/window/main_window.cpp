@@ -187,7 +187,7 @@ void MainWindow::connectViewport()
         SceneState next = history_.sceneState();
         const SceneObject& subject = museum_.subject(exhibit);
         if (const auto* button = capability<HasButton>(subject); button && button->press(next.values[exhibit]))
-            history_.change(tr("Press the button of %1").arg(said(subject.title())), next);
+            history_.change(tr("Press the button of %1").arg(translatedText(subject.title())), next);
     });
     connect(&viewport_->renderThread(), &RenderThread::failed, this,
             [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
@@ -245,7 +245,7 @@ ParameterPanel& MainWindow::panel() const
 void MainWindow::showTitle()
 {
     const QString use = shelf_->titleOfUse();
-    QStringList parts{said(museum_.subject(shown()).title())};
+    QStringList parts{translatedText(museum_.subject(shown()).title())};
     if (!use.isEmpty()) parts << use;
     setWindowTitle(tr("%1 — Vitrine").arg(parts.join(QStringLiteral(": "))));
 }

@@ -49,9 +49,9 @@ void TableReader::readAgain()
 void TableReader::take(const TabledSceneState& tabled)
 {
     QStringList unreadable;
-    for (const Message& why : tabled.unreadable) unreadable << said(why);
+    for (const Message& why : tabled.unreadable) unreadable << translatedText(why);
     window_.setProblems(QStringLiteral("files that give parameters"), unreadable);
-    for (const std::string& note : tabled.notes) window_.say(MessageStrip::Mood::notice, said(note));
+    for (const std::string& note : tabled.notes) window_.say(MessageStrip::Mood::notice, translatedText(note));
     taking_ = true;
     window_.history().exchangeTables(tabled.sceneState);
     taking_ = false;

@@ -182,7 +182,7 @@ void resetShown(MainWindow& window)
     const SceneObject& subject = window.museum().subject(window.shown());
     SceneState next = window.history().sceneState();
     next.values[window.shown()] = subject.parameters().initial();
-    window.history().change(tr("Reset %1").arg(said(subject.title())), next);
+    window.history().change(tr("Reset %1").arg(translatedText(subject.title())), next);
 }
 
 }  // namespace
@@ -493,8 +493,8 @@ void WindowActions::addWithoutMenu(Maker& make, MainWindow& window)
         const int place = exhibit.place();
         const bool hasKey = window.museum().isInHall(i) && place <= 10;  // Alt+0 stands for place 10.
         const Keys keys = hasKey ? Keys{QKeySequence(Qt::ALT | static_cast<Qt::Key>(Qt::Key_0 + place % 10))} : Keys{};
-        make.add(QStringLiteral("visit-") + text(exhibit.name()), tr("Visit %1").arg(said(exhibit.title())), keys,
-                 said(exhibit.summary()), [&window, index = i] { window.visit(index); });
+        make.add(QStringLiteral("visit-") + text(exhibit.name()), tr("Visit %1").arg(translatedText(exhibit.title())),
+                 keys, translatedText(exhibit.summary()), [&window, index = i] { window.visit(index); });
     }
     Bookmarks& bookmarks = window.bookmarks();
     const auto key = [](int number) { return static_cast<Qt::Key>(Qt::Key_0 + number); };

@@ -167,7 +167,7 @@ void WindowDocks::addFrameReportAndLog()
     frameReport_ = new FrameReportDock([&viewport] { return viewport.reason(); });
     QHash<QString, QString> titles;
     for (const auto& exhibit : workbench_.museum().subjects())
-        titles.insert(text(exhibit->name()), said(exhibit->title()));
+        titles.insert(text(exhibit->name()), translatedText(exhibit->title()));
     frameReport_->view().setTitles(titles);
     connect(frameReport_, &FrameReportDock::runEverythingAsked, &viewport, &Viewport::setRunEverything);
     log_ = new LogView;

@@ -25,7 +25,7 @@ class GermanWindowTest final : public test::OpenWindow {
 private:
     void startIn(const QString& language)
     {
-        ui::speak(language);
+        ui::setLanguage(language);
         start();
     }
     /// Drags a slider, saves a preset, and returns the file's bytes.
@@ -62,7 +62,7 @@ private slots:
     void cleanup()
     {
         finish();
-        ui::speak(QStringLiteral("en"));
+        ui::setLanguage(QStringLiteral("en"));
     }
 
     void menusAndPanelAreGerman()

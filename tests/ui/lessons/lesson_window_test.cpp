@@ -85,7 +85,7 @@ private slots:
     void cleanup()
     {
         finish();
-        speak(QStringLiteral("en"));
+        setLanguage(QStringLiteral("en"));
     }
 
     void aLessonIsWalkedThroughAndWhatWasOpenComesBack()
@@ -285,7 +285,7 @@ private slots:
     {
         QFETCH(QString, language);
         QFETCH(QString, folder);
-        speak(language);
+        setLanguage(language);
         const QDir pages(QString::fromStdString(render::asset(folder.toStdString()).string()));
         QStringList names{QStringLiteral("hall"), QStringLiteral("syllabus")};
         for (const auto& exhibit : allExhibits())
@@ -408,7 +408,7 @@ private slots:
 
     void linksOfPagesLeadToPagesInTheLanguageInUse()
     {
-        speak(QStringLiteral("de"));
+        setLanguage(QStringLiteral("de"));
         PageDialog dialog(nullptr, [](const QString&) { return nullptr; });
         dialog.setAttribute(Qt::WA_DeleteOnClose, false);
         dialog.showPage(QStringLiteral("hall"));
@@ -416,7 +416,7 @@ private slots:
         QCOMPARE(dialog.windowTitle(), QStringLiteral("Die Halle, und was in ihr steht"));
         emit dialog.browser().anchorClicked(QUrl(QStringLiteral("noise.html")));
         QVERIFY(dialog.browser().source().path().endsWith("/pages/de/noise.html"));
-        speak(QStringLiteral("en"));
+        setLanguage(QStringLiteral("en"));
         emit dialog.browser().anchorClicked(QUrl(QStringLiteral("fur.html")));
         QVERIFY(dialog.browser().source().path().endsWith("/pages/fur.html"));
     }
@@ -431,7 +431,8 @@ private slots:
         QVERIFY(dialog->browser().source().path().endsWith("/sdf_morph.html"));
         const QString page = dialog->browser().toPlainText();
         for (const ParameterInfo& row : window_->history().sceneState().values[1].rows())
-            QVERIFY2(page.contains(said(label(row))) && page.contains(said(row.help)), row.name.data());
+            QVERIFY2(page.contains(translatedText(label(row))) && page.contains(translatedText(row.help)),
+                     row.name.data());
         const auto lesson = [dialog] {
             for (QPushButton* each : dialog->findChildren<QPushButton*>())
                 if (each->text() == "&Start the exhibit's lesson") return each;
