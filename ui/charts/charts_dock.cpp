@@ -2,9 +2,9 @@
 
 #include "exhibits/framework/scene/capabilities.h"
 #include "exhibits/museum/museum.h"
+#include "ui/kit/accessible_plot.h"
 #include "ui/kit/language.h"
 #include "ui/kit/progress_job.h"
-#include "ui/kit/spoken_plot.h"
 #include "ui/kit/text.h"
 #include "ui/kit/theme.h"
 #include "ui/model/history.h"
@@ -82,7 +82,7 @@ QString sentences(const Chart& chart)
     return all.join(QLatin1Char(' '));
 }
 
-void fill(SpokenPlot& plot, const Chart& chart)
+void fill(AccessiblePlot& plot, const Chart& chart)
 {
     plot.setSentences(sentences(chart));
     plot.clearGraphs();
@@ -189,13 +189,13 @@ void ChartsDock::draw()
         plots_.pop_back();
     }
     while (plots_.size() < charts_.size()) {
-        auto* plot = new SpokenPlot(this);
+        auto* plot = new AccessiblePlot(this);
         plot->setMinimumSize(180, 120);
         putLegendAbove(*plot);
         plots_.push_back(plot);
         row_->addWidget(plot, 1);
     }
-    for (std::size_t i = 0; i < charts_.size(); ++i) fill(static_cast<SpokenPlot&>(*plots_[i]), charts_[i]);
+    for (std::size_t i = 0; i < charts_.size(); ++i) fill(static_cast<AccessiblePlot&>(*plots_[i]), charts_[i]);
 }
 
 void ChartsDock::sayWhyEmpty()

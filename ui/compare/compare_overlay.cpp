@@ -79,7 +79,7 @@ void CompareOverlay::setWipe(double share)
 {
     wipe_ = std::clamp(share, 0.0, 1.0);
     update();
-    tellNumber(*this);
+    notifyNumber(*this);
 }
 
 bool CompareOverlay::showsWipe() const
@@ -87,18 +87,18 @@ bool CompareOverlay::showsWipe() const
     return isVisible() && mode_ == CompareMode::wipe && !otherAlone();
 }
 
-QAccessible::Role CompareOverlay::spokenRole() const
+QAccessible::Role CompareOverlay::accessibleRole() const
 {
     return showsWipe() ? QAccessible::Slider : QAccessible::Graphic;
 }
 
-std::optional<SpokenNumber> CompareOverlay::spokenNumber() const
+std::optional<AccessibleNumber> CompareOverlay::accessibleNumber() const
 {
     if (!showsWipe()) return std::nullopt;
-    return SpokenNumber{100 * wipe_, 0, 100, 100 * wipeStep, tr("A up to %1 %").arg(std::lround(100 * wipe_))};
+    return AccessibleNumber{100 * wipe_, 0, 100, 100 * wipeStep, tr("A up to %1 %").arg(std::lround(100 * wipe_))};
 }
 
-QString CompareOverlay::spokenText() const
+QString CompareOverlay::accessibleText() const
 {
     if (otherAlone()) return otherText();
     switch (mode_) {

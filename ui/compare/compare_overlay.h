@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/compare/compare_mode.h"
-#include "ui/kit/spoken.h"
+#include "ui/kit/accessible_content.h"
 
 #include <QImage>
 #include <QWidget>
@@ -19,7 +19,7 @@ class Viewport;
 
 /// Overlay of the viewport that shows B's picture beside A's, or their difference. The wipe line is dragged, or moved
 /// with comma and period. Side by side, the pointer works in both pictures as in the whole viewport.
-class CompareOverlay final : public QWidget, public Spoken {
+class CompareOverlay final : public QWidget, public AccessibleContent {
     Q_OBJECT
 
 public:
@@ -37,11 +37,11 @@ public:
     /// Returns the position of the wipe line, 0 (left) to 1.
     [[nodiscard]] double wipe() const { return wipe_; }
     void setWipe(double share);
-    [[nodiscard]] QAccessible::Role spokenRole() const override;
-    [[nodiscard]] QString spokenText() const override;
+    [[nodiscard]] QAccessible::Role accessibleRole() const override;
+    [[nodiscard]] QString accessibleText() const override;
     /// Returns the position of the wipe line in percent, if it is shown.
-    [[nodiscard]] std::optional<SpokenNumber> spokenNumber() const override;
-    void setSpokenNumber(double percent) override { setWipe(percent / 100); }
+    [[nodiscard]] std::optional<AccessibleNumber> accessibleNumber() const override;
+    void setAccessibleNumber(double percent) override { setWipe(percent / 100); }
     /// Returns the difference image; null if there is none yet.
     [[nodiscard]] const QImage& difference() const { return difference_; }
 

@@ -160,7 +160,7 @@ void setLanguage(const QString& code)
     QCoreApplication::installTranslator(now.ours.get());  // Installed last, so that it is asked first.
 }
 
-QString spokenLanguage()
+QString languageCode()
 {
     return currentLanguage().code;
 }

@@ -29,7 +29,7 @@ void keepLanguage(const QString& code);
 /// keep their texts. An unknown code selects English.
 void setLanguage(const QString& code);
 /// Returns the code of the present language; "en" before `setLanguage`.
-[[nodiscard]] QString spokenLanguage();
+[[nodiscard]] QString languageCode();
 /// Returns whether `setLanguage` was called, for example for the command line's --language.
 [[nodiscard]] bool languageAsked();
 

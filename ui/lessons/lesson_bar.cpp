@@ -1,8 +1,8 @@
 #include "ui/lessons/lesson_bar.h"
 
 #include "exhibits/framework/files/lesson.h"
+#include "ui/kit/accessible_widget.h"
 #include "ui/kit/menu_text.h"
-#include "ui/kit/spoken_widget.h"
 #include "ui/kit/theme.h"
 #include "ui/lessons/lesson_desk.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/kit/spoken.h"
+#include "ui/kit/accessible_content.h"
 
 #include <QWidget>
 
@@ -15,7 +15,7 @@ class LessonDesk;
 /// Strip above the picture while a lesson is open: number and text of the step, what to do, the value to read, and a
 /// question with an answer that opens. Buttons lead back, to the next step, and out of the lesson. Each step is
 /// announced to screen readers.
-class LessonBar final : public QWidget, public Spoken {
+class LessonBar final : public QWidget, public AccessibleContent {
     Q_OBJECT
 
 public:
@@ -27,7 +27,7 @@ public:
     /// While on, the bar stays hidden: used for the bare picture.
     void setBanned(bool);
 
-    [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Notification; }
+    [[nodiscard]] QAccessible::Role accessibleRole() const override { return QAccessible::Notification; }
 
 protected:
     void paintEvent(QPaintEvent*) override;

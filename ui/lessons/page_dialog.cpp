@@ -125,7 +125,7 @@ PageDialog::PageDialog(QWidget* window, FindParameters find)
 QString PageDialog::pathOf(const QString& name)
 {
     const QString file = QLatin1Char('/') + name + QStringLiteral(".html");
-    const QString own = pageFolder() + QLatin1Char('/') + spokenLanguage() + file;
+    const QString own = pageFolder() + QLatin1Char('/') + languageCode() + file;
     return QFileInfo::exists(own) ? own : pageFolder() + file;
 }
 

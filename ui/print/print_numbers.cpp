@@ -58,7 +58,7 @@ void CrosstalkBars::showShares(std::vector<double> ownShare)
     update();
 }
 
-QString CrosstalkBars::spokenText() const
+QString CrosstalkBars::accessibleText() const
 {
     QStringList views;
     for (std::size_t i = 0; i < own_.size(); ++i)

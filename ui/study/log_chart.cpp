@@ -33,7 +33,7 @@ QString inLines(const QString& text, const QFontMetrics& metrics, int width)
 
 }  // namespace
 
-LogChart::LogChart(QWidget* parent) : SpokenPlot(parent)
+LogChart::LogChart(QWidget* parent) : AccessiblePlot(parent)
 {
     for (QCPAxis* axis : {xAxis, yAxis}) {
         axis->setScaleType(QCPAxis::stLogarithmic);
@@ -271,7 +271,7 @@ QByteArray LogChart::svg(QSize size)
 
 void LogChart::resizeEvent(QResizeEvent* event)
 {
-    SpokenPlot::resizeEvent(event);
+    AccessiblePlot::resizeEvent(event);
     layOutFor(size());
 }
 
@@ -303,7 +303,7 @@ void LogChart::arrange()
 
 void LogChart::changeEvent(QEvent* event)
 {
-    SpokenPlot::changeEvent(event);
+    AccessiblePlot::changeEvent(event);
     if (event->type() == QEvent::PaletteChange) applyColors();
     if (event->type() == QEvent::FontChange) {
         applyType();

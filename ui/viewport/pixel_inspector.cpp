@@ -55,7 +55,7 @@ InspectedPixel middleOf(const render::Image& picture, const render::Camera& came
 
 QString numbers(const glm::dvec3& v)
 {
-    const QLocale locale(spokenLanguage());
+    const QLocale locale(languageCode());
     const auto number = [&](double x) { return locale.toString(x, 'f', 3); };
     return QStringLiteral("%1  %2  %3").arg(number(v.x), number(v.y), number(v.z));
 }
@@ -173,13 +173,13 @@ void PixelInspector::show(const QPointF& at, const InspectedPixel& pixel)
     if (pixel.position) {
         lines << tr("Position  %1 m").arg(numbers(*pixel.position));
         if (pixel.normal != glm::dvec3(0)) lines << tr("Normal  %1").arg(numbers(pixel.normal));
-        lines << tr("Distance  %1 m").arg(QLocale(spokenLanguage()).toString(pixel.distance, 'f', 3));
+        lines << tr("Distance  %1 m").arg(QLocale(languageCode()).toString(pixel.distance, 'f', 3));
         lines << (pixel.object.empty() ? tr("The building") : translatedText(pixel.object));
     } else {
         lines << tr("Nothing but the sky");
     }
     if (pixel.evaluations > 0)
-        lines << tr("Cost  %1 evaluations").arg(QLocale(spokenLanguage()).toString(std::lround(pixel.evaluations)));
+        lines << tr("Cost  %1 evaluations").arg(QLocale(languageCode()).toString(std::lround(pixel.evaluations)));
     label_->say(lines.join(QLatin1Char('\n')));
     label_->placeAt(at.toPoint());
 }

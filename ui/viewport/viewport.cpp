@@ -509,7 +509,7 @@ void Viewport::leftFor()
 {
     cut_ = cut_ || control_.cuts();
     cameraChanged();
-    tellText(*this);
+    notifyText(*this);
 }
 
 void Viewport::noteArrival()
@@ -640,7 +640,7 @@ render::View Viewport::view() const
     return render::makeView(now.camera, now.raster);
 }
 
-QString Viewport::spokenText() const
+QString Viewport::accessibleText() const
 {
     const CameraControl::Standpoint there = control_.standpoint();
     if (there.mode == CameraControl::Mode::orbit)

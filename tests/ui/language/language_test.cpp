@@ -259,7 +259,7 @@ private slots:
         const ParameterValues hall = museum.initialSceneState().hall();
         for (const char* code : {"en", "de"}) {
             ui::setLanguage(QString::fromLatin1(code));
-            const bool german = ui::spokenLanguage() == QLatin1String("de");
+            const bool german = ui::languageCode() == QLatin1String("de");
             const QString half = german ? QStringLiteral("0,5") : QStringLiteral("0.5");
             QCOMPARE(ui::numberLocale().toString(0.5, 'f', 1), half);
             for (std::size_t i = 0; i < hall.rows().size(); ++i) {
@@ -302,12 +302,12 @@ private slots:
     void aLanguageIsSpokenAtOnceAndAnUnknownOneIsEnglish()
     {
         ui::setLanguage(QStringLiteral("de"));
-        QCOMPARE(ui::spokenLanguage(), QStringLiteral("de"));
+        QCOMPARE(ui::languageCode(), QStringLiteral("de"));
         QCOMPARE(ui::translatedText("Shadow method"), QStringLiteral("Schattenverfahren"));
         QCOMPARE(ui::midSentence(ui::translatedText("Roughness")), QStringLiteral("Rauheit"));
         QCOMPARE(QObject::tr("&File"), QStringLiteral("&Datei"));
         ui::setLanguage(QStringLiteral("xx"));
-        QCOMPARE(ui::spokenLanguage(), QStringLiteral("en"));
+        QCOMPARE(ui::languageCode(), QStringLiteral("en"));
         QCOMPARE(ui::translatedText("Shadow method"), QStringLiteral("Shadow method"));
         QCOMPARE(ui::midSentence(ui::translatedText("Roughness")), QStringLiteral("roughness"));
         QCOMPARE(QObject::tr("&File"), QStringLiteral("&File"));

@@ -1,81 +1,81 @@
-#include "ui/kit/spoken_line.h"
+#include "ui/kit/accessible_line.h"
 
 #include <QLineEdit>
 
 namespace vitrine::ui {
 
-SpokenLine::SpokenLine(QLineEdit* line) : SpokenWidget(line) {}
+AccessibleLine::AccessibleLine(QLineEdit* line) : AccessibleWidget(line) {}
 
-QLineEdit& SpokenLine::line() const
+QLineEdit& AccessibleLine::line() const
 {
     return *static_cast<QLineEdit*>(object());
 }
 
-QAccessible::State SpokenLine::state() const
+QAccessible::State AccessibleLine::state() const
 {
-    QAccessible::State now = SpokenWidget::state();
+    QAccessible::State now = AccessibleWidget::state();
     now.editable = !line().isReadOnly();
     now.readOnly = line().isReadOnly();
     now.selectableText = true;
     return now;
 }
 
-void* SpokenLine::interface_cast(QAccessible::InterfaceType type)
+void* AccessibleLine::interface_cast(QAccessible::InterfaceType type)
 {
     if (type == QAccessible::TextInterface) return static_cast<QAccessibleTextInterface*>(this);
     if (type == QAccessible::EditableTextInterface) return static_cast<QAccessibleEditableTextInterface*>(this);
-    return SpokenWidget::interface_cast(type);
+    return AccessibleWidget::interface_cast(type);
 }
 
-void SpokenLine::selection(int selectionIndex, int* startOffset, int* endOffset) const
+void AccessibleLine::selection(int selectionIndex, int* startOffset, int* endOffset) const
 {
     const bool some = selectionIndex == 0 && line().hasSelectedText();
     *startOffset = some ? line().selectionStart() : 0;
     *endOffset = some ? line().selectionEnd() : 0;
 }
 
-int SpokenLine::selectionCount() const
+int AccessibleLine::selectionCount() const
 {
     return line().hasSelectedText() ? 1 : 0;
 }
 
-void SpokenLine::addSelection(int startOffset, int endOffset)
+void AccessibleLine::addSelection(int startOffset, int endOffset)
 {
     setSelection(0, startOffset, endOffset);
 }
 
-void SpokenLine::removeSelection(int selectionIndex)
+void AccessibleLine::removeSelection(int selectionIndex)
 {
     if (selectionIndex == 0) line().deselect();
 }
 
-void SpokenLine::setSelection(int selectionIndex, int startOffset, int endOffset)
+void AccessibleLine::setSelection(int selectionIndex, int startOffset, int endOffset)
 {
     if (selectionIndex == 0) line().setSelection(startOffset, endOffset - startOffset);
 }
 
-int SpokenLine::cursorPosition() const
+int AccessibleLine::cursorPosition() const
 {
     return line().cursorPosition();
 }
 
-void SpokenLine::setCursorPosition(int position)
+void AccessibleLine::setCursorPosition(int position)
 {
     line().setCursorPosition(position);
 }
 
-QString SpokenLine::text(int startOffset, int endOffset) const
+QString AccessibleLine::text(int startOffset, int endOffset) const
 {
     if (startOffset > endOffset) return {};
     return line().text().mid(startOffset, endOffset - startOffset);
 }
 
-int SpokenLine::characterCount() const
+int AccessibleLine::characterCount() const
 {
     return static_cast<int>(line().text().size());
 }
 
-QRect SpokenLine::characterRect(int offset) const
+QRect AccessibleLine::characterRect(int offset) const
 {
     // The numbers are aligned to the right.
     const QFontMetrics metrics = line().fontMetrics();
@@ -86,33 +86,33 @@ QRect SpokenLine::characterRect(int offset) const
     return {line().mapToGlobal(place.topLeft()), place.size()};
 }
 
-int SpokenLine::offsetAtPoint(const QPoint& point) const
+int AccessibleLine::offsetAtPoint(const QPoint& point) const
 {
     return line().cursorPositionAt(line().mapFromGlobal(point));
 }
 
-void SpokenLine::scrollToSubstring(int startIndex, int)
+void AccessibleLine::scrollToSubstring(int startIndex, int)
 {
     line().setCursorPosition(startIndex);
 }
 
-QString SpokenLine::attributes(int, int* startOffset, int* endOffset) const
+QString AccessibleLine::attributes(int, int* startOffset, int* endOffset) const
 {
     *startOffset = *endOffset = 0;
     return {};
 }
 
-void SpokenLine::deleteText(int startOffset, int endOffset)
+void AccessibleLine::deleteText(int startOffset, int endOffset)
 {
     replaceText(startOffset, endOffset, {});
 }
 
-void SpokenLine::insertText(int offset, const QString& text)
+void AccessibleLine::insertText(int offset, const QString& text)
 {
     replaceText(offset, offset, text);
 }
 
-void SpokenLine::replaceText(int startOffset, int endOffset, const QString& text)
+void AccessibleLine::replaceText(int startOffset, int endOffset, const QString& text)
 {
     if (line().isReadOnly()) return;
     line().setText(line().text().replace(startOffset, endOffset - startOffset, text));

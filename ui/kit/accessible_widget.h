@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/kit/spoken.h"
+#include "ui/kit/accessible_content.h"
 
 #include <QAccessibleWidget>
 
@@ -11,11 +11,11 @@ namespace vitrine::ui {
 /// Returns the text of a label without rich-text marks.
 [[nodiscard]] QString plainText(const QLabel&);
 
-/// Accessible interface of a `Spoken` widget.
-class SpokenWidget : public QAccessibleWidget, public QAccessibleValueInterface {
+/// Accessible interface of a widget that derives from `AccessibleContent`.
+class AccessibleWidget : public QAccessibleWidget, public QAccessibleValueInterface {
 public:
-    /// `widget` must be a `Spoken`.
-    explicit SpokenWidget(QWidget* widget) : QAccessibleWidget(widget) {}
+    /// `widget` must derive from `AccessibleContent`.
+    explicit AccessibleWidget(QWidget* widget) : QAccessibleWidget(widget) {}
 
     [[nodiscard]] QAccessible::Role role() const override;
     [[nodiscard]] QString text(QAccessible::Text) const override;
@@ -29,9 +29,9 @@ public:
 
 private:
     /// Returns null while the widget is being destroyed.
-    [[nodiscard]] Spoken* spoken() const { return dynamic_cast<Spoken*>(object()); }
+    [[nodiscard]] AccessibleContent* content() const { return dynamic_cast<AccessibleContent*>(object()); }
     /// Returns the widget's number; zeros if it has none.
-    [[nodiscard]] SpokenNumber number() const;
+    [[nodiscard]] AccessibleNumber number() const;
 };
 
 }  // namespace vitrine::ui

@@ -1,4 +1,4 @@
-#include "ui/parameters/spoken_row.h"
+#include "ui/parameters/accessible_number.h"
 
 #include "ui/parameters/shown_text.h"
 
@@ -7,7 +7,8 @@
 
 namespace vitrine::ui {
 
-SpokenNumber spokenNumber(const ParameterInfo& row, const SliderScale& scale, double value, double low, double high)
+AccessibleNumber accessibleNumber(const ParameterInfo& row, const SliderScale& scale, double value, double low,
+                                  double high)
 {
     const double shownPerStored = info(row.unit).shownPerStored;
     const bool isShown = std::isfinite(value) || row.wordFor(value) != nullptr;

@@ -10,7 +10,7 @@ class QWidget;
 namespace vitrine::ui {
 
 /// Number that a widget shows, with its range, in the displayed unit.
-struct SpokenNumber {
+struct AccessibleNumber {
     double value = 0, least = 0, most = 0;
     double step = 0;  ///< Step of one arrow key, above 0.
     QString text;     ///< Text with unit, as on the screen.
@@ -18,25 +18,26 @@ struct SpokenNumber {
 
 /// Accessibility of a widget that draws itself: what a screen reader says besides its name. Its accessible interface is
 /// made from these functions.
-class Spoken {
+class AccessibleContent {
 public:
-    /// Installs the factory of accessible interfaces for all `Spoken` widgets, and for labels and combo boxes.
-    Spoken();
-    virtual ~Spoken() = default;
+    /// Installs the factory of accessible interfaces  for all widgets with `AccessibleContent`, and for labels and
+    /// combo boxes.
+    AccessibleContent();
+    virtual ~AccessibleContent() = default;
 
-    [[nodiscard]] virtual QAccessible::Role spokenRole() const = 0;
+    [[nodiscard]] virtual QAccessible::Role accessibleRole() const = 0;
     /// Returns sentences on what the widget shows, said after the accessible description; empty: none.
-    [[nodiscard]] virtual QString spokenText() const { return {}; }
+    [[nodiscard]] virtual QString accessibleText() const { return {}; }
     /// Returns the number that the widget shows, if any.
-    [[nodiscard]] virtual std::optional<SpokenNumber> spokenNumber() const { return std::nullopt; }
-    /// Sets the number, in the unit of `spokenNumber` and within its range, as one undo step.
-    virtual void setSpokenNumber(double) {}
+    [[nodiscard]] virtual std::optional<AccessibleNumber> accessibleNumber() const { return std::nullopt; }
+    /// Sets the number, in the unit of `accessibleNumber` and within its range, as one undo step.
+    virtual void setAccessibleNumber(double) {}
 };
 
 /// Tells screen readers that a widget's number changed.
-void tellNumber(QWidget&);
+void notifyNumber(QWidget&);
 /// Tells screen readers that a widget's sentences changed.
-void tellText(QWidget&);
+void notifyText(QWidget&);
 /// Makes screen readers say the text at once. `from` is the widget that shows it, with the role `Notification` or
 /// `AlertMessage`.
 void announce(QWidget& from, const QString& text);

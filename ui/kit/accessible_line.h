@@ -1,15 +1,17 @@
 #pragma once
 
-#include "ui/kit/spoken_widget.h"
+#include "ui/kit/accessible_widget.h"
 
 class QLineEdit;
 
 namespace vitrine::ui {
 
 /// Accessible interface of a line edit for a number. Screen readers can also follow its text and cursor.
-class SpokenLine final : public SpokenWidget, public QAccessibleTextInterface, public QAccessibleEditableTextInterface {
+class AccessibleLine final : public AccessibleWidget,
+                             public QAccessibleTextInterface,
+                             public QAccessibleEditableTextInterface {
 public:
-    explicit SpokenLine(QLineEdit* line);
+    explicit AccessibleLine(QLineEdit* line);
 
     [[nodiscard]] QAccessible::State state() const override;
     void* interface_cast(QAccessible::InterfaceType) override;
@@ -21,7 +23,7 @@ public:
     void setSelection(int selectionIndex, int startOffset, int endOffset) override;
     [[nodiscard]] int cursorPosition() const override;
     void setCursorPosition(int position) override;
-    using SpokenWidget::text;
+    using AccessibleWidget::text;
     [[nodiscard]] QString text(int startOffset, int endOffset) const override;
     [[nodiscard]] int characterCount() const override;
     [[nodiscard]] QRect characterRect(int offset) const override;

@@ -1,22 +1,22 @@
-#include "ui/kit/spoken_plot.h"
+#include "ui/kit/accessible_plot.h"
 
 #include "ui/kit/theme.h"
 
 namespace vitrine::ui {
 
-SpokenPlot::SpokenPlot(QWidget* parent) : QCustomPlot(parent)
+AccessiblePlot::AccessiblePlot(QWidget* parent) : QCustomPlot(parent)
 {
     setFocusPolicy(Qt::StrongFocus);
 }
 
-void SpokenPlot::setSentences(const QString& sentences)
+void AccessiblePlot::setSentences(const QString& sentences)
 {
     if (sentences == sentences_) return;
     sentences_ = sentences;
-    tellText(*this);
+    notifyText(*this);
 }
 
-void SpokenPlot::applyTheme()
+void AccessiblePlot::applyTheme()
 {
     const Theme& t = theme();
     setBackground(t.base);
@@ -35,7 +35,7 @@ void SpokenPlot::applyTheme()
     legend->setTextColor(t.text);
 }
 
-void SpokenPlot::paintEvent(QPaintEvent* event)
+void AccessiblePlot::paintEvent(QPaintEvent* event)
 {
     QCustomPlot::paintEvent(event);
     if (!hasFocus()) return;
@@ -44,13 +44,13 @@ void SpokenPlot::paintEvent(QPaintEvent* event)
     painter.drawRect(rect().adjusted(0, 0, -1, -1));
 }
 
-void SpokenPlot::focusInEvent(QFocusEvent* event)
+void AccessiblePlot::focusInEvent(QFocusEvent* event)
 {
     QCustomPlot::focusInEvent(event);
     update();
 }
 
-void SpokenPlot::focusOutEvent(QFocusEvent* event)
+void AccessiblePlot::focusOutEvent(QFocusEvent* event)
 {
     QCustomPlot::focusOutEvent(event);
     update();
@@ -58,4 +58,4 @@ void SpokenPlot::focusOutEvent(QFocusEvent* event)
 
 }  // namespace vitrine::ui
 
-#include "moc_spoken_plot.cpp"
+#include "moc_accessible_plot.cpp"

@@ -1,7 +1,7 @@
-#include "ui/kit/spoken.h"
+#include "ui/kit/accessible_content.h"
 
-#include "ui/kit/spoken_line.h"
-#include "ui/kit/spoken_widget.h"
+#include "ui/kit/accessible_line.h"
+#include "ui/kit/accessible_widget.h"
 
 #include <QAbstractItemView>
 #include <QComboBox>
@@ -14,9 +14,9 @@ namespace vitrine::ui {
 namespace {
 
 /// Accessible interface of a label: says its accessible name, if it has one, and its text.
-class SpokenLabel final : public QAccessibleWidget {
+class AccessibleLabel final : public QAccessibleWidget {
 public:
-    explicit SpokenLabel(QLabel* label) : QAccessibleWidget(label, QAccessible::StaticText) {}
+    explicit AccessibleLabel(QLabel* label) : QAccessibleWidget(label, QAccessible::StaticText) {}
 
     [[nodiscard]] QString text(QAccessible::Text which) const override
     {
@@ -31,9 +31,9 @@ public:
 
 /// Accessible interface of a combo box: says its name and the current choice. With Qt's own, some screen readers get
 /// only the choice.
-class SpokenChoices final : public QAccessibleWidget {
+class AccessibleChoices final : public QAccessibleWidget {
 public:
-    explicit SpokenChoices(QComboBox* box) : QAccessibleWidget(box, QAccessible::ComboBox) {}
+    explicit AccessibleChoices(QComboBox* box) : QAccessibleWidget(box, QAccessible::ComboBox) {}
 
     [[nodiscard]] QString text(QAccessible::Text which) const override
     {
@@ -81,42 +81,42 @@ private:
     [[nodiscard]] QComboBox& box() const { return *static_cast<QComboBox*>(object()); }
 };
 
-QAccessibleInterface* makeSpoken(const QString&, QObject* object)
+QAccessibleInterface* makeAccessible(const QString&, QObject* object)
 {
     auto* widget = qobject_cast<QWidget*>(object);
     if (!widget) return nullptr;
-    if (dynamic_cast<Spoken*>(object)) {
-        if (auto* line = qobject_cast<QLineEdit*>(widget)) return new SpokenLine(line);
-        return new SpokenWidget(widget);
+    if (dynamic_cast<AccessibleContent*>(object)) {
+        if (auto* line = qobject_cast<QLineEdit*>(widget)) return new AccessibleLine(line);
+        return new AccessibleWidget(widget);
     }
     // Qt's spin boxes report their step from a property that they do not have.
     if (qobject_cast<QSpinBox*>(widget) || qobject_cast<QDoubleSpinBox*>(widget))
         widget->setProperty("stepSize", widget->property("singleStep"));
     if (qobject_cast<QTabWidget*>(widget)) return new QAccessibleWidget(widget, QAccessible::Grouping);
-    if (auto* box = qobject_cast<QComboBox*>(widget)) return new SpokenChoices(box);
+    if (auto* box = qobject_cast<QComboBox*>(widget)) return new AccessibleChoices(box);
     auto* label = qobject_cast<QLabel*>(widget);
-    return label && !label->buddy() && label->pixmap(Qt::ReturnByValue).isNull() ? new SpokenLabel(label) : nullptr;
+    return label && !label->buddy() && label->pixmap(Qt::ReturnByValue).isNull() ? new AccessibleLabel(label) : nullptr;
 }
 
 }  // namespace
 
-Spoken::Spoken()
+AccessibleContent::AccessibleContent()
 {
     // Qt ignores a factory that is already installed.
-    QAccessible::installFactory(makeSpoken);
+    QAccessible::installFactory(makeAccessible);
 }
 
-void tellNumber(QWidget& widget)
+void notifyNumber(QWidget& widget)
 {
     if (!QAccessible::isActive()) return;
-    const auto* spoken = dynamic_cast<const Spoken*>(&widget);
-    const auto number = spoken ? spoken->spokenNumber() : std::nullopt;
+    const auto* spoken = dynamic_cast<const AccessibleContent*>(&widget);
+    const auto number = spoken ? spoken->accessibleNumber() : std::nullopt;
     if (!number) return;
     QAccessibleValueChangeEvent event(&widget, number->value);
     QAccessible::updateAccessibility(&event);
 }
 
-void tellText(QWidget& widget)
+void notifyText(QWidget& widget)
 {
     if (!QAccessible::isActive()) return;
     QAccessibleEvent event(&widget, QAccessible::DescriptionChanged);
