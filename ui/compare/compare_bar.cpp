@@ -5,9 +5,9 @@
 #include "ui/compare/compare_overlay.h"
 #include "ui/compare/compare_rows.h"
 #include "ui/compare/morph_control.h"
+#include "ui/kit/flat_style.h"
 #include "ui/kit/language.h"
 #include "ui/kit/menu_text.h"
-#include "ui/kit/quiet_style.h"
 #include "ui/kit/type_size.h"
 #include "ui/model/other_settings.h"
 #include "ui/parameters/value_slider.h"
@@ -102,7 +102,7 @@ QToolButton* CompareBar::menuButton(QMenu* menu)
     made->setMenu(menu);
     made->setAutoRaise(true);
     made->setFocusPolicy(Qt::TabFocus);
-    made->setProperty(QuietStyle::hidesMenuArrow, true);
+    made->setProperty(FlatStyle::hidesMenuArrow, true);
     return made;
 }
 

@@ -1,6 +1,6 @@
 #include "ui/kit/appearance.h"
 
-#include "ui/kit/quiet_style.h"
+#include "ui/kit/flat_style.h"
 
 #include <QApplication>
 #include <QFont>
@@ -79,7 +79,7 @@ void applyAppearance(QApplication& app, const PreferenceValues& values, const De
     static const bool desktopIsDark = desktopPrefersDark(app);
     applyMotion(reducesMotion(values, wishes));
     const Theme wanted = themeFor(values, wishes, desktopIsDark);
-    if (!(wanted == theme()) || !qobject_cast<QuietStyle*>(QApplication::style())) {
+    if (!(wanted == theme()) || !qobject_cast<FlatStyle*>(QApplication::style())) {
         applyTheme(app, wanted);
         for (QWidget* widget : QApplication::allWidgets())
             widget->update();  // Widgets that paint themselves use the theme's colors.

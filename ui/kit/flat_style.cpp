@@ -1,4 +1,4 @@
-#include "ui/kit/quiet_style.h"
+#include "ui/kit/flat_style.h"
 
 #include "ui/kit/appearance.h"
 #include "ui/kit/theme.h"
@@ -82,9 +82,9 @@ void drawCheckBox(QPainter* painter, const QStyleOption& option)
 
 }  // namespace
 
-QuietStyle::QuietStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}
+FlatStyle::FlatStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}
 
-void QuietStyle::polish(QWidget* widget)
+void FlatStyle::polish(QWidget* widget)
 {
     QProxyStyle::polish(widget);
     // A tooltip is polished before it has a text, and its label is used again for all later texts.
@@ -92,8 +92,8 @@ void QuietStyle::polish(QWidget* widget)
         label->setTextFormat(Qt::PlainText);
 }
 
-void QuietStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
-                               const QWidget* widget) const
+void FlatStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                              const QWidget* widget) const
 {
     switch (element) {
     case PE_PanelLineEdit:
@@ -124,8 +124,8 @@ void QuietStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* opt
     }
 }
 
-void QuietStyle::drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
-                             const QWidget* widget) const
+void FlatStyle::drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                            const QWidget* widget) const
 {
     if (element == CE_Splitter) return;
     if (element == CE_FocusFrame) {
@@ -166,8 +166,8 @@ void QuietStyle::drawControl(ControlElement element, const QStyleOption* option,
     QProxyStyle::drawControl(element, option, painter, widget);
 }
 
-void QuietStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
-                                    const QWidget* widget) const
+void FlatStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
+                                   const QWidget* widget) const
 {
     const auto* button = qstyleoption_cast<const QStyleOptionToolButton*>(option);
     if (button && (button->features & QStyleOptionToolButton::HasMenu) && widget &&
@@ -212,7 +212,7 @@ void QuietStyle::drawComplexControl(ComplexControl control, const QStyleOptionCo
     QProxyStyle::drawComplexControl(control, option, painter, widget);
 }
 
-int QuietStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const
+int FlatStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const
 {
     switch (metric) {
     case PM_ScrollBarExtent: return 10;
@@ -228,8 +228,8 @@ int QuietStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, cons
     }
 }
 
-int QuietStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
-                          QStyleHintReturn* returned) const
+int FlatStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                         QStyleHintReturn* returned) const
 {
     if (hint == SH_FocusFrame_AboveWidget) return 1;
     // The desktop's icons may be black, which is invisible on dark themes.
@@ -238,16 +238,16 @@ int QuietStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWid
     return QProxyStyle::styleHint(hint, option, widget, returned);
 }
 
-QSize QuietStyle::sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,
-                                   const QWidget* widget) const
+QSize FlatStyle::sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,
+                                  const QWidget* widget) const
 {
     QSize wanted = QProxyStyle::sizeFromContents(type, option, size, widget);
     if (type == CT_ItemViewItem || type == CT_MenuItem) wanted.rheight() += 4;
     return wanted;
 }
 
-QRect QuietStyle::subControlRect(ComplexControl control, const QStyleOptionComplex* option, SubControl part,
-                                 const QWidget* widget) const
+QRect FlatStyle::subControlRect(ComplexControl control, const QStyleOptionComplex* option, SubControl part,
+                                const QWidget* widget) const
 {
     const auto* bar = qstyleoption_cast<const QStyleOptionSlider*>(option);
     if (control != CC_ScrollBar || !bar) return QProxyStyle::subControlRect(control, option, part, widget);

@@ -6,7 +6,7 @@ namespace vitrine::ui {
 
 /// Style based on Fusion without bevels and gradients: flat fields and thin edges. The accent color marks only active
 /// and focused controls.
-class QuietStyle final : public QProxyStyle {
+class FlatStyle final : public QProxyStyle {
     Q_OBJECT
 
 public:
@@ -14,7 +14,7 @@ public:
     /// with one do not follow a changed font size of the application.
     static constexpr auto hidesMenuArrow = "hidesMenuArrow";
 
-    QuietStyle();
+    FlatStyle();
 
     /// Sets labels and tooltips with automatic text format to plain text. They show file names and paths, and Qt would
     /// load files that HTML in them names.
