@@ -138,7 +138,7 @@ void ColorField::paintEvent(QPaintEvent*)
 }
 
 ColorDialog::ColorDialog(const QString& heading, const QColor& start, QWidget* parent)
-    : QuietDialog(heading, tr("OK"), parent)
+    : InlineDialog(heading, tr("OK"), parent)
 {
     auto* field = new ColorField(start, this);
     body().addWidget(field);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/kit/accessible_content.h"
-#include "ui/kit/quiet_dialog.h"
+#include "ui/kit/inline_dialog.h"
 
 #include <QWidget>
 
@@ -45,7 +45,7 @@ private:
 };
 
 /// Dialog that chooses a color. Colors being tried are applied at once.
-class ColorDialog final : public QuietDialog {
+class ColorDialog final : public InlineDialog {
     Q_OBJECT
 
 public:

@@ -164,7 +164,7 @@ private:
 };
 
 MotionDialog::MotionDialog(History& history, std::size_t exhibit, const std::vector<std::size_t>& rows, QWidget* parent)
-    : QuietDialog(
+    : InlineDialog(
           tr("Animate %1").arg(translatedText(label(history.sceneState().values[exhibit].rows()[rows.front()]))),
           tr("Done"), parent),
       history_(history), exhibit_(exhibit), name_(history.sceneState().values[exhibit].rows()[rows.front()].name),
@@ -246,7 +246,7 @@ void MotionDialog::refresh()
 {
     const Motion* motion = present();
     if (!motion) {
-        QuietDialog::reject();
+        InlineDialog::reject();
         return;
     }
     numbers_->take(*motion);
@@ -274,7 +274,7 @@ void MotionDialog::reject()
     for (const std::string& other : others_) takeBack(other);
     if (const auto row = values.table().find(name_))
         history_.change(tr("Animate %1").arg(midSentence(translatedText(label(values.rows()[*row])))), next, gesture_);
-    QuietDialog::reject();
+    InlineDialog::reject();
 }
 
 }  // namespace vitrine::ui

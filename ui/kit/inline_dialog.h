@@ -10,12 +10,12 @@ namespace vitrine::ui {
 
 /// Small dialog of one control. Its heading is inside the dialog, where no window manager cuts it off. It opens over
 /// the control's panel, so that the picture stays visible. Deletes itself when closed.
-class QuietDialog : public QDialog {
+class InlineDialog : public QDialog {
     Q_OBJECT
 
 public:
     /// `accept`: text of the button that accepts.
-    QuietDialog(const QString& heading, const QString& accept, QWidget* parent);
+    InlineDialog(const QString& heading, const QString& accept, QWidget* parent);
 
     /// Shows the dialog below the anchor, or above if there is no room. It is as wide as the anchor if its content
     /// allows.

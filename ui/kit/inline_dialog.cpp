@@ -1,4 +1,4 @@
-#include "ui/kit/quiet_dialog.h"
+#include "ui/kit/inline_dialog.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -10,7 +10,7 @@
 
 namespace vitrine::ui {
 
-QuietDialog::QuietDialog(const QString& heading, const QString& accept, QWidget* parent)
+InlineDialog::InlineDialog(const QString& heading, const QString& accept, QWidget* parent)
     : QDialog(parent), heading_(new QLabel(heading, this)), body_(new QVBoxLayout),
       accept_(new QPushButton(accept, this))
 {
@@ -42,7 +42,7 @@ QuietDialog::QuietDialog(const QString& heading, const QString& accept, QWidget*
     layout->addLayout(buttons);
 }
 
-void QuietDialog::openOver(const QWidget& anchor)
+void InlineDialog::openOver(const QWidget& anchor)
 {
     const QRect over(anchor.mapToGlobal(QPoint(0, 0)), anchor.size());
     const QRect room = anchor.screen()->availableGeometry();
@@ -62,4 +62,4 @@ void QuietDialog::openOver(const QWidget& anchor)
 
 }  // namespace vitrine::ui
 
-#include "moc_quiet_dialog.cpp"
+#include "moc_inline_dialog.cpp"
