@@ -51,7 +51,7 @@ void applyMotion(bool reduced)
 
 }  // namespace
 
-Theme themeFor(const PreferenceValues& values, const DesktopWishes& wishes, bool desktopIsDark)
+Theme themeFor(const PreferenceValues& values, const DesktopPreferences& wishes, bool desktopIsDark)
 {
     const bool dark = wishes.dark.value_or(desktopIsDark);
     switch (values.theme) {
@@ -64,7 +64,7 @@ Theme themeFor(const PreferenceValues& values, const DesktopWishes& wishes, bool
     return dark ? darkTheme() : lightTheme();
 }
 
-bool reducesMotion(const PreferenceValues& values, const DesktopWishes& wishes)
+bool reducesMotion(const PreferenceValues& values, const DesktopPreferences& wishes)
 {
     return values.motion == MotionChoice::reduced || (values.motion == MotionChoice::desktop && wishes.reducedMotion);
 }
@@ -74,7 +74,7 @@ bool reducedMotion()
     return motionIsReduced();
 }
 
-void applyAppearance(QApplication& app, const PreferenceValues& values, const DesktopWishes& wishes)
+void applyAppearance(QApplication& app, const PreferenceValues& values, const DesktopPreferences& wishes)
 {
     static const bool desktopIsDark = desktopPrefersDark(app);
     applyMotion(reducesMotion(values, wishes));

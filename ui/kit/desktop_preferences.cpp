@@ -1,4 +1,4 @@
-#include "ui/kit/desktop_wishes.h"
+#include "ui/kit/desktop_preferences.h"
 
 #include <QDBusMessage>
 #include <QDBusMetaType>
@@ -62,7 +62,7 @@ void DesktopPortal::ask(QDBusConnection bus)
         const QDBusPendingReply<Spaces> reply = *answer;
         // On an error there is no portal, or one with another interface.
         if (!reply.isError()) {
-            const DesktopWishes before = wishes_;
+            const DesktopPreferences before = wishes_;
             const Spaces spaces = reply.value();
             for (auto space = spaces.begin(); space != spaces.end(); ++space)
                 for (auto key = space->begin(); key != space->end(); ++key) note(space.key(), key.key(), key.value());
@@ -74,7 +74,7 @@ void DesktopPortal::ask(QDBusConnection bus)
 
 void DesktopPortal::take(const QString& space, const QString& key, const QDBusVariant& value)
 {
-    const DesktopWishes before = wishes_;
+    const DesktopPreferences before = wishes_;
     note(space, key, value.variant());
     decide(before);
 }
@@ -93,7 +93,7 @@ void DesktopPortal::note(const QString& space, const QString& key, const QVarian
         animationsOff_ = !said.toBool();
 }
 
-void DesktopPortal::decide(const DesktopWishes& before)
+void DesktopPortal::decide(const DesktopPreferences& before)
 {
     wishes_.reducedMotion = animationsOff_ || motionReduced_;
     if (!(wishes_ == before)) emit changed();
@@ -101,4 +101,4 @@ void DesktopPortal::decide(const DesktopWishes& before)
 
 }  // namespace vitrine::ui
 
-#include "moc_desktop_wishes.cpp"
+#include "moc_desktop_preferences.cpp"

@@ -9,12 +9,12 @@
 namespace vitrine::ui {
 
 /// Settings of the desktop that apply to all programs.
-struct DesktopWishes {
+struct DesktopPreferences {
     std::optional<bool> dark;  ///< Dark color scheme. Unset: no preference, or not known.
     bool highContrast = false;
     bool reducedMotion = false;  ///< Animations should be reduced.
 
-    bool operator==(const DesktopWishes&) const = default;
+    bool operator==(const DesktopPreferences&) const = default;
 };
 
 /// Reads the desktop's settings from its portal (xdg-desktop-portal, interface Settings) and follows their changes.
@@ -27,7 +27,7 @@ public:
     /// Uses the session bus. Without a running session bus no portal is looked for, because that would start one.
     explicit DesktopPortal(QObject* parent = nullptr);
 
-    [[nodiscard]] const DesktopWishes& wishes() const { return wishes_; }
+    [[nodiscard]] const DesktopPreferences& wishes() const { return wishes_; }
     /// Returns whether there is a bus and the portal was asked.
     [[nodiscard]] bool asks() const { return asks_; }
 
@@ -43,9 +43,9 @@ private:
     void ask(QDBusConnection bus);
     void note(const QString& space, const QString& key, const QVariant& value);
     /// Updates `wishes()` and emits `changed` if they differ from `before`.
-    void decide(const DesktopWishes& before);
+    void decide(const DesktopPreferences& before);
 
-    DesktopWishes wishes_;
+    DesktopPreferences wishes_;
     bool asks_ = false;
     // Settings as the portal gives them: reduced motion has an old and a new key.
     bool animationsOff_ = false;
