@@ -7,7 +7,7 @@ namespace vitrine::ui {
 
 ExportAgain::ExportAgain(Workbench& window, QObject& parent) : QObject(&parent), window_(window) {}
 
-void ExportAgain::note(const ExportWish& wish)
+void ExportAgain::note(const ExportRequest& wish)
 {
     last_ = wish;
     emit noted();

@@ -18,7 +18,7 @@ public:
     ExportAgain(Workbench&, QObject& parent);
 
     /// Remembers an export that the visitor began.
-    void note(const ExportWish&);
+    void note(const ExportRequest&);
     /// Returns whether there was an export yet.
     [[nodiscard]] bool possible() const { return last_.has_value(); }
     /// Begins the export and reports its end. Does nothing if there was none yet.
@@ -30,7 +30,7 @@ signals:
 
 private:
     Workbench& window_;
-    std::optional<ExportWish> last_;
+    std::optional<ExportRequest> last_;
 };
 
 }  // namespace vitrine::ui

@@ -32,7 +32,7 @@ std::filesystem::path freeScreenshotPath(const QObject& window, const QString& e
     return folder.filePath(name).toStdString();
 }
 
-PictureExport::PictureExport(Workbench& window, ExportWish wish, QObject* parent)
+PictureExport::PictureExport(Workbench& window, ExportRequest wish, QObject* parent)
     : QObject(parent), window_(window), wish_(std::move(wish)),
       preset_(pictureSettings(window.museum(), window.chosen(), window.history().sceneState(), request(), "Picture",
                               &window.history().sceneState().camera)),

@@ -18,7 +18,7 @@ namespace vitrine::ui {
 class Workbench;
 
 /// Request to export a picture.
-struct ExportWish {
+struct ExportRequest {
     std::filesystem::path path;
     render::PictureFormat format = render::PictureFormat::png8;
     glm::ivec2 size{1280, 720};
@@ -35,7 +35,7 @@ class PictureExport final : public QObject {
 
 public:
     /// The window must outlive this object.
-    PictureExport(Workbench&, ExportWish, QObject* parent);
+    PictureExport(Workbench&, ExportRequest, QObject* parent);
     ~PictureExport() override;
 
     void start();
@@ -68,7 +68,7 @@ private:
     void end(const QString& failure);
 
     Workbench& window_;
-    ExportWish wish_;
+    ExportRequest wish_;
     std::string preset_;
     SceneState sceneState_;
     PictureRequest request_;

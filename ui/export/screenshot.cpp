@@ -72,7 +72,7 @@ void writeAtOnce(Workbench& window, QObject& parent, PictureExport& refined)
 void saveScreenshot(Workbench& window, QObject& parent)
 {
     const std::string_view name = window.museum().subject(window.chosen()).name();
-    ExportWish wish;
+    ExportRequest wish;
     wish.path = freeScreenshotPath(parent, text(name));
     Viewport& viewport = window.viewport();
     const double ratio = viewport.devicePixelRatioF();

@@ -187,7 +187,7 @@ render::PictureFormat ScreenshotDialog::format() const
     return static_cast<render::PictureFormat>(format_->currentData().toInt());
 }
 
-ExportWish ScreenshotDialog::wish() const
+ExportRequest ScreenshotDialog::wish() const
 {
     return {path_->text().toStdString(),
             format(),

@@ -122,7 +122,7 @@ class MemoryTest : public QObject {
 
     void exportPicture()
     {
-        ExportWish wish;
+        ExportRequest wish;
         wish.path = home_->filePath("picture.png").toStdString();
         wish.size = {64, 36};
         wish.samples = 1;

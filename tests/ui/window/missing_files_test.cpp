@@ -327,7 +327,7 @@ private slots:
     {
         openWindow();
         const auto start = [&](const char* name, int samples) {
-            ExportWish wish;
+            ExportRequest wish;
             wish.path = path(name).toStdString();
             wish.size = {64, 36};
             wish.samples = samples;

@@ -241,7 +241,7 @@ private slots:
         settle();
         dragMorph(60);
         const SceneState shown = window_->history().sceneState();
-        ExportWish wish;
+        ExportRequest wish;
         wish.path = home_->filePath("picture.png").toStdString();
         wish.size = {160, 90};
         wish.samples = 2;
@@ -370,7 +370,7 @@ private slots:
 
     void aCanceledExportLeavesNoFile()
     {
-        ExportWish wish;
+        ExportRequest wish;
         wish.path = home_->filePath("never.png").toStdString();
         wish.size = {640, 360};
         wish.samples = 64;
