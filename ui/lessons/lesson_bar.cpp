@@ -4,7 +4,7 @@
 #include "ui/kit/accessible_widget.h"
 #include "ui/kit/menu_text.h"
 #include "ui/kit/theme.h"
-#include "ui/lessons/lesson_desk.h"
+#include "ui/lessons/lesson_controller.h"
 
 #include <QAction>
 #include <QHBoxLayout>
@@ -26,7 +26,7 @@ void setWords(QLabel& label, const QString& words)
 
 }  // namespace
 
-LessonBar::LessonBar(LessonDesk& desk)
+LessonBar::LessonBar(LessonController& desk)
     : desk_(desk), title_(new QLabel(this)), count_(new QLabel(this)), text_(new QLabel(this)), task_(new QLabel(this)),
       number_(new QLabel(this)), question_(new QLabel(this)), answer_(new QLabel(this)),
       answerButton_(button(desk.answerAction(), tr("Answer ▸")))

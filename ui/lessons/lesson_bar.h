@@ -10,7 +10,7 @@ class QToolButton;
 
 namespace vitrine::ui {
 
-class LessonDesk;
+class LessonController;
 
 /// Strip above the picture while a lesson is open: number and text of the step, what to do, the value to read, and a
 /// question with an answer that opens. Buttons lead back, to the next step, and out of the lesson. Each step is
@@ -20,7 +20,7 @@ class LessonBar final : public QWidget, public AccessibleContent {
 
 public:
     /// The desk must outlive the bar.
-    explicit LessonBar(LessonDesk&);
+    explicit LessonBar(LessonController&);
 
     /// Shows the present page of the lesson.
     void refresh();
@@ -37,7 +37,7 @@ private:
     void addText(QLabel&, const QString& name);
     void tell();
 
-    LessonDesk& desk_;
+    LessonController& desk_;
     QLabel* title_;
     QLabel* count_;
     QLabel* text_;

@@ -4,7 +4,7 @@
 #include "ui/compare/compare_desk.h"
 #include "ui/kit/message_strip.h"
 #include "ui/lessons/lesson_bar.h"
-#include "ui/lessons/lesson_desk.h"
+#include "ui/lessons/lesson_controller.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
 #include "ui/window/window_docks.h"

@@ -15,7 +15,7 @@
 #include "ui/kit/language.h"
 #include "ui/kit/tab_order.h"
 #include "ui/lessons/lesson_bar.h"
-#include "ui/lessons/lesson_desk.h"
+#include "ui/lessons/lesson_controller.h"
 #include "ui/parameters/parameter_menus.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/presets/preset_list.h"
@@ -128,12 +128,13 @@ void MainWindow::buildMiddle()
 
 void MainWindow::addLessons()
 {
-    lessons_ = new LessonDesk(*this, this);
+    lessons_ = new LessonController(*this, this);
     static_cast<QVBoxLayout*>(centralWidget()->layout())->insertWidget(0, &lessons_->bar());
-    connect(lessons_, &LessonDesk::rowAsked, this, &MainWindow::showRow);
-    connect(lessons_, &LessonDesk::syllabusAsked, this, [this] { dialogs_->openPage(QStringLiteral("syllabus")); });
-    connect(lessons_, &LessonDesk::opened, this, &addRecentFile);
-    connect(files_, &FileOpener::lessonFound, lessons_, &LessonDesk::open);
+    connect(lessons_, &LessonController::rowAsked, this, &MainWindow::showRow);
+    connect(lessons_, &LessonController::syllabusAsked, this,
+            [this] { dialogs_->openPage(QStringLiteral("syllabus")); });
+    connect(lessons_, &LessonController::opened, this, &addRecentFile);
+    connect(files_, &FileOpener::lessonFound, lessons_, &LessonController::open);
 }
 
 void MainWindow::addGamepad()
@@ -170,7 +171,7 @@ void MainWindow::connectParts()
     guard_->setUnsaved([this] { return docks_->treeFile().unsaved(); }, [this] { return docks_->treeFile().save(); });
     connect(files_, &FileOpener::printFound, dialogs_, &WindowDialogs::openPrint);
     connect(&docks_->exhibits(), &ExhibitList::chosen, this, &MainWindow::visit);
-    connect(&docks_->exhibits(), &ExhibitList::lessonAsked, lessons_, qOverload<std::size_t>(&LessonDesk::start));
+    connect(&docks_->exhibits(), &ExhibitList::lessonAsked, lessons_, qOverload<std::size_t>(&LessonController::start));
     connect(&docks_->exhibits(), &ExhibitList::pageAsked, dialogs_, qOverload<std::size_t>(&WindowDialogs::openPage));
     connect(&docks_->study(), &StudyDock::failed, this,
             [this](const QString& why) { setProblems(QStringLiteral("study"), {why}); });

@@ -15,7 +15,7 @@ class CloseGuard;
 class CompareDesk;
 class ExportAgain;
 class FileOpener;
-class LessonDesk;
+class LessonController;
 class MessageStrip;
 class ParameterPanel;
 class PresetShelf;
@@ -62,7 +62,7 @@ public:
     [[nodiscard]] WindowDocks& docks() const { return *docks_; }
     [[nodiscard]] CompareDesk& comparison() const { return *comparison_; }
     [[nodiscard]] Bookmarks& bookmarks() const { return *bookmarks_; }
-    [[nodiscard]] LessonDesk& lessons() const { return *lessons_; }
+    [[nodiscard]] LessonController& lessons() const { return *lessons_; }
     [[nodiscard]] WindowPreferences& preferences() const { return *preferences_; }
     [[nodiscard]] WindowDialogs& dialogs() const { return *dialogs_; }
 
@@ -96,7 +96,7 @@ private:
     FileOpener* files_ = nullptr;
     CompareDesk* comparison_ = nullptr;
     Bookmarks* bookmarks_ = nullptr;
-    LessonDesk* lessons_ = nullptr;
+    LessonController* lessons_ = nullptr;
     SessionKeeper* keeper_ = nullptr;
     CloseGuard* guard_ = nullptr;
     ExportAgain* again_ = nullptr;

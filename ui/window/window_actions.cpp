@@ -13,7 +13,7 @@
 #include "ui/kit/language.h"
 #include "ui/kit/menu_text.h"
 #include "ui/kit/text.h"
-#include "ui/lessons/lesson_desk.h"
+#include "ui/lessons/lesson_controller.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/presets/preset_list.h"
 #include "ui/presets/preset_shelf.h"

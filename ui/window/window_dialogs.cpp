@@ -6,7 +6,7 @@
 #include "ui/export/screenshot_dialog.h"
 #include "ui/jobs/job_dialog.h"
 #include "ui/kit/text.h"
-#include "ui/lessons/lesson_desk.h"
+#include "ui/lessons/lesson_controller.h"
 #include "ui/lessons/page_dialog.h"
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
@@ -45,7 +45,7 @@ jobs::JobScene sceneOf(Workbench& workbench, const jobs::Job& job)
 
 }  // namespace
 
-WindowDialogs::WindowDialogs(Workbench& workbench, QWidget& window, Bookmarks& bookmarks, LessonDesk& lessons,
+WindowDialogs::WindowDialogs(Workbench& workbench, QWidget& window, Bookmarks& bookmarks, LessonController& lessons,
                              ExportAgain& again)
     : QObject(&window), workbench_(workbench), window_(window), bookmarks_(bookmarks), lessons_(lessons), again_(again)
 {

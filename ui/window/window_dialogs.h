@@ -15,7 +15,7 @@ namespace vitrine::ui {
 
 class Bookmarks;
 class ExportAgain;
-class LessonDesk;
+class LessonController;
 class Workbench;
 
 /// Opener of the window's dialogs. A dialog that is open already is raised instead of a second one.
@@ -25,7 +25,7 @@ class WindowDialogs final : public QObject {
 public:
     /// The window is the parent of all dialogs. `again` notes the exports that the screenshot dialog begins. All must
     /// outlive this object.
-    WindowDialogs(Workbench&, QWidget& window, Bookmarks&, LessonDesk&, ExportAgain& again);
+    WindowDialogs(Workbench&, QWidget& window, Bookmarks&, LessonController&, ExportAgain& again);
 
     void openAbout();
     void openScreenshot();
@@ -46,7 +46,7 @@ private:
     Workbench& workbench_;
     QWidget& window_;
     Bookmarks& bookmarks_;
-    LessonDesk& lessons_;
+    LessonController& lessons_;
     ExportAgain& again_;
 };
 

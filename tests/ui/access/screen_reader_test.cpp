@@ -3,7 +3,7 @@
 #include "tests/ui/ui_main.h"
 
 #include "ui/compare/compare_desk.h"
-#include "ui/lessons/lesson_desk.h"
+#include "ui/lessons/lesson_controller.h"
 
 #include <QAccessible>
 #include <QCheckBox>

@@ -7,7 +7,7 @@
 #include "ui/kit/message_strip.h"
 #include "ui/lessons/formula_text.h"
 #include "ui/lessons/lesson_bar.h"
-#include "ui/lessons/lesson_desk.h"
+#include "ui/lessons/lesson_controller.h"
 #include "ui/lessons/page_dialog.h"
 #include "ui/window/file_opener.h"
 #include "ui/window/window_dialogs.h"
@@ -41,7 +41,7 @@ class LessonWindowTest : public test::OpenWindow {
         QApplication::setActiveWindow(window_.get());  // Under Xvfb there is no window manager.
         window_->viewport().setFocus();
     }
-    [[nodiscard]] LessonDesk& desk() { return window_->lessons(); }
+    [[nodiscard]] LessonController& desk() { return window_->lessons(); }
     [[nodiscard]] QToolButton* button(const char* name)
     {
         for (auto* each : desk().bar().findChildren<QToolButton*>())

@@ -6,7 +6,7 @@
 #include "ui/kit/message_strip.h"
 #include "ui/kit/window_place.h"
 #include "ui/lessons/lesson_bar.h"
-#include "ui/lessons/lesson_desk.h"
+#include "ui/lessons/lesson_controller.h"
 #include "ui/presets/preset_shelf.h"
 #include "ui/print/print_dialog.h"
 #include "ui/window/exhibit_list.h"

@@ -15,7 +15,7 @@
 #include "ui/explore/morph_pad.h"
 #include "ui/explore/variations.h"
 #include "ui/kit/theme.h"
-#include "ui/lessons/lesson_desk.h"
+#include "ui/lessons/lesson_controller.h"
 #include "ui/lessons/page_dialog.h"
 #include "ui/parameters/color_picker.h"
 #include "ui/parameters/parameter_panel.h"

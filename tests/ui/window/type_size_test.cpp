@@ -7,7 +7,7 @@
 #include "ui/kit/appearance.h"
 #include "ui/kit/message_strip.h"
 #include "ui/kit/name_dialog.h"
-#include "ui/lessons/lesson_desk.h"
+#include "ui/lessons/lesson_controller.h"
 #include "ui/parameters/color_picker.h"
 #include "ui/preferences/preferences_dialog.h"
 #include "ui/window/window_docks.h"

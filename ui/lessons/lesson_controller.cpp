@@ -1,4 +1,4 @@
-#include "ui/lessons/lesson_desk.h"
+#include "ui/lessons/lesson_controller.h"
 
 #include "exhibits/framework/files/table_change.h"
 #include "exhibits/museum/museum.h"
@@ -61,17 +61,18 @@ std::string withLinks(const std::string& text, const std::string& exhibit, const
 
 }  // namespace
 
-LessonDesk::LessonDesk(Workbench& window, QObject* parent) : QObject(parent), window_(window)
+LessonController::LessonController(Workbench& window, QObject* parent) : QObject(parent), window_(window)
 {
     addActions();
     bar_ = new LessonBar(*this);
-    connect(&window.viewport(), &Viewport::drawn, this, &LessonDesk::noteFrame);
-    connect(&window.viewport(), &Viewport::looked, this, &LessonDesk::show);
-    connect(&window.history(), &History::changesSettled, this, &LessonDesk::show);
+    connect(&window.viewport(), &Viewport::drawn, this, &LessonController::noteFrame);
+    connect(&window.viewport(), &Viewport::looked, this, &LessonController::show);
+    connect(&window.history(), &History::changesSettled, this, &LessonController::show);
     show();
 }
 
-QAction* LessonDesk::add(const QString& id, const QString& text, const QList<QKeySequence>& keys, const QString& tip)
+QAction* LessonController::add(const QString& id, const QString& text, const QList<QKeySequence>& keys,
+                               const QString& tip)
 {
     auto* action = new QAction(text, this);
     action->setObjectName(QStringLiteral("lesson-") + id);
@@ -82,7 +83,7 @@ QAction* LessonDesk::add(const QString& id, const QString& text, const QList<QKe
     return action;
 }
 
-void LessonDesk::addActions()
+void LessonController::addActions()
 {
     connect(add(QStringLiteral("start"), tr("&Start the lesson"), {QKeySequence(Qt::CTRL | Qt::Key_L)},
                 tr("Starts the step-by-step lesson about the visited exhibit.")),
@@ -93,40 +94,40 @@ void LessonDesk::addActions()
             });
     connect(add(QStringLiteral("open"), tr("&Open lesson…"), {},
                 tr("Opens a lesson of your own (Markdown); the manual explains the format.")),
-            &QAction::triggered, this, &LessonDesk::askForFile);
+            &QAction::triggered, this, &LessonController::askForFile);
     connect(add(QStringLiteral("syllabus"), tr("Order of the lessons (for &teachers)"), {},
                 tr("Opens a page with all lessons: their order, aims, times and prerequisites.")),
-            &QAction::triggered, this, &LessonDesk::syllabusAsked);
+            &QAction::triggered, this, &LessonController::syllabusAsked);
     back_ = add(QStringLiteral("back"), tr("Step &back"), {QKeySequence(Qt::CTRL | Qt::Key_PageUp)},
                 tr("Goes to the previous step of the lesson."));
-    connect(back_, &QAction::triggered, this, &LessonDesk::back);
+    connect(back_, &QAction::triggered, this, &LessonController::back);
     next_ = add(QStringLiteral("next"), tr("&Next step"), {QKeySequence(Qt::CTRL | Qt::Key_PageDown)},
                 tr("Goes to the next step of the lesson."));
-    connect(next_, &QAction::triggered, this, &LessonDesk::next);
+    connect(next_, &QAction::triggered, this, &LessonController::next);
     leave_ = add(QStringLiteral("leave"), tr("&Leave the lesson"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_L)},
                  tr("Leaves the lesson and restores your settings."));
-    connect(leave_, &QAction::triggered, this, &LessonDesk::leave);
+    connect(leave_, &QAction::triggered, this, &LessonController::leave);
     answer_ = add(QStringLiteral("answer"), tr("Show the &answer"), {},
                   tr("Shows or hides the answer to the question of this step."));
     answer_->setCheckable(true);
-    connect(answer_, &QAction::toggled, this, &LessonDesk::show);
+    connect(answer_, &QAction::toggled, this, &LessonController::show);
     for (QAction* step : {back_, next_, leave_, answer_}) {
         menu_.removeOne(step);
         steps_ << step;
     }
 }
 
-void LessonDesk::askForFile()
+void LessonController::askForFile()
 {
     auto* dialog = new QFileDialog(bar_->window(), tr("Open lesson"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
     dialog->setNameFilters({tr("Lessons (*.md)"), tr("All files (*)")});
-    connect(dialog, &QFileDialog::fileSelected, this, &LessonDesk::open);
+    connect(dialog, &QFileDialog::fileSelected, this, &LessonController::open);
     dialog->open();
 }
 
-void LessonDesk::open(const QString& path)
+void LessonController::open(const QString& path)
 {
     try {
         load(path);
@@ -138,7 +139,7 @@ void LessonDesk::open(const QString& path)
     }
 }
 
-void LessonDesk::load(const QString& path)
+void LessonController::load(const QString& path)
 {
     const Museum& museum = window_.museum();
     NamedValues tables = namedValues(museum.subjects(), museum.initialSceneState().values);
@@ -156,7 +157,7 @@ void LessonDesk::load(const QString& path)
     goTo({std::move(next), 0}, tr("Open lesson %1").arg(title));
 }
 
-void LessonDesk::start(std::size_t exhibit)
+void LessonController::start(std::size_t exhibit)
 {
     try {
         load(words(shippedLesson(window_.museum().subject(exhibit).name()).string()));
@@ -165,24 +166,24 @@ void LessonDesk::start(std::size_t exhibit)
     }
 }
 
-void LessonDesk::next()
+void LessonController::next()
 {
     if (!lesson() || place_.page >= lesson()->steps.size()) return;
     goTo({place_.opened, place_.page + 1}, tr("Lesson step %1").arg(place_.page + 1));
 }
 
-void LessonDesk::back()
+void LessonController::back()
 {
     if (!lesson() || place_.page == 0) return;
     goTo({place_.opened, place_.page - 1}, tr("Lesson step %1").arg(place_.page - 1));
 }
 
-void LessonDesk::leave()
+void LessonController::leave()
 {
     if (lesson()) goTo({}, tr("Leave the lesson"));
 }
 
-SceneState LessonDesk::stateAt(const Place& place, bool& movesCamera) const
+SceneState LessonController::stateAt(const Place& place, bool& movesCamera) const
 {
     movesCamera = true;
     if (!place.opened) return place_.opened->before;  // Without a place, the lesson is being left: there is one open.
@@ -205,7 +206,7 @@ SceneState LessonDesk::stateAt(const Place& place, bool& movesCamera) const
     return state;
 }
 
-void LessonDesk::goTo(const Place& to, const QString& step)
+void LessonController::goTo(const Place& to, const QString& step)
 {
     History& history = window_.history();
     bool movesCamera = false;
@@ -218,7 +219,7 @@ void LessonDesk::goTo(const Place& to, const QString& step)
     show();
 }
 
-void LessonDesk::stand(const Place& to)
+void LessonController::stand(const Place& to)
 {
     const Place from = std::exchange(place_, to);
     answer_->setChecked(false);
@@ -228,14 +229,14 @@ void LessonDesk::stand(const Place& to)
     show();
 }
 
-const LessonNumber* LessonDesk::asked(std::size_t page) const
+const LessonNumber* LessonController::asked(std::size_t page) const
 {
     if (!lesson() || page == 0) return nullptr;
     const std::optional<LessonNumber>& read = lesson()->steps[page - 1].read;
     return read ? &*read : nullptr;
 }
 
-void LessonDesk::noteFrame(const render::FrameReport& report, const QSize& pixels)
+void LessonController::noteFrame(const render::FrameReport& report, const QSize& pixels)
 {
     const LessonNumber* number = asked(place_.page);
     if (!number || number->of == LessonNumber::Of::row) return;
@@ -256,7 +257,7 @@ void LessonDesk::noteFrame(const render::FrameReport& report, const QSize& pixel
     show();
 }
 
-QString LessonDesk::nameOf(const LessonNumber& number) const
+QString LessonController::nameOf(const LessonNumber& number) const
 {
     switch (number.of) {
     case LessonNumber::Of::counter: return translatedText(costTitle(number.name));
@@ -266,7 +267,7 @@ QString LessonDesk::nameOf(const LessonNumber& number) const
     return words(withLabels("[row:" + number.name + "]", lesson()->exhibit, place_.opened->tables, "", ""));
 }
 
-QString LessonDesk::numberText() const
+QString LessonController::numberText() const
 {
     const LessonNumber* number = asked(place_.page);
     if (!number) return {};
@@ -288,41 +289,41 @@ QString LessonDesk::numberText() const
     return line;
 }
 
-QString LessonDesk::pageText() const
+QString LessonController::pageText() const
 {
     if (!lesson()) return {};
     return shown(presentStep() ? presentStep()->text : lesson()->intro);
 }
 
-QString LessonDesk::taskText() const
+QString LessonController::taskText() const
 {
     return presentStep() && !presentStep()->task.empty() ? tr("<b>Try:</b> %1").arg(shown(presentStep()->task))
                                                          : QString();
 }
 
-QString LessonDesk::questionText() const
+QString LessonController::questionText() const
 {
     return presentStep() && !presentStep()->question.empty()
                ? tr("<b>Question:</b> %1").arg(shown(presentStep()->question))
                : QString();
 }
 
-QString LessonDesk::answerText() const
+QString LessonController::answerText() const
 {
     return presentStep() && answer_->isChecked() ? shown(presentStep()->answer) : QString();
 }
 
-const LessonStep* LessonDesk::presentStep() const
+const LessonStep* LessonController::presentStep() const
 {
     return lesson() && place_.page > 0 ? &lesson()->steps[place_.page - 1] : nullptr;
 }
 
-QString LessonDesk::shown(const std::string& text) const
+QString LessonController::shown(const std::string& text) const
 {
     return richText(withLinks(text, lesson()->exhibit, place_.opened->tables));
 }
 
-void LessonDesk::show()
+void LessonController::show()
 {
     const bool open = lesson() != nullptr;
     next_->setEnabled(open && place_.page < lesson()->steps.size());
@@ -334,4 +335,4 @@ void LessonDesk::show()
 
 }  // namespace vitrine::ui
 
-#include "moc_lesson_desk.cpp"
+#include "moc_lesson_controller.cpp"

@@ -25,12 +25,12 @@ class Workbench;
 
 /// The open lesson: applies its steps to the present settings, each as one undo step. Leaving it restores the settings
 /// from before. Undo and redo also change the step.
-class LessonDesk final : public QObject {
+class LessonController final : public QObject {
     Q_OBJECT
 
 public:
     /// The window must outlive this object.
-    LessonDesk(Workbench&, QObject* parent);
+    LessonController(Workbench&, QObject* parent);
 
     /// Returns the bar above the picture. Put it into a layout, which then owns it.
     [[nodiscard]] LessonBar& bar() const { return *bar_; }
