@@ -1,7 +1,7 @@
 #include "ui/compare/compare_actions.h"
 
 #include "exhibits/museum/museum.h"
-#include "ui/compare/compare_desk.h"
+#include "ui/compare/compare_controller.h"
 #include "ui/compare/compare_overlay.h"
 #include "ui/kit/language.h"
 #include "ui/kit/menu_text.h"
@@ -47,7 +47,7 @@ constexpr std::array<ModeWords, 5> modeWords{
 
 }  // namespace
 
-CompareActions::CompareActions(CompareDesk& desk) : QObject(&desk), desk_(desk)
+CompareActions::CompareActions(CompareController& desk) : QObject(&desk), desk_(desk)
 {
     addSources();
     all_ << nullptr;

@@ -1,7 +1,7 @@
 #include "ui/compare/compare_bar.h"
 
 #include "ui/compare/compare_actions.h"
-#include "ui/compare/compare_desk.h"
+#include "ui/compare/compare_controller.h"
 #include "ui/compare/compare_overlay.h"
 #include "ui/compare/compare_rows.h"
 #include "ui/compare/morph_control.h"
@@ -50,7 +50,7 @@ QWidget* withoutMargins(QWidget* parent)
 
 }  // namespace
 
-CompareBar::CompareBar(CompareDesk& desk, QWidget* parent)
+CompareBar::CompareBar(CompareController& desk, QWidget* parent)
     : QWidget(parent), desk_(desk), gains_(withoutMargins(this)),
       gain_(sliderOver(compareRows().gain.row, tr("Gain of the differences"), gains_)), times_(new QLabel(gains_)),
       rows_(new QMenu(this)), differ_(menuButton(rows_)), morphs_(withoutMargins(this)),

@@ -1,7 +1,7 @@
 #include "ui/window/focus_areas.h"
 
 #include "ui/compare/compare_bar.h"
-#include "ui/compare/compare_desk.h"
+#include "ui/compare/compare_controller.h"
 #include "ui/kit/message_strip.h"
 #include "ui/lessons/lesson_bar.h"
 #include "ui/lessons/lesson_controller.h"

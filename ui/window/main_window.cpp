@@ -5,7 +5,7 @@
 #include "ui/charts/charts_dock.h"
 #include "ui/compare/compare_actions.h"
 #include "ui/compare/compare_bar.h"
-#include "ui/compare/compare_desk.h"
+#include "ui/compare/compare_controller.h"
 #include "ui/explore/explore_dock.h"
 #include "ui/export/export_again.h"
 #include "ui/gamepad/gamepad_control.h"
@@ -88,7 +88,7 @@ MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* pare
         museum_, history_, *viewport_, [this] { return chosen_; }, this);
     new PixelInspector(museum_, history_, renderers, *viewport_, this);
     // After all others that take the picture's events: side by side, they get them as of the whole picture.
-    comparison_ = new CompareDesk(*this, *shelf_, this);
+    comparison_ = new CompareController(*this, *shelf_, this);
     centralWidget()->layout()->addWidget(&comparison_->bar());
     bookmarks_ = new Bookmarks(*this, this);
     addLessons();
@@ -177,7 +177,7 @@ void MainWindow::connectParts()
             [this](const QString& why) { setProblems(QStringLiteral("study"), {why}); });
     connect(&docks_->study(), &StudyDock::finished, this, [this] { setProblems(QStringLiteral("study"), {}); });
     panel().menus().setOther(&comparison_->other());
-    connect(comparison_, &CompareDesk::reportChanged, &docks_->frameReport(), &FrameReportDock::noteOther);
+    connect(comparison_, &CompareController::reportChanged, &docks_->frameReport(), &FrameReportDock::noteOther);
     connect(messages_, &MessageStrip::said, &docks_->log(), &LogView::add);
 }
 

@@ -12,7 +12,7 @@ namespace vitrine::ui {
 
 class Bookmarks;
 class CloseGuard;
-class CompareDesk;
+class CompareController;
 class ExportAgain;
 class FileOpener;
 class LessonController;
@@ -60,7 +60,7 @@ public:
     [[nodiscard]] FileOpener& files() const { return *files_; }
     [[nodiscard]] ExportAgain& again() const { return *again_; }
     [[nodiscard]] WindowDocks& docks() const { return *docks_; }
-    [[nodiscard]] CompareDesk& comparison() const { return *comparison_; }
+    [[nodiscard]] CompareController& comparison() const { return *comparison_; }
     [[nodiscard]] Bookmarks& bookmarks() const { return *bookmarks_; }
     [[nodiscard]] LessonController& lessons() const { return *lessons_; }
     [[nodiscard]] WindowPreferences& preferences() const { return *preferences_; }
@@ -94,7 +94,7 @@ private:
     WindowDocks* docks_ = nullptr;
     PresetShelf* shelf_ = nullptr;
     FileOpener* files_ = nullptr;
-    CompareDesk* comparison_ = nullptr;
+    CompareController* comparison_ = nullptr;
     Bookmarks* bookmarks_ = nullptr;
     LessonController* lessons_ = nullptr;
     SessionKeeper* keeper_ = nullptr;

@@ -6,7 +6,7 @@
 #include "exhibits/museum/museum.h"
 #include "render/files/manual.h"
 #include "ui/compare/compare_actions.h"
-#include "ui/compare/compare_desk.h"
+#include "ui/compare/compare_controller.h"
 #include "ui/export/copies.h"
 #include "ui/export/export_again.h"
 #include "ui/export/screenshot.h"

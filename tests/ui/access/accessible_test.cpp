@@ -4,7 +4,7 @@
 #include "tests/ui/access/every_part.h"
 #include "tests/ui/ui_main.h"
 
-#include "ui/compare/compare_desk.h"
+#include "ui/compare/compare_controller.h"
 #include "ui/compare/compare_overlay.h"
 #include "ui/parameters/number_field.h"
 #include "ui/parameters/parameter_row.h"

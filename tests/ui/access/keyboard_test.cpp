@@ -3,7 +3,7 @@
 #include "tests/ui/access/keyboard_walk.h"
 #include "tests/ui/ui_main.h"
 
-#include "ui/compare/compare_desk.h"
+#include "ui/compare/compare_controller.h"
 #include "ui/compare/compare_overlay.h"
 #include "ui/window/dock_title.h"
 #include "ui/window/window_docks.h"

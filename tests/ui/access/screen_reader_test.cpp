@@ -2,7 +2,7 @@
 #include "tests/ui/access/every_part.h"
 #include "tests/ui/ui_main.h"
 
-#include "ui/compare/compare_desk.h"
+#include "ui/compare/compare_controller.h"
 #include "ui/lessons/lesson_controller.h"
 
 #include <QAccessible>

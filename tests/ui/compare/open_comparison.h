@@ -2,7 +2,7 @@
 
 #include "tests/ui/open_window.h"
 
-#include "ui/compare/compare_desk.h"
+#include "ui/compare/compare_controller.h"
 #include "ui/compare/compare_overlay.h"
 #include "ui/compare/other_picture.h"
 #include "ui/model/other_settings.h"
@@ -13,7 +13,7 @@ namespace vitrine::test {
 /// roughness.
 class OpenComparison : public OpenWindow {
 protected:
-    [[nodiscard]] ui::CompareDesk& desk() { return window_->comparison(); }
+    [[nodiscard]] ui::CompareController& desk() { return window_->comparison(); }
     [[nodiscard]] ui::Viewport& view() { return window_->viewport(); }
     void setRoughness(double value)
     {

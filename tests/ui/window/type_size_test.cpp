@@ -3,7 +3,7 @@
 #include "tests/ui/open_window.h"
 #include "tests/ui/ui_main.h"
 
-#include "ui/compare/compare_desk.h"
+#include "ui/compare/compare_controller.h"
 #include "ui/kit/appearance.h"
 #include "ui/kit/message_strip.h"
 #include "ui/kit/name_dialog.h"

@@ -1,4 +1,4 @@
-#include "ui/compare/compare_desk.h"
+#include "ui/compare/compare_controller.h"
 
 #include "exhibits/compare/differing_rows.h"
 #include "exhibits/museum/named_files.h"
@@ -30,31 +30,31 @@ QString drawingOfB()
 
 }  // namespace
 
-CompareDesk::CompareDesk(Workbench& workbench, PresetShelf& shelf, QWidget* parent)
+CompareController::CompareController(Workbench& workbench, PresetShelf& shelf, QWidget* parent)
     : QObject(parent), workbench_(workbench), shelf_(shelf), window_(parent),
       other_(new OtherSettings(workbench.history(), this)),
       picture_(new OtherPicture(workbench.viewport(), workbench.renderers(), *other_, this)),
       overlay_(new CompareOverlay(workbench.viewport(), *other_, *picture_)), actions_(new CompareActions(*this)),
       bar_(new CompareBar(*this, parent))
 {
-    connect(other_, &OtherSettings::changed, this, &CompareDesk::refresh);
-    connect(overlay_, &CompareOverlay::needsChanged, this, &CompareDesk::refresh);
+    connect(other_, &OtherSettings::changed, this, &CompareController::refresh);
+    connect(overlay_, &CompareOverlay::needsChanged, this, &CompareController::refresh);
     connect(&workbench.history(), &History::changesSettled, bar_, &CompareBar::refresh);
     connect(picture_, &OtherPicture::drawn, this, [this] {
         workbench_.setProblems(drawingOfB(), {});
         tellReport();
     });
-    connect(picture_, &OtherPicture::gone, this, &CompareDesk::tellReport);
+    connect(picture_, &OtherPicture::gone, this, &CompareController::tellReport);
     connect(picture_, &OtherPicture::failed, this,
             [this](const QString& why) { workbench_.setProblems(drawingOfB(), {tr("B: %1").arg(why)}); });
     fileWatch_.setInterval(lookAtFilesEvery);
-    connect(&fileWatch_, &QTimer::timeout, this, &CompareDesk::lookAtFiles);
+    connect(&fileWatch_, &QTimer::timeout, this, &CompareController::lookAtFiles);
     bar_->refresh();
 }
 
-CompareDesk::~CompareDesk() = default;
+CompareController::~CompareController() = default;
 
-void CompareDesk::refresh()
+void CompareController::refresh()
 {
     if (!other_->held() && overlay_->mode() != CompareMode::off) {
         overlay_->setMode(CompareMode::off);  // Calls this function again.
@@ -72,7 +72,7 @@ void CompareDesk::refresh()
     tellReport();
 }
 
-void CompareDesk::tellReport()
+void CompareController::tellReport()
 {
     if (!other_->held())
         emit reportChanged(nullptr, {});
@@ -86,14 +86,14 @@ void CompareDesk::tellReport()
         emit reportChanged(&picture_->report(), {});
 }
 
-void CompareDesk::setMode(CompareMode mode)
+void CompareController::setMode(CompareMode mode)
 {
     if (mode != CompareMode::off && !other_->held()) holdPresent();
     overlay_->setMode(mode);
     refresh();  // Needed even if nothing changed, because an action may have been unchecked.
 }
 
-void CompareDesk::hold(const SceneState& sceneState, const QString& name)
+void CompareController::hold(const SceneState& sceneState, const QString& name)
 {
     // Files that the state names may add parameters. They are read on the render thread.
     workbench_.viewport().renderThread().post(
@@ -113,7 +113,7 @@ void CompareDesk::hold(const SceneState& sceneState, const QString& name)
         });
 }
 
-void CompareDesk::lookAtFiles()
+void CompareController::lookAtFiles()
 {
     const std::uint64_t now = stateOfFiles(workbench_.museum().subjects(), other_->sceneState());
     if (now == filesRead_) return;
@@ -121,7 +121,7 @@ void CompareDesk::lookAtFiles()
     hold(other_->sceneState(), {});
 }
 
-void CompareDesk::holdPresent()
+void CompareController::holdPresent()
 {
     ++holds_;
     // The parameter tables of A have been read already.
@@ -129,7 +129,7 @@ void CompareDesk::holdPresent()
     if (overlay_->mode() == CompareMode::off) setMode(CompareMode::wipe);
 }
 
-void CompareDesk::holdSelectedPreset()
+void CompareController::holdSelectedPreset()
 {
     if (const QString id = shelf_.selected(); !id.isEmpty())
         holdFile(id);
@@ -137,17 +137,17 @@ void CompareDesk::holdSelectedPreset()
         workbench_.say(MessageStrip::Mood::notice, tr("B was not set: select a preset in the list first."));
 }
 
-void CompareDesk::holdFile(const QString& path)
+void CompareController::holdFile(const QString& path)
 {
     if (const std::optional<ReadSettings> found = shelf_.settingsIn(path)) hold(found->sceneState, found->name);
 }
 
-void CompareDesk::holdStep(int step, const QString& name)
+void CompareController::holdStep(int step, const QString& name)
 {
     hold(workbench_.history().valuesAt(step), name);
 }
 
-void CompareDesk::compareWith(std::size_t subject, const OfferedComparison& offered)
+void CompareController::compareWith(std::size_t subject, const OfferedComparison& offered)
 {
     ++holds_;
     other_->follow([subject, offered](const SceneState& a) { return otherSide(a, subject, offered); },
@@ -158,40 +158,40 @@ void CompareDesk::compareWith(std::size_t subject, const OfferedComparison& offe
                        tr("“%1” is already shown: both sides are the same.").arg(text(offered.title)));
 }
 
-void CompareDesk::chooseFile()
+void CompareController::chooseFile()
 {
     auto* dialog = new QFileDialog(window_, tr("Open as B"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
     dialog->setNameFilter(
         tr("Presets, and pictures with one inside (%1)").arg(filePatterns("json " + render::carriedSettingsEndings())));
-    connect(dialog, &QFileDialog::fileSelected, this, &CompareDesk::holdFile);
+    connect(dialog, &QFileDialog::fileSelected, this, &CompareController::holdFile);
     dialog->open();
 }
 
-void CompareDesk::letGo()
+void CompareController::letGo()
 {
     ++holds_;
     overlay_->setOtherAlone(false);
     other_->letGo();
 }
 
-std::vector<std::pair<QString, QString>> CompareDesk::presets() const
+std::vector<std::pair<QString, QString>> CompareController::presets() const
 {
     return shelf_.choices(workbench_.shown());
 }
 
-const QUndoStack& CompareDesk::steps() const
+const QUndoStack& CompareController::steps() const
 {
     return workbench_.history().stack();
 }
 
-History& CompareDesk::history() const
+History& CompareController::history() const
 {
     return workbench_.history();
 }
 
-std::vector<RowDifference> CompareDesk::differences() const
+std::vector<RowDifference> CompareController::differences() const
 {
     std::vector<RowDifference> all;
     if (!other_->held()) return all;
@@ -209,4 +209,4 @@ std::vector<RowDifference> CompareDesk::differences() const
 
 }  // namespace vitrine::ui
 
-#include "moc_compare_desk.cpp"
+#include "moc_compare_controller.cpp"

@@ -34,13 +34,13 @@ struct RowDifference {
 };
 
 /// Comparison of the present settings, A, with other settings, B: the source of B, the mode, and the cost of each.
-class CompareDesk final : public QObject {
+class CompareController final : public QObject {
     Q_OBJECT
 
 public:
     /// Both must outlive this object. `parent` is the window.
-    CompareDesk(Workbench&, PresetShelf&, QWidget* parent);
-    ~CompareDesk() override;
+    CompareController(Workbench&, PresetShelf&, QWidget* parent);
+    ~CompareController() override;
 
     [[nodiscard]] OtherSettings& other() const { return *other_; }
     [[nodiscard]] OtherPicture& picture() const { return *picture_; }
