@@ -12,7 +12,7 @@
 #include "ui/kit/text.h"
 #include "ui/model/other_settings.h"
 #include "ui/model/workbench.h"
-#include "ui/presets/preset_shelf.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/viewport/viewport.h"
 
 #include <QFileDialog>
@@ -30,7 +30,7 @@ QString drawingOfB()
 
 }  // namespace
 
-CompareController::CompareController(Workbench& workbench, PresetShelf& shelf, QWidget* parent)
+CompareController::CompareController(Workbench& workbench, PresetController& shelf, QWidget* parent)
     : QObject(parent), workbench_(workbench), shelf_(shelf), window_(parent),
       other_(new OtherSettings(workbench.history(), this)),
       picture_(new OtherPicture(workbench.viewport(), workbench.renderers(), *other_, this)),

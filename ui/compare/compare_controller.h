@@ -23,7 +23,7 @@ class CompareOverlay;
 class History;
 class OtherPicture;
 class OtherSettings;
-class PresetShelf;
+class PresetController;
 class Workbench;
 
 /// Parameter whose values differ between A and B.
@@ -39,7 +39,7 @@ class CompareController final : public QObject {
 
 public:
     /// Both must outlive this object. `parent` is the window.
-    CompareController(Workbench&, PresetShelf&, QWidget* parent);
+    CompareController(Workbench&, PresetController&, QWidget* parent);
     ~CompareController() override;
 
     [[nodiscard]] OtherSettings& other() const { return *other_; }
@@ -82,7 +82,7 @@ private:
     void tellReport();
 
     Workbench& workbench_;
-    PresetShelf& shelf_;
+    PresetController& shelf_;
     QWidget* window_;
     OtherSettings* other_;
     OtherPicture* picture_;

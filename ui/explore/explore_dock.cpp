@@ -54,7 +54,7 @@ private:
 
 }  // namespace
 
-ExploreDock::ExploreDock(Workbench& workbench, PresetShelf& shelf, const ParameterPanel& panel, QWidget* parent)
+ExploreDock::ExploreDock(Workbench& workbench, PresetController& shelf, const ParameterPanel& panel, QWidget* parent)
     : QWidget(parent), workbench_(workbench), corners_(new PadCorners(workbench, shelf, this)),
       pad_(new MorphPad(*corners_, this)), variations_(new Variations(workbench, panel, this)),
       grid_(new VariationGrid(*variations_, this)), number_(new QSpinBox(this)),

@@ -4,14 +4,14 @@
 #include "ui/kit/language.h"
 #include "ui/kit/tile_delegate.h"
 #include "ui/model/workbench.h"
-#include "ui/presets/preset_shelf.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/viewport/viewport.h"
 
 #include <algorithm>
 
 namespace vitrine::ui {
 
-PadCorners::PadCorners(Workbench& workbench, PresetShelf& shelf, QObject* parent)
+PadCorners::PadCorners(Workbench& workbench, PresetController& shelf, QObject* parent)
     : QObject(parent), workbench_(workbench), shelf_(shelf)
 {
 }

@@ -275,4 +275,4 @@ QRect FlatStyle::subControlRect(ComplexControl control, const QStyleOptionComple
 
 }  // namespace vitrine::ui
 
-#include "moc_quiet_style.cpp"
+#include "moc_flat_style.cpp"

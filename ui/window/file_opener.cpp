@@ -11,7 +11,7 @@
 #include "ui/kit/text.h"
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
-#include "ui/presets/preset_shelf.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/recent_files.h"
 
@@ -53,7 +53,7 @@ std::vector<Message> unreadableFiles(const Museum& museum, const SceneState& sce
 
 }  // namespace
 
-FileOpener::FileOpener(Workbench& window, PresetShelf& shelf, QObject* parent)
+FileOpener::FileOpener(Workbench& window, PresetController& shelf, QObject* parent)
     : QObject(parent), window_(window), shelf_(shelf)
 {
 }

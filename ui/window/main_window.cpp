@@ -18,8 +18,8 @@
 #include "ui/lessons/lesson_controller.h"
 #include "ui/parameters/parameter_menus.h"
 #include "ui/parameters/parameter_panel.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/presets/preset_list.h"
-#include "ui/presets/preset_shelf.h"
 #include "ui/record/bookmarks.h"
 #include "ui/report/frame_report_dock.h"
 #include "ui/report/log_view.h"
@@ -79,7 +79,7 @@ MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* pare
     new FocusRing(this);
     buildMiddle();
     docks_ = new WindowDocks(*this, *this);
-    shelf_ = new PresetShelf(*this, docks_->presets(), PresetStore::standard(render::asset("presets")));
+    shelf_ = new PresetController(*this, docks_->presets(), PresetStore::standard(render::asset("presets")));
     docks_->addExplore(*shelf_);
     files_ = new FileOpener(*this, *shelf_, this);
     guard_ = new CloseGuard(*this);
@@ -164,8 +164,8 @@ MainWindow::~MainWindow()
 
 void MainWindow::connectParts()
 {
-    connect(&docks_->parameters(), &ParameterTabs::turned, shelf_, &PresetShelf::refresh);
-    connect(shelf_, &PresetShelf::marked, this, &MainWindow::showTitle);
+    connect(&docks_->parameters(), &ParameterTabs::turned, shelf_, &PresetController::refresh);
+    connect(shelf_, &PresetController::marked, this, &MainWindow::showTitle);
     connect(files_, &FileOpener::documentOpened, this, &MainWindow::visit);
     connect(&docks_->treeFile(), &TreeFile::saved, this, &addRecentFile);
     guard_->setUnsaved([this] { return docks_->treeFile().unsaved(); }, [this] { return docks_->treeFile().save(); });
@@ -195,7 +195,7 @@ void MainWindow::connectViewport()
     new FrameReporter(*this, *docks_, *status_, this);
     connect(viewport_, &Viewport::drawn, this, [this] {
         if (viewport_->schedule().still())
-            QMetaObject::invokeMethod(shelf_, &PresetShelf::keepMissingThumbnail, Qt::QueuedConnection);
+            QMetaObject::invokeMethod(shelf_, &PresetController::keepMissingThumbnail, Qt::QueuedConnection);
     });
     new HeapTrimmer(*viewport_, this);
 }

@@ -18,7 +18,7 @@ class FileOpener;
 class LessonController;
 class MessageStrip;
 class ParameterPanel;
-class PresetShelf;
+class PresetController;
 class SessionKeeper;
 class StatusLine;
 class Viewport;
@@ -56,7 +56,7 @@ public:
     /// Returns whether panels and bars are hidden, so that only the picture is shown.
     [[nodiscard]] bool bare() const { return bare_; }
     [[nodiscard]] ParameterPanel& panel() const;
-    [[nodiscard]] PresetShelf& shelf() const { return *shelf_; }
+    [[nodiscard]] PresetController& shelf() const { return *shelf_; }
     [[nodiscard]] FileOpener& files() const { return *files_; }
     [[nodiscard]] ExportAgain& again() const { return *again_; }
     [[nodiscard]] WindowDocks& docks() const { return *docks_; }
@@ -92,7 +92,7 @@ private:
     MessageStrip* messages_;
     StatusLine* status_;
     WindowDocks* docks_ = nullptr;
-    PresetShelf* shelf_ = nullptr;
+    PresetController* shelf_ = nullptr;
     FileOpener* files_ = nullptr;
     CompareController* comparison_ = nullptr;
     Bookmarks* bookmarks_ = nullptr;

@@ -4,7 +4,7 @@
 #include "ui/kit/menu_text.h"
 #include "ui/kit/text.h"
 #include "ui/lessons/page_dialog.h"
-#include "ui/presets/preset_shelf.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/window/main_window.h"
 #include "ui/window/window_dialogs.h"
 

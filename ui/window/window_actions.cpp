@@ -15,8 +15,8 @@
 #include "ui/kit/text.h"
 #include "ui/lessons/lesson_controller.h"
 #include "ui/parameters/parameter_panel.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/presets/preset_list.h"
-#include "ui/presets/preset_shelf.h"
 #include "ui/record/bookmarks.h"
 #include "ui/record/bookmarks_dialog.h"
 #include "ui/study/table_export.h"
@@ -223,7 +223,7 @@ void WindowActions::watch(MainWindow& window) const
     const auto follow = [this] { refresh(); };
     QObject::connect(&window.history(), &History::changesSettled, &watching_, follow);
     QObject::connect(&window.viewport(), &Viewport::looked, &watching_, follow);
-    QObject::connect(&window.shelf(), &PresetShelf::marked, &watching_, follow);
+    QObject::connect(&window.shelf(), &PresetController::marked, &watching_, follow);
     QObject::connect(&window.docks().presets(), &PresetList::selectedChanged, &watching_, follow);
     QObject::connect(&window.docks().tree().editor(), &TreeEditor::treeChanged, &watching_, follow);
     QObject::connect(&window.again(), &ExportAgain::noted, &watching_, follow);
@@ -332,7 +332,7 @@ void WindowActions::addEditMenu(Maker& make, MainWindow& window)
              [&window] { window.preferences().openDialog(); });
 }
 
-void WindowActions::addPresetMenu(Maker& make, PresetShelf& shelf)
+void WindowActions::addPresetMenu(Maker& make, PresetController& shelf)
 {
     make.menu(tr("&Preset"));
     savePreset = make.add(tr("&Save preset"), {}, tr("Saves the values that the panel shows to the preset in use."),

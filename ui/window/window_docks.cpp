@@ -183,7 +183,7 @@ void WindowDocks::addFrameReportAndLog()
     connect(reportTabs_, &QTabWidget::currentChanged, this, time);
 }
 
-void WindowDocks::addExplore(PresetShelf& shelf)
+void WindowDocks::addExplore(PresetController& shelf)
 {
     explore_ = new ExploreDock(workbench_, shelf, parameters_->panel());
     auto* room = new QScrollArea;  // A small window need not grow for it.

@@ -20,7 +20,7 @@ class FrameReportDock;
 class LogView;
 class ParameterTabs;
 class PresetList;
-class PresetShelf;
+class PresetController;
 class StudyDock;
 class TreeDock;
 class TreeFile;
@@ -35,7 +35,7 @@ public:
     WindowDocks(QMainWindow&, Workbench&);
 
     /// Adds the dock of the exploration; the shelf must outlive it.
-    void addExplore(PresetShelf&);
+    void addExplore(PresetController&);
 
     [[nodiscard]] const QList<QDockWidget*>& all() const { return docks_; }
     [[nodiscard]] ExhibitList& exhibits() const { return *exhibits_; }

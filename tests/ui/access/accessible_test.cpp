@@ -9,7 +9,7 @@
 #include "ui/parameters/number_field.h"
 #include "ui/parameters/parameter_row.h"
 #include "ui/parameters/parameter_section.h"
-#include "ui/presets/preset_shelf.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/window/status_line.h"
 
 #include <QAbstractItemView>

@@ -7,7 +7,7 @@
 #include "render/image/image_io.h"
 #include "ui/compare/compare_actions.h"
 #include "ui/compare/compare_bar.h"
-#include "ui/presets/preset_shelf.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/viewport/overlay.h"
 
 #include <QContextMenuEvent>

@@ -5,7 +5,7 @@
 
 #include "ui/explore/explore_dock.h"
 #include "ui/explore/morph_pad.h"
-#include "ui/presets/preset_shelf.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/window/window_docks.h"
 
 #include <QAccessible>

@@ -7,7 +7,7 @@
 #include "ui/explore/variation_grid.h"
 #include "ui/explore/variations.h"
 #include "ui/parameters/panel_choices.h"
-#include "ui/presets/preset_shelf.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/window/window_docks.h"
 
 #include <QLabel>

@@ -7,7 +7,7 @@
 #include "ui/kit/language.h"
 #include "ui/kit/message_strip.h"
 #include "ui/parameters/shown_text.h"
-#include "ui/presets/preset_shelf.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/window/file_opener.h"
 
 #include <QDockWidget>

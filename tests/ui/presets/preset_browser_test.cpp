@@ -2,8 +2,8 @@
 #include "tests/ui/ui_main.h"
 
 #include "ui/kit/message_strip.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/presets/preset_preview.h"
-#include "ui/presets/preset_shelf.h"
 #include "ui/presets/tag_chips.h"
 #include "ui/presets/tags_dialog.h"
 

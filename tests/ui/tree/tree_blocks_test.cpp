@@ -4,7 +4,7 @@
 #include "tests/ui/open_window.h"
 #include "tests/ui/ui_main.h"
 
-#include "ui/presets/preset_shelf.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/tree/tree_dock.h"
 #include "ui/tree/tree_editor.h"
 #include "ui/tree/tree_file.h"

@@ -3,7 +3,7 @@
 #include "tests/ui/ui_main.h"
 
 #include "ui/parameters/number_field.h"
-#include "ui/presets/preset_shelf.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/study/study_dock.h"
 
 #include <QComboBox>

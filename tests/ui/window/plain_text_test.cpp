@@ -7,7 +7,7 @@
 #include "ui/kit/window_place.h"
 #include "ui/lessons/lesson_bar.h"
 #include "ui/lessons/lesson_controller.h"
-#include "ui/presets/preset_shelf.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/print/print_dialog.h"
 #include "ui/window/exhibit_list.h"
 #include "ui/window/file_opener.h"

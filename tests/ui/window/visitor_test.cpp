@@ -7,7 +7,7 @@
 #include "ui/export/picture_export.h"
 #include "ui/kit/message_strip.h"
 #include "ui/parameters/number_field.h"
-#include "ui/presets/preset_shelf.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/presets/scene_text.h"
 #include "ui/viewport/overlay.h"
 #include "ui/window/about_dialog.h"

@@ -3,7 +3,7 @@
 
 #include "ui/kit/message_strip.h"
 #include "ui/kit/theme.h"
-#include "ui/presets/preset_shelf.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/report/frame_graph.h"
 #include "ui/report/log_view.h"
 #include "ui/window/file_opener.h"

@@ -8,7 +8,7 @@
 #include "ui/parameters/color_picker.h"
 #include "ui/parameters/number_field.h"
 #include "ui/parameters/panel_choices.h"
-#include "ui/presets/preset_shelf.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/report/frame_report_view.h"
 #include "ui/window/file_opener.h"
 
@@ -66,7 +66,7 @@ private slots:
         const int immediate = (history.*&Open::receivers)(SIGNAL(changed(std::size_t, std::size_t)));
         // Picture, B that follows A, tables from files, the session, and two sliders that start anew.
         QVERIFY2(immediate <= 6, qPrintable(QString::number(immediate)));
-        QSignalSpy changed(&history, &History::changed), marked(&window_->shelf(), &PresetShelf::marked);
+        QSignalSpy changed(&history, &History::changed), marked(&window_->shelf(), &PresetController::marked);
         QSignalSpy settled(&history, &History::changesSettled);
         const Gesture drag = newGesture();
         for (int i = 1; i <= 60; ++i) history.set(1, gallery_->table().roughness.row, 0.3 + i / 200.0, drag);

@@ -1,4 +1,4 @@
-#include "ui/presets/preset_shelf.h"
+#include "ui/presets/preset_controller.h"
 
 #include "exhibits/framework/files/table_change.h"
 #include "render/files/atomic_write.h"
@@ -26,27 +26,27 @@
 #include <algorithm>
 
 namespace vitrine::ui {
-PresetShelf::PresetShelf(Workbench& window, PresetList& list, PresetStore store)
+PresetController::PresetController(Workbench& window, PresetList& list, PresetStore store)
     : QObject(&list), window_(window), list_(list), store_(std::move(store)), uses_(window.history().stack())
 {
-    connect(&list, &PresetList::loadAsked, this, &PresetShelf::load);
-    connect(&list, &PresetList::renamed, this, &PresetShelf::renameTo);
-    connect(&list, &PresetList::factsAsked, this, &PresetShelf::showFacts);
+    connect(&list, &PresetList::loadAsked, this, &PresetController::load);
+    connect(&list, &PresetList::renamed, this, &PresetController::renameTo);
+    connect(&list, &PresetList::factsAsked, this, &PresetController::showFacts);
     connect(&window.history().stack(), &QUndoStack::indexChanged, this, [this] { uses_.prune(); });
-    connect(&window.history(), &History::changesSettled, this, &PresetShelf::mark);
+    connect(&window.history(), &History::changesSettled, this, &PresetController::mark);
 }
 
-std::string PresetShelf::exhibitName() const
+std::string PresetController::exhibitName() const
 {
     return std::string(window_.museum().subject(window_.shown()).name());
 }
 
-const Parameters& PresetShelf::table() const
+const Parameters& PresetController::table() const
 {
     return window_.museum().subject(window_.shown()).parameters();
 }
 
-void PresetShelf::trySafely(const std::function<void()>& work, const QString& cause)
+void PresetController::trySafely(const std::function<void()>& work, const QString& cause)
 {
     try {
         work();
@@ -57,7 +57,7 @@ void PresetShelf::trySafely(const std::function<void()>& work, const QString& ca
     }
 }
 
-void PresetShelf::tell(const QString& origin, const std::vector<std::string>& notes)
+void PresetController::tell(const QString& origin, const std::vector<std::string>& notes)
 {
     if (notes.empty()) return;
     QStringList lines{tr("%1 was loaded, with changes:").arg(origin)};
@@ -65,7 +65,7 @@ void PresetShelf::tell(const QString& origin, const std::vector<std::string>& no
     window_.say(MessageStrip::Mood::notice, lines.join(QStringLiteral("\n    ")));
 }
 
-void PresetShelf::refresh()
+void PresetController::refresh()
 {
     trySafely(
         [this] {
@@ -88,38 +88,38 @@ void PresetShelf::refresh()
     mark();
 }
 
-const StoredPreset* PresetShelf::inUse() const
+const StoredPreset* PresetController::inUse() const
 {
     return uses_.of(exhibitName());
 }
 
-void PresetShelf::use(StoredPreset stored)
+void PresetController::use(StoredPreset stored)
 {
     uses_.add(std::move(stored));
     mark();
 }
 
-bool PresetShelf::changedSince(const StoredPreset& stored) const
+bool PresetController::changedSince(const StoredPreset& stored) const
 {
     const ParameterValues& shown = window_.history().sceneState().values[window_.shown()];
     return !(withTableOf(shown, stored.preset.values) == shown);
 }
 
-void PresetShelf::mark()
+void PresetController::mark()
 {
     const StoredPreset* used = inUse();
     list_.setCurrent(used ? idOf(used->path) : QString(), used && changedSince(*used));
     emit marked();
 }
 
-QString PresetShelf::titleOfUse() const
+QString PresetController::titleOfUse() const
 {
     const StoredPreset* used = inUse();
     if (!used) return {};
     return presetName(used->preset.name, used->shipped) + (changedSince(*used) ? QStringLiteral(" *") : QString());
 }
 
-QString PresetShelf::freeName(const QString& wanted, const std::filesystem::path& exceptFor) const
+QString PresetController::freeName(const QString& wanted, const std::filesystem::path& exceptFor) const
 {
     const std::vector<PresetEntry> all = store_.list(exhibitName());
     const auto taken = [&](const QString& name) {
@@ -133,7 +133,7 @@ QString PresetShelf::freeName(const QString& wanted, const std::filesystem::path
     return name;
 }
 
-void PresetShelf::show(const Preset& preset, std::size_t exhibit, const QString& step)
+void PresetController::show(const Preset& preset, std::size_t exhibit, const QString& step)
 {
     SceneState next = window_.history().sceneState();
     next.values[exhibit] = preset.values;
@@ -142,7 +142,7 @@ void PresetShelf::show(const Preset& preset, std::size_t exhibit, const QString&
     window_.history().change(step, next, 0, moves ? History::Camera::moves : History::Camera::stays);
 }
 
-void PresetShelf::load(const QString& id)
+void PresetController::load(const QString& id)
 {
     trySafely([&] {
         StoredPreset loaded = store_.load(pathOf(id), exhibitName(), table());
@@ -154,14 +154,14 @@ void PresetShelf::load(const QString& id)
     mark();  // Restores the mark if the clicked preset could not be loaded.
 }
 
-Preset PresetShelf::presetOnShow(const QString& name) const
+Preset PresetController::presetOnShow(const QString& name) const
 {
     const SceneState& sceneState = window_.history().sceneState();
     return {exhibitName(),     name.toStdString(),     sceneState.values[window_.shown()],
             sceneState.camera, render::Json::object(), {}};
 }
 
-void PresetShelf::save()
+void PresetController::save()
 {
     const StoredPreset* used = inUse();
     if (!used || used->shipped) {
@@ -186,7 +186,7 @@ void PresetShelf::save()
     refresh();
 }
 
-void PresetShelf::saveAs()
+void PresetController::saveAs()
 {
     const SceneObject& subject = window_.museum().subject(window_.shown());
     const QString title = translatedText(subject.title());
@@ -201,7 +201,7 @@ void PresetShelf::saveAs()
     ask->openOver(list_);
 }
 
-void PresetShelf::saveUnder(const QString& name)
+void PresetController::saveUnder(const QString& name)
 {
     if (name.trimmed().isEmpty()) return;
     trySafely([&] {
@@ -217,13 +217,13 @@ void PresetShelf::saveUnder(const QString& name)
     refresh();
 }
 
-void PresetShelf::keepThumbnail(const std::filesystem::path& preset)
+void PresetController::keepThumbnail(const std::filesystem::path& preset)
 {
     const QImage& picture = window_.viewport().shown();
     if (!picture.isNull()) saveThumbnail(idOf(PresetStore::thumbnailPath(preset)), previewOf(picture));
 }
 
-void PresetShelf::keepMissingThumbnail()
+void PresetController::keepMissingThumbnail()
 {
     if (!window_.viewport().schedule().still()) return;
     const StoredPreset* used = inUse();
@@ -239,7 +239,7 @@ void PresetShelf::keepMissingThumbnail()
     refresh();
 }
 
-void PresetShelf::rename()
+void PresetController::rename()
 {
     const QString id = list_.selected();
     if (id.isEmpty() || list_.startRename(id)) return;
@@ -251,7 +251,7 @@ void PresetShelf::rename()
     });
 }
 
-void PresetShelf::renameTo(const QString& id, const QString& name)
+void PresetController::renameTo(const QString& id, const QString& name)
 {
     trySafely([&] {
         if (name.trimmed().isEmpty()) return;
@@ -260,10 +260,10 @@ void PresetShelf::renameTo(const QString& id, const QString& name)
         uses_.renamed(pathOf(id), store_.load(path, exhibitName(), table()));
     });
     // Queued, because the list is still in the middle of an edit.
-    QMetaObject::invokeMethod(this, &PresetShelf::refresh, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(this, &PresetController::refresh, Qt::QueuedConnection);
 }
 
-void PresetShelf::editTags()
+void PresetController::editTags()
 {
     const QString id = list_.selected();
     if (id.isEmpty()) return;
@@ -291,7 +291,7 @@ void PresetShelf::editTags()
     });
 }
 
-void PresetShelf::setTags(const QString& id, const PresetTags& tags, std::size_t exhibit)
+void PresetController::setTags(const QString& id, const PresetTags& tags, std::size_t exhibit)
 {
     trySafely([&] {
         store_.setTags(pathOf(id), tags);
@@ -302,12 +302,12 @@ void PresetShelf::setTags(const QString& id, const PresetTags& tags, std::size_t
     refresh();
 }
 
-void PresetShelf::showFacts(const QString& id)
+void PresetController::showFacts(const QString& id)
 {
     list_.showPreview(presetFacts(store_, pathOf(id), exhibitName(), table()));
 }
 
-void PresetShelf::duplicate()
+void PresetController::duplicate()
 {
     const QString id = list_.selected();
     if (id.isEmpty()) return;
@@ -324,7 +324,7 @@ void PresetShelf::duplicate()
     refresh();
 }
 
-void PresetShelf::remove()
+void PresetController::remove()
 {
     const QString id = list_.selected();
     if (id.isEmpty()) return;
@@ -346,7 +346,7 @@ void PresetShelf::remove()
     });
 }
 
-void PresetShelf::importFile()
+void PresetController::importFile()
 {
     QFileDialog* dialog = fileDialog(
         list_.window(), tr("Import preset"), QFileDialog::AcceptOpen,
@@ -368,7 +368,7 @@ void PresetShelf::importFile()
     dialog->open();
 }
 
-void PresetShelf::exportFile()
+void PresetController::exportFile()
 {
     const QString id = list_.selected();
     if (id.isEmpty()) {
@@ -383,7 +383,7 @@ void PresetShelf::exportFile()
     dialog->open();
 }
 
-void PresetShelf::saveExhibition()
+void PresetController::saveExhibition()
 {
     QFileDialog* dialog =
         fileDialog(list_.window(), tr("Save exhibition"), QFileDialog::AcceptSave, tr("Exhibitions (*.json)"));
@@ -398,7 +398,7 @@ void PresetShelf::saveExhibition()
     dialog->open();
 }
 
-ReadSettings PresetShelf::read(const std::string& text, const QString& origin) const
+ReadSettings PresetController::read(const std::string& text, const QString& origin) const
 {
     const PresetHeader header = presetHeader(render::parseJson(text, origin.toStdString(), presetLimits));
     ReadSettings result;
@@ -424,7 +424,7 @@ ReadSettings PresetShelf::read(const std::string& text, const QString& origin) c
     return result;
 }
 
-void PresetShelf::loadText(const std::string& text, const QString& origin)
+void PresetController::loadText(const std::string& text, const QString& origin)
 {
     const ReadSettings loaded = read(text, origin);
     tell(origin, loaded.notes);
@@ -433,7 +433,7 @@ void PresetShelf::loadText(const std::string& text, const QString& origin)
                              loaded.movesCamera ? History::Camera::moves : History::Camera::stays);
 }
 
-std::optional<ReadSettings> PresetShelf::settingsIn(const QString& path)
+std::optional<ReadSettings> PresetController::settingsIn(const QString& path)
 {
     std::optional<ReadSettings> result;
     trySafely([&] {
@@ -451,7 +451,7 @@ std::optional<ReadSettings> PresetShelf::settingsIn(const QString& path)
     return result;
 }
 
-std::vector<std::pair<QString, QString>> PresetShelf::choices(std::size_t exhibit)
+std::vector<std::pair<QString, QString>> PresetController::choices(std::size_t exhibit)
 {
     std::vector<std::pair<QString, QString>> all;
     trySafely([&] {
@@ -463,17 +463,17 @@ std::vector<std::pair<QString, QString>> PresetShelf::choices(std::size_t exhibi
     return all;
 }
 
-QString PresetShelf::selected() const
+QString PresetController::selected() const
 {
     return list_.selected();
 }
 
-void PresetShelf::loadFile(const QString& path)
+void PresetController::loadFile(const QString& path)
 {
     trySafely([&] { loadText(render::readFile(path.toStdString(), presetLimits.bytes), path); }, openingOf(path));
 }
 
-bool PresetShelf::loadFromPicture(const QString& path)
+bool PresetController::loadFromPicture(const QString& path)
 {
     bool done = true;
     trySafely(
@@ -488,4 +488,4 @@ bool PresetShelf::loadFromPicture(const QString& path)
 
 }  // namespace vitrine::ui
 
-#include "moc_preset_shelf.cpp"
+#include "moc_preset_controller.cpp"

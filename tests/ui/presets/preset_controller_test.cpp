@@ -4,7 +4,7 @@
 #include "ui/kit/message_strip.h"
 #include "ui/kit/name_dialog.h"
 #include "ui/kit/tile_delegate.h"
-#include "ui/presets/preset_shelf.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/window/exhibit_list.h"
 
 #include <QDir>
@@ -17,7 +17,7 @@ using namespace vitrine;
 using namespace vitrine::ui;
 
 /// Presets in use: saving, loading, naming and recognizing them.
-class PresetShelfTest : public test::OpenWindow {
+class PresetControllerTest : public test::OpenWindow {
     Q_OBJECT
 
     void load(const char* name) { window_->shelf().load(rowsNamed(name).front()->data(Qt::UserRole).toString()); }
@@ -199,6 +199,6 @@ private slots:
     }
 };
 
-VITRINE_UI_TEST(PresetShelfTest)
+VITRINE_UI_TEST(PresetControllerTest)
 
-#include "preset_shelf_test.moc"
+#include "preset_controller_test.moc"

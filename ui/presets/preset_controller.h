@@ -29,12 +29,12 @@ struct ReadSettings {
 
 /// Presets on disk of the exhibit whose parameters the panel shows: loads, saves, renames, duplicates, deletes. A
 /// failure is reported in the message strip and changes nothing.
-class PresetShelf final : public QObject {
+class PresetController final : public QObject {
     Q_OBJECT
 
 public:
     /// Both must outlive this object.
-    PresetShelf(Workbench&, PresetList&, PresetStore);
+    PresetController(Workbench&, PresetList&, PresetStore);
 
     /// Lists the presets of the exhibit whose parameters are shown.
     void refresh();
