@@ -52,7 +52,7 @@ private:
     void addModes();
     void fillSources();
 
-    CompareController& desk_;
+    CompareController& controller_;
     QList<QAction*> all_, more_;
     QAction* hold_ = nullptr;
     QAction* preset_ = nullptr;

@@ -20,7 +20,7 @@ class CompareBar final : public QWidget {
     Q_OBJECT
 
 public:
-    /// The desk must outlive the bar.
+    /// The controller must outlive the bar.
     CompareBar(CompareController&, QWidget* parent);
 
     /// Updates the bar to the present B and mode.
@@ -46,7 +46,7 @@ private:
     [[nodiscard]] std::vector<QWidget*> whatMayGo() const;
     void showWhatFits();
 
-    CompareController& desk_;
+    CompareController& controller_;
     QWidget* gains_;
     ValueSlider* gain_;
     QLabel* times_;

@@ -30,8 +30,8 @@ QString drawingOfB()
 
 }  // namespace
 
-CompareController::CompareController(Workbench& workbench, PresetController& shelf, QWidget* parent)
-    : QObject(parent), workbench_(workbench), shelf_(shelf), window_(parent),
+CompareController::CompareController(Workbench& workbench, PresetController& presetController, QWidget* parent)
+    : QObject(parent), workbench_(workbench), presetController_(presetController), window_(parent),
       other_(new OtherSettings(workbench.history(), this)),
       picture_(new OtherPicture(workbench.viewport(), workbench.renderers(), *other_, this)),
       overlay_(new CompareOverlay(workbench.viewport(), *other_, *picture_)), actions_(new CompareActions(*this)),
@@ -131,7 +131,7 @@ void CompareController::holdPresent()
 
 void CompareController::holdSelectedPreset()
 {
-    if (const QString id = shelf_.selected(); !id.isEmpty())
+    if (const QString id = presetController_.selected(); !id.isEmpty())
         holdFile(id);
     else
         workbench_.say(MessageStrip::Mood::notice, tr("B was not set: select a preset in the list first."));
@@ -139,7 +139,8 @@ void CompareController::holdSelectedPreset()
 
 void CompareController::holdFile(const QString& path)
 {
-    if (const std::optional<ReadSettings> found = shelf_.settingsIn(path)) hold(found->sceneState, found->name);
+    if (const std::optional<ReadSettings> found = presetController_.settingsIn(path))
+        hold(found->sceneState, found->name);
 }
 
 void CompareController::holdStep(int step, const QString& name)
@@ -178,7 +179,7 @@ void CompareController::letGo()
 
 std::vector<std::pair<QString, QString>> CompareController::presets() const
 {
-    return shelf_.choices(workbench_.shown());
+    return presetController_.choices(workbench_.shown());
 }
 
 const QUndoStack& CompareController::steps() const

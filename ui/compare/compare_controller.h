@@ -82,7 +82,7 @@ private:
     void tellReport();
 
     Workbench& workbench_;
-    PresetController& shelf_;
+    PresetController& presetController_;
     QWidget* window_;
     OtherSettings* other_;
     OtherPicture* picture_;

@@ -54,8 +54,9 @@ private:
 
 }  // namespace
 
-ExploreDock::ExploreDock(Workbench& workbench, PresetController& shelf, const ParameterPanel& panel, QWidget* parent)
-    : QWidget(parent), workbench_(workbench), corners_(new PadCorners(workbench, shelf, this)),
+ExploreDock::ExploreDock(Workbench& workbench, PresetController& presetController, const ParameterPanel& panel,
+                         QWidget* parent)
+    : QWidget(parent), workbench_(workbench), corners_(new PadCorners(workbench, presetController, this)),
       pad_(new MorphPad(*corners_, this)), variations_(new Variations(workbench, panel, this)),
       grid_(new VariationGrid(*variations_, this)), number_(new QSpinBox(this)),
       strength_(new ValueSlider(exploreRows().rows()[exploreRows().strength.row], this)), percent_(new QLabel(this)),

@@ -11,8 +11,8 @@
 
 namespace vitrine::ui {
 
-PadCorners::PadCorners(Workbench& workbench, PresetController& shelf, QObject* parent)
-    : QObject(parent), workbench_(workbench), shelf_(shelf)
+PadCorners::PadCorners(Workbench& workbench, PresetController& presetController, QObject* parent)
+    : QObject(parent), workbench_(workbench), presetController_(presetController)
 {
 }
 
@@ -44,7 +44,7 @@ void PadCorners::keep(std::size_t corner)
 
 void PadCorners::takePreset(std::size_t corner, const QString& id)
 {
-    const std::optional<ReadSettings> found = shelf_.settingsIn(id);
+    const std::optional<ReadSettings> found = presetController_.settingsIn(id);
     if (!found || found->exhibit != workbench_.shown()) {
         emit changed();  // The chooser shows the corner's present entry again.
         return;
@@ -84,7 +84,7 @@ bool PadCorners::ready() const
 
 std::vector<std::pair<QString, QString>> PadCorners::presets() const
 {
-    return shelf_.choices(workbench_.shown());
+    return presetController_.choices(workbench_.shown());
 }
 
 std::array<double, PadCorners::count> PadCorners::weightsAt(const QPointF& place)

@@ -66,7 +66,7 @@ private:
     [[nodiscard]] QPixmap pictureOnShow() const;
 
     Workbench& workbench_;
-    PresetController& shelf_;
+    PresetController& presetController_;
     std::array<Corner, count> corners_;
     std::array<int, count> readings_{};  // Number of the latest reading of each corner; older ones are dropped.
 };

@@ -7,9 +7,9 @@ namespace vitrine::ui {
 
 ExportAgain::ExportAgain(Workbench& window, QObject& parent) : QObject(&parent), window_(window) {}
 
-void ExportAgain::note(const ExportRequest& wish)
+void ExportAgain::note(const ExportRequest& exportRequest)
 {
-    last_ = wish;
+    last_ = exportRequest;
     emit noted();
 }
 

@@ -187,7 +187,7 @@ render::PictureFormat ScreenshotDialog::format() const
     return static_cast<render::PictureFormat>(format_->currentData().toInt());
 }
 
-ExportRequest ScreenshotDialog::wish() const
+ExportRequest ScreenshotDialog::exportRequest() const
 {
     return {path_->text().toStdString(),
             format(),
@@ -227,7 +227,7 @@ void ScreenshotDialog::write(const QString& to)
     if (running_ && running_->running()) return;
     path_->setText(to);
     replaced_.clear();
-    running_ = new PictureExport(window_, wish(), parent());
+    running_ = new PictureExport(window_, exportRequest(), parent());
     connect(running_, &PictureExport::progressed, this, [this](double part, double secondsLeft) {
         progress_->setValue(static_cast<int>(part * 1000));
         left_->setText(secondsLeft < 0 ? tr("Drawing …") : timeLeft(secondsLeft));
@@ -245,7 +245,7 @@ void ScreenshotDialog::write(const QString& to)
         left_->setText(why);
         window_.say(MessageStrip::Mood::problem, why);
     });
-    emit begun(wish());
+    emit begun(exportRequest());
     folder_->hide();
     setBusy(true);
     left_->setText(tr("Drawing …"));

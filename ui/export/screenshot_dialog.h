@@ -26,7 +26,7 @@ public:
 
 signals:
     /// Emitted when an export began, with its request.
-    void begun(const vitrine::ui::ExportRequest& wish);
+    void begun(const vitrine::ui::ExportRequest& exportRequest);
 
 public slots:
     /// Cancels the running export, or closes the dialog if there is none.
@@ -41,7 +41,7 @@ private:
     void write(const QString& path);
     void setBusy(bool);
     [[nodiscard]] render::PictureFormat format() const;
-    [[nodiscard]] ExportRequest wish() const;
+    [[nodiscard]] ExportRequest exportRequest() const;
 
     Workbench& window_;
     QComboBox* sizes_;

@@ -31,7 +31,10 @@ public:
     /// Both must outlive this object.
     Appearance(const Preferences&, const DesktopPortal&, QObject* parent = nullptr);
 
-    [[nodiscard]] bool reducesMotion() const { return ui::reducesMotion(preferences_.values(), portal_.wishes()); }
+    [[nodiscard]] bool reducesMotion() const
+    {
+        return ui::reducesMotion(preferences_.values(), portal_.desktopPreferences());
+    }
 
 signals:
     /// Emitted after colors, font size or motion may have changed.

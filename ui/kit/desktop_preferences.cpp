@@ -62,7 +62,7 @@ void DesktopPortal::ask(QDBusConnection bus)
         const QDBusPendingReply<Spaces> reply = *answer;
         // On an error there is no portal, or one with another interface.
         if (!reply.isError()) {
-            const DesktopPreferences before = wishes_;
+            const DesktopPreferences before = desktopPreferences_;
             const Spaces spaces = reply.value();
             for (auto space = spaces.begin(); space != spaces.end(); ++space)
                 for (auto key = space->begin(); key != space->end(); ++key) note(space.key(), key.key(), key.value());
@@ -74,7 +74,7 @@ void DesktopPortal::ask(QDBusConnection bus)
 
 void DesktopPortal::take(const QString& space, const QString& key, const QDBusVariant& value)
 {
-    const DesktopPreferences before = wishes_;
+    const DesktopPreferences before = desktopPreferences_;
     note(space, key, value.variant());
     decide(before);
 }
@@ -85,8 +85,10 @@ void DesktopPortal::note(const QString& space, const QString& key, const QVarian
     if (space == appearance && said.metaType() == QMetaType::fromType<uint>()) {
         const uint number = said.toUInt();
         if (key == QLatin1String("color-scheme"))
-            wishes_.dark = number == 1 ? std::optional(true) : number == 2 ? std::optional(false) : std::nullopt;
-        if (key == QLatin1String("contrast")) wishes_.highContrast = number == 1;
+            desktopPreferences_.dark = number == 1   ? std::optional(true)
+                                       : number == 2 ? std::optional(false)
+                                                     : std::nullopt;
+        if (key == QLatin1String("contrast")) desktopPreferences_.highContrast = number == 1;
         if (key == QLatin1String("reduced-motion")) motionReduced_ = number == 1;
     }
     if (space == gnome && key == QLatin1String("enable-animations") && said.metaType() == QMetaType::fromType<bool>())
@@ -95,8 +97,8 @@ void DesktopPortal::note(const QString& space, const QString& key, const QVarian
 
 void DesktopPortal::decide(const DesktopPreferences& before)
 {
-    wishes_.reducedMotion = animationsOff_ || motionReduced_;
-    if (!(wishes_ == before)) emit changed();
+    desktopPreferences_.reducedMotion = animationsOff_ || motionReduced_;
+    if (!(desktopPreferences_ == before)) emit changed();
 }
 
 }  // namespace vitrine::ui

@@ -27,7 +27,7 @@ public:
     /// Uses the session bus. Without a running session bus no portal is looked for, because that would start one.
     explicit DesktopPortal(QObject* parent = nullptr);
 
-    [[nodiscard]] const DesktopPreferences& wishes() const { return wishes_; }
+    [[nodiscard]] const DesktopPreferences& desktopPreferences() const { return desktopPreferences_; }
     /// Returns whether there is a bus and the portal was asked.
     [[nodiscard]] bool asks() const { return asks_; }
 
@@ -42,10 +42,10 @@ private slots:
 private:
     void ask(QDBusConnection bus);
     void note(const QString& space, const QString& key, const QVariant& value);
-    /// Updates `wishes()` and emits `changed` if they differ from `before`.
+    /// Updates `desktopPreferences()` and emits `changed` if they differ from `before`.
     void decide(const DesktopPreferences& before);
 
-    DesktopPreferences wishes_;
+    DesktopPreferences desktopPreferences_;
     bool asks_ = false;
     // Settings as the portal gives them: reduced motion has an old and a new key.
     bool animationsOff_ = false;

@@ -19,7 +19,7 @@ class LessonBar final : public QWidget, public AccessibleContent {
     Q_OBJECT
 
 public:
-    /// The desk must outlive the bar.
+    /// The controller must outlive the bar.
     explicit LessonBar(LessonController&);
 
     /// Shows the present page of the lesson.
@@ -37,7 +37,7 @@ private:
     void addText(QLabel&, const QString& name);
     void tell();
 
-    LessonController& desk_;
+    LessonController& controller_;
     QLabel* title_;
     QLabel* count_;
     QLabel* text_;

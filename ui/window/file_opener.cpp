@@ -53,8 +53,8 @@ std::vector<Message> unreadableFiles(const Museum& museum, const SceneState& sce
 
 }  // namespace
 
-FileOpener::FileOpener(Workbench& window, PresetController& shelf, QObject* parent)
-    : QObject(parent), window_(window), shelf_(shelf)
+FileOpener::FileOpener(Workbench& window, PresetController& presetController, QObject* parent)
+    : QObject(parent), window_(window), presetController_(presetController)
 {
 }
 
@@ -141,13 +141,13 @@ void FileOpener::open(const QString& path)
         if (isPrint(path))
             emit printFound(path);
         else if (!openDocument(path))
-            shelf_.loadFile(path);
+            presetController_.loadFile(path);
     } else if (ending == QLatin1String("md")) {
         emit lessonFound(path);
     } else if (models.contains(ending)) {
         setHallFile("model", path);
     } else if (recordings.contains(ending)) {
-        if (!shelf_.loadFromPicture(path))
+        if (!presetController_.loadFromPicture(path))
             window_.say(MessageStrip::Mood::problem,
                         tr("%1 carries no settings: choose a recording that Vitrine made.").arg(path));
     } else if (pictures().contains(ending)) {
@@ -167,7 +167,7 @@ void FileOpener::openPicture(const QString& path)
         emit printFound(path);
         return;
     }
-    if (shelf_.loadFromPicture(path)) return;
+    if (presetController_.loadFromPicture(path)) return;
     window_.viewport().renderThread().post([this, path]() -> std::function<void()> {
         const std::shared_ptr<const render::Texture> picture = render::loadTexture(path.toStdString(), true, true);
         if (std::abs(picture->width - 2 * picture->height) <= std::max(1, picture->height / 50))

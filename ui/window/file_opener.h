@@ -45,7 +45,7 @@ private:
     void sayNoPlace(const QString& path);
 
     Workbench& window_;
-    PresetController& shelf_;
+    PresetController& presetController_;
 };
 
 }  // namespace vitrine::ui

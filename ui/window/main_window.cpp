@@ -79,16 +79,16 @@ MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* pare
     new FocusRing(this);
     buildMiddle();
     docks_ = new WindowDocks(*this, *this);
-    shelf_ = new PresetController(*this, docks_->presets(), PresetStore::standard(render::asset("presets")));
-    docks_->addExplore(*shelf_);
-    files_ = new FileOpener(*this, *shelf_, this);
+    presetController_ = new PresetController(*this, docks_->presets(), PresetStore::standard(render::asset("presets")));
+    docks_->addExplore(*presetController_);
+    files_ = new FileOpener(*this, *presetController_, this);
     guard_ = new CloseGuard(*this);
     again_ = new ExportAgain(*this, *this);
     new RowDrag(
         museum_, history_, *viewport_, [this] { return chosen_; }, this);
     new PixelInspector(museum_, history_, renderers, *viewport_, this);
     // After all others that take the picture's events: side by side, they get them as of the whole picture.
-    comparison_ = new CompareController(*this, *shelf_, this);
+    comparison_ = new CompareController(*this, *presetController_, this);
     centralWidget()->layout()->addWidget(&comparison_->bar());
     bookmarks_ = new Bookmarks(*this, this);
     addLessons();
@@ -164,8 +164,8 @@ MainWindow::~MainWindow()
 
 void MainWindow::connectParts()
 {
-    connect(&docks_->parameters(), &ParameterTabs::turned, shelf_, &PresetController::refresh);
-    connect(shelf_, &PresetController::marked, this, &MainWindow::showTitle);
+    connect(&docks_->parameters(), &ParameterTabs::turned, presetController_, &PresetController::refresh);
+    connect(presetController_, &PresetController::marked, this, &MainWindow::showTitle);
     connect(files_, &FileOpener::documentOpened, this, &MainWindow::visit);
     connect(&docks_->treeFile(), &TreeFile::saved, this, &addRecentFile);
     guard_->setUnsaved([this] { return docks_->treeFile().unsaved(); }, [this] { return docks_->treeFile().save(); });
@@ -195,7 +195,7 @@ void MainWindow::connectViewport()
     new FrameReporter(*this, *docks_, *status_, this);
     connect(viewport_, &Viewport::drawn, this, [this] {
         if (viewport_->schedule().still())
-            QMetaObject::invokeMethod(shelf_, &PresetController::keepMissingThumbnail, Qt::QueuedConnection);
+            QMetaObject::invokeMethod(presetController_, &PresetController::keepMissingThumbnail, Qt::QueuedConnection);
     });
     new HeapTrimmer(*viewport_, this);
 }
@@ -221,7 +221,7 @@ void MainWindow::choose(std::size_t exhibit)
     docks_->charts().setSubject(exhibit);
     docks_->setTreeSubject(exhibit);
     comparison_->actions().refreshOffers();
-    shelf_->refresh();
+    presetController_->refresh();
     docks_->explore().follow();
     if (keeper_) keeper_->noteLayout();
 }
@@ -245,7 +245,7 @@ ParameterPanel& MainWindow::panel() const
 
 void MainWindow::showTitle()
 {
-    const QString use = shelf_->titleOfUse();
+    const QString use = presetController_->titleOfUse();
     QStringList parts{translatedText(museum_.subject(shown()).title())};
     if (!use.isEmpty()) parts << use;
     setWindowTitle(tr("%1 — Vitrine").arg(parts.join(QStringLiteral(": "))));

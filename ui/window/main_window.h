@@ -56,7 +56,7 @@ public:
     /// Returns whether panels and bars are hidden, so that only the picture is shown.
     [[nodiscard]] bool bare() const { return bare_; }
     [[nodiscard]] ParameterPanel& panel() const;
-    [[nodiscard]] PresetController& shelf() const { return *shelf_; }
+    [[nodiscard]] PresetController& presetController() const { return *presetController_; }
     [[nodiscard]] FileOpener& files() const { return *files_; }
     [[nodiscard]] ExportAgain& again() const { return *again_; }
     [[nodiscard]] WindowDocks& docks() const { return *docks_; }
@@ -92,7 +92,7 @@ private:
     MessageStrip* messages_;
     StatusLine* status_;
     WindowDocks* docks_ = nullptr;
-    PresetController* shelf_ = nullptr;
+    PresetController* presetController_ = nullptr;
     FileOpener* files_ = nullptr;
     CompareController* comparison_ = nullptr;
     Bookmarks* bookmarks_ = nullptr;

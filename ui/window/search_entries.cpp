@@ -60,10 +60,10 @@ void addParameters(std::vector<SearchEntry>& all, MainWindow& window, std::size_
 void addPresets(std::vector<SearchEntry>& all, MainWindow& window, std::size_t subject)
 {
     const QString place = QObject::tr("Preset of %1").arg(translatedText(window.museum().subject(subject).title()));
-    for (const auto& [name, id] : window.shelf().choices(subject))
+    for (const auto& [name, id] : window.presetController().choices(subject))
         all.push_back({name, place, {}, {}, {}, false, [&window, subject, preset = id] {
                            if (window.shown() != subject) window.visit(subject);
-                           window.shelf().load(preset);
+                           window.presetController().load(preset);
                        }});
 }
 

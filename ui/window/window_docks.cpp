@@ -183,9 +183,9 @@ void WindowDocks::addFrameReportAndLog()
     connect(reportTabs_, &QTabWidget::currentChanged, this, time);
 }
 
-void WindowDocks::addExplore(PresetController& shelf)
+void WindowDocks::addExplore(PresetController& presetController)
 {
-    explore_ = new ExploreDock(workbench_, shelf, parameters_->panel());
+    explore_ = new ExploreDock(workbench_, presetController, parameters_->panel());
     auto* room = new QScrollArea;  // A small window need not grow for it.
     room->setWidget(explore_);
     room->setWidgetResizable(true);

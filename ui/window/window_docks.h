@@ -34,7 +34,7 @@ public:
     /// Adds the docks to the window. The window and the workbench must outlive this object.
     WindowDocks(QMainWindow&, Workbench&);
 
-    /// Adds the dock of the exploration; the shelf must outlive it.
+    /// Adds the dock of the exploration; the controller must outlive it.
     void addExplore(PresetController&);
 
     [[nodiscard]] const QList<QDockWidget*>& all() const { return docks_; }

@@ -161,7 +161,7 @@ private slots:
             return count;
         };
         window_->choose(1);
-        for (const char* name : {"A", "B", "C", "D", "E", "F"}) window_->shelf().saveUnder(name);
+        for (const char* name : {"A", "B", "C", "D", "E", "F"}) window_->presetController().saveUnder(name);
         QCOMPARE(read(), 0);
         QLineEdit* words = nullptr;
         for (QLineEdit* line : window_->findChildren<QLineEdit*>())

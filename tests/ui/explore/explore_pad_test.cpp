@@ -37,9 +37,9 @@ class ExplorePadTest : public test::OpenWindow {
     {
         window_->choose(1);
         setRoughness(1);
-        window_->shelf().saveUnder("Rough");
+        window_->presetController().saveUnder("Rough");
         setRoughness(0.2);
-        window_->shelf().saveUnder("Slick");
+        window_->presetController().saveUnder("Slick");
         setRoughness(0.6);
         action("Explore")->trigger();
         QTRY_VERIFY(pad().isVisible());

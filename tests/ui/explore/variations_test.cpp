@@ -160,7 +160,7 @@ private slots:
         QVERIFY(!nine().stale());
         QTRY_VERIFY(says("Variation 5 is shown."));
         QCOMPARE(grid().item(1, 1)->data(Qt::AccessibleTextRole).toString(), QString("Variation 5, seed 5, shown"));
-        window_->shelf().saveUnder("Found");
+        window_->presetController().saveUnder("Found");
         QCOMPARE(rowsNamed("Found").size(), 1);
         stack().undo();
         QVERIFY(values() == before.values[1]);

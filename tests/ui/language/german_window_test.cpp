@@ -37,7 +37,7 @@ private:
         const Parameters& rows = window_->history().sceneState().values[1].table();
         window_->history().set(1, *rows.find("roughness"), 0.43, 0);
         const double chosen = roughness();
-        window_->shelf().saveUnder(QStringLiteral("Rough one"));
+        window_->presetController().saveUnder(QStringLiteral("Rough one"));
         QByteArray bytes;
         for (const auto& entry : std::filesystem::recursive_directory_iterator(userPresetFolder()))
             if (QFile saved(QString::fromStdString(entry.path().string()));
@@ -113,12 +113,12 @@ private slots:
                  qPrintable(spoken.join(' ')));
         // A copy is the visitor's own and keeps the displayed text.
         presets()->setCurrentItem(mug);
-        window_->shelf().duplicate();
+        window_->presetController().duplicate();
         const QList<QListWidgetItem*> copies =
             presets()->findItems(QStringLiteral("Porzellanbecher"), Qt::MatchStartsWith);
         QCOMPARE(copies.size(), 2);
         // Names of the visitor's own presets stay as they were typed.
-        window_->shelf().saveUnder(QStringLiteral("Night"));
+        window_->presetController().saveUnder(QStringLiteral("Night"));
         QCOMPARE(rowsNamed("Night").size(), 1);
     }
 

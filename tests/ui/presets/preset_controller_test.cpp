@@ -20,7 +20,10 @@ using namespace vitrine::ui;
 class PresetControllerTest : public test::OpenWindow {
     Q_OBJECT
 
-    void load(const char* name) { window_->shelf().load(rowsNamed(name).front()->data(Qt::UserRole).toString()); }
+    void load(const char* name)
+    {
+        window_->presetController().load(rowsNamed(name).front()->data(Qt::UserRole).toString());
+    }
     [[nodiscard]] QString marked() { return presets()->currentItem() ? presets()->currentItem()->text() : QString(); }
     [[nodiscard]] QString lineOfMarked() { return presets()->currentItem()->data(TileDelegate::secondLine).toString(); }
     void showTab(int tab)
@@ -71,13 +74,13 @@ private slots:
     void noTwoPresetsHaveOneName()
     {
         window_->choose(1);
-        window_->shelf().saveUnder("Dull");
-        window_->shelf().saveUnder("Dull");
+        window_->presetController().saveUnder("Dull");
+        window_->presetController().saveUnder("Dull");
         QCOMPARE(rowsNamed("Dull").size(), 1);
         QCOMPARE(rowsNamed("Dull 2").size(), 1);
         QVERIFY(window_->findChild<MessageStrip*>()->texts().join(' ').contains("Dull 2"));
-        window_->shelf().duplicate();
-        window_->shelf().duplicate();
+        window_->presetController().duplicate();
+        window_->presetController().duplicate();
         QCOMPARE(rowsNamed("Dull 2 copy").size(), 1);
         presets()->item(presets()->row(rowsNamed("Dull 2").front()))->setText("dull");
         QTRY_COMPARE(rowsNamed("dull 2").size(), 1);
@@ -86,11 +89,11 @@ private slots:
     void undoTakesTheMarkBackToo()
     {
         window_->choose(1);
-        window_->shelf().saveUnder("Smooth");
+        window_->presetController().saveUnder("Smooth");
         dragRoughness(60);
         QCOMPARE(marked(), QString("Smooth"));
         QTRY_COMPARE(lineOfMarked(), QString("Changed since"));
-        window_->shelf().saveUnder("Dull");
+        window_->presetController().saveUnder("Dull");
         QCOMPARE(marked(), QString("Dull"));
         QCOMPARE(lineOfMarked(), QString("Yours"));
         load("Smooth");
@@ -115,14 +118,14 @@ private slots:
     void savingWritesToThePresetThatIsMarked()
     {
         window_->choose(1);
-        window_->shelf().saveUnder("Smooth");
+        window_->presetController().saveUnder("Smooth");
         dragRoughness(60);
-        window_->shelf().saveUnder("Dull");
+        window_->presetController().saveUnder("Dull");
         const double dull = roughness();
         load("Smooth");
         window_->history().stack().undo();  // Back to "Dull".
         dragRoughness(90);
-        window_->shelf().save();
+        window_->presetController().save();
         const double saved = roughness();
         QVERIFY(saved != dull);
         load("Smooth");
@@ -134,8 +137,8 @@ private slots:
     void theEditorOfANameCoversTheOldOne()
     {
         window_->choose(1);
-        window_->shelf().saveUnder("Dull");
-        window_->shelf().rename();
+        window_->presetController().saveUnder("Dull");
+        window_->presetController().rename();
         auto* editor = presets()->findChild<QLineEdit*>();
         QVERIFY(editor && editor->isVisible());
         QVERIFY(editor->autoFillBackground());
@@ -155,7 +158,7 @@ private slots:
         const int shipped = presets()->count();
         for (int i = 0; i < 8; ++i) {
             dragRoughness(10 + 10 * i);
-            window_->shelf().saveUnder(i == 6 ? QString("Velvet rope") : QStringLiteral("Stone %1").arg(i));
+            window_->presetController().saveUnder(i == 6 ? QString("Velvet rope") : QStringLiteral("Stone %1").arg(i));
         }
         QTRY_COMPARE(presets()->count(), shipped + 8);
         QTRY_VERIFY(words->isVisible());
@@ -184,12 +187,12 @@ private slots:
     void anImportedPresetGetsAPicture()
     {
         window_->choose(1);
-        window_->shelf().saveUnder("Dull");
+        window_->presetController().saveUnder("Dull");
         const QString exported = home_->filePath("friend.json");
         QVERIFY(QFile::copy(home_->filePath("vitrine/presets/sdf_morph/dull.json"), exported));
         window_->visit(1);
         QTRY_COMPARE(window_->viewport().mode(), CameraControl::Mode::orbit);
-        window_->shelf().importFile();
+        window_->presetController().importFile();
         auto* dialog = window_->findChild<QFileDialog*>();
         QVERIFY(dialog);
         emit dialog->fileSelected(exported);

@@ -91,7 +91,7 @@ class MemoryTest : public QObject {
         ids.removeAll(QString());
         QVERIFY(ids.size() > 3);
         for (int i = 0; i < count; ++i) {
-            window_->shelf().load(ids[i % ids.size()]);
+            window_->presetController().load(ids[i % ids.size()]);
             draw();
         }
     }
@@ -122,11 +122,11 @@ class MemoryTest : public QObject {
 
     void exportPicture()
     {
-        ExportRequest wish;
-        wish.path = home_->filePath("picture.png").toStdString();
-        wish.size = {64, 36};
-        wish.samples = 1;
-        auto* work = new PictureExport(*window_, wish, window_.get());
+        ExportRequest exportRequest;
+        exportRequest.path = home_->filePath("picture.png").toStdString();
+        exportRequest.size = {64, 36};
+        exportRequest.samples = 1;
+        auto* work = new PictureExport(*window_, exportRequest, window_.get());
         QSignalSpy finished(work, &PictureExport::finished), failed(work, &PictureExport::failed);
         work->start();
         QTRY_VERIFY(finished.count() + failed.count() == 1);

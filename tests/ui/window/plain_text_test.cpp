@@ -110,7 +110,7 @@ private slots:
         auto* strip = window_->findChild<MessageStrip*>();
         QTRY_VERIFY(strip->texts().join(' ').contains(QLatin1String("<img")));
         window_->choose(1);
-        window_->shelf().saveUnder(QStringLiteral("<img src=red.png>"));
+        window_->presetController().saveUnder(QStringLiteral("<img src=red.png>"));
         QTRY_VERIFY(!rowsNamed("<img src=red.png>").isEmpty());
         QVERIFY2(richLabels().isEmpty(), qPrintable(richLabels().join(' ')));
     }

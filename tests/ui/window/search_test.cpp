@@ -78,7 +78,7 @@ private slots:
     {
         window_->choose(1);
         window_->history().set(1, gallery_->table().roughness.row, 0.75, newGesture());
-        window_->shelf().saveUnder("Dull slate");
+        window_->presetController().saveUnder("Dull slate");
         window_->history().set(1, gallery_->table().roughness.row, 0.5, newGesture());
         window_->choose(0);
         search("dull slate");

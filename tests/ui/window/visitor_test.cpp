@@ -418,7 +418,7 @@ private slots:
         QVERIFY(!window_->windowIcon().isNull());
         window_->choose(1);
         QCOMPARE(window_->windowTitle(), QString::fromUtf8("Torus to mug — Vitrine"));
-        window_->shelf().saveUnder("Dull");
+        window_->presetController().saveUnder("Dull");
         QCOMPARE(window_->windowTitle(), QString::fromUtf8("Torus to mug: Dull — Vitrine"));
         dragRoughness(60);
         QTRY_COMPARE(window_->windowTitle(), QString::fromUtf8("Torus to mug: Dull * — Vitrine"));

@@ -115,7 +115,7 @@ private slots:
         file.close();
         window_->files().open(path);
         QTRY_COMPARE(strip->texts().size(), 1);
-        window_->shelf().saveUnder("Mended");
+        window_->presetController().saveUnder("Mended");
         QVERIFY(QFile::remove(path));
         QVERIFY(QFile::copy(rowsNamed("Mended").front()->data(Qt::UserRole).toString(), path));
         window_->files().open(path);
