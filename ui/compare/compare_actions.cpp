@@ -5,7 +5,7 @@
 #include "ui/compare/compare_overlay.h"
 #include "ui/kit/language.h"
 #include "ui/kit/menu_text.h"
-#include "ui/model/other_settings.h"
+#include "ui/model/settings_b.h"
 #include "ui/model/workbench.h"
 
 #include <QAction>

@@ -9,7 +9,7 @@
 #include "ui/kit/language.h"
 #include "ui/kit/menu_text.h"
 #include "ui/kit/type_size.h"
-#include "ui/model/other_settings.h"
+#include "ui/model/settings_b.h"
 #include "ui/parameters/value_slider.h"
 
 #include <QAction>

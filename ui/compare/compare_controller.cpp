@@ -6,11 +6,11 @@
 #include "ui/compare/compare_actions.h"
 #include "ui/compare/compare_bar.h"
 #include "ui/compare/compare_overlay.h"
-#include "ui/compare/other_picture.h"
+#include "ui/compare/picture_b.h"
 #include "ui/kit/file_patterns.h"
 #include "ui/kit/language.h"
 #include "ui/kit/text.h"
-#include "ui/model/other_settings.h"
+#include "ui/model/settings_b.h"
 #include "ui/model/workbench.h"
 #include "ui/presets/preset_controller.h"
 #include "ui/viewport/viewport.h"
@@ -32,20 +32,20 @@ QString drawingOfB()
 
 CompareController::CompareController(Workbench& workbench, PresetController& presetController, QWidget* parent)
     : QObject(parent), workbench_(workbench), presetController_(presetController), window_(parent),
-      other_(new OtherSettings(workbench.history(), this)),
-      picture_(new OtherPicture(workbench.viewport(), workbench.renderers(), *other_, this)),
+      other_(new SettingsB(workbench.history(), this)),
+      picture_(new PictureB(workbench.viewport(), workbench.renderers(), *other_, this)),
       overlay_(new CompareOverlay(workbench.viewport(), *other_, *picture_)), actions_(new CompareActions(*this)),
       bar_(new CompareBar(*this, parent))
 {
-    connect(other_, &OtherSettings::changed, this, &CompareController::refresh);
+    connect(other_, &SettingsB::changed, this, &CompareController::refresh);
     connect(overlay_, &CompareOverlay::needsChanged, this, &CompareController::refresh);
     connect(&workbench.history(), &History::changesSettled, bar_, &CompareBar::refresh);
-    connect(picture_, &OtherPicture::drawn, this, [this] {
+    connect(picture_, &PictureB::drawn, this, [this] {
         workbench_.setProblems(drawingOfB(), {});
         tellReport();
     });
-    connect(picture_, &OtherPicture::gone, this, &CompareController::tellReport);
-    connect(picture_, &OtherPicture::failed, this,
+    connect(picture_, &PictureB::gone, this, &CompareController::tellReport);
+    connect(picture_, &PictureB::failed, this,
             [this](const QString& why) { workbench_.setProblems(drawingOfB(), {tr("B: %1").arg(why)}); });
     fileWatch_.setInterval(lookAtFilesEvery);
     connect(&fileWatch_, &QTimer::timeout, this, &CompareController::lookAtFiles);

@@ -21,8 +21,8 @@ class CompareActions;
 class CompareBar;
 class CompareOverlay;
 class History;
-class OtherPicture;
-class OtherSettings;
+class PictureB;
+class SettingsB;
 class PresetController;
 class Workbench;
 
@@ -42,8 +42,8 @@ public:
     CompareController(Workbench&, PresetController&, QWidget* parent);
     ~CompareController() override;
 
-    [[nodiscard]] OtherSettings& other() const { return *other_; }
-    [[nodiscard]] OtherPicture& picture() const { return *picture_; }
+    [[nodiscard]] SettingsB& other() const { return *other_; }
+    [[nodiscard]] PictureB& picture() const { return *picture_; }
     [[nodiscard]] CompareOverlay& overlay() const { return *overlay_; }
     [[nodiscard]] CompareActions& actions() const { return *actions_; }
     /// Bar for the window's layout; hidden while nothing is compared.
@@ -84,8 +84,8 @@ private:
     Workbench& workbench_;
     PresetController& presetController_;
     QWidget* window_;
-    OtherSettings* other_;
-    OtherPicture* picture_;
+    SettingsB* other_;
+    PictureB* picture_;
     CompareOverlay* overlay_;
     CompareActions* actions_;
     CompareBar* bar_;

@@ -1,10 +1,10 @@
 #include "ui/compare/compare_overlay.h"
 
 #include "ui/compare/difference_image.h"
-#include "ui/compare/other_picture.h"
+#include "ui/compare/picture_b.h"
 #include "ui/kit/progress_job.h"
 #include "ui/kit/theme.h"
-#include "ui/model/other_settings.h"
+#include "ui/model/settings_b.h"
 #include "ui/viewport/picture_place.h"
 #include "ui/viewport/viewport.h"
 
@@ -27,7 +27,7 @@ const QColor veil(0x20, 0x1e, 0x1c);  ///< Background around the pictures, as in
 
 }  // namespace
 
-CompareOverlay::CompareOverlay(Viewport& viewport, const OtherSettings& other, OtherPicture& picture)
+CompareOverlay::CompareOverlay(Viewport& viewport, const SettingsB& other, PictureB& picture)
     : QWidget(&viewport), viewport_(viewport), other_(other), picture_(picture), job_(new ProgressJob(this))
 {
     setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -38,13 +38,13 @@ CompareOverlay::CompareOverlay(Viewport& viewport, const OtherSettings& other, O
     viewport.installEventFilter(this);
     connect(&viewport, &Viewport::drawn, this, &CompareOverlay::renew);
     connect(&viewport, &Viewport::looked, this, &CompareOverlay::renew);
-    connect(&picture, &OtherPicture::drawn, this, &CompareOverlay::renew);
-    connect(&picture, &OtherPicture::gone, this, [this] {
+    connect(&picture, &PictureB::drawn, this, &CompareOverlay::renew);
+    connect(&picture, &PictureB::gone, this, [this] {
         difference_ = {};
         differenceKey_ = {};
         renew();
     });
-    connect(&other, &OtherSettings::changed, this, [this] {
+    connect(&other, &SettingsB::changed, this, [this] {
         if (!other_.held()) held_ = false;  // The key may still be down, but its release will not be seen.
         renew();
     });

@@ -12,8 +12,8 @@ class QMouseEvent;
 
 namespace vitrine::ui {
 
-class OtherPicture;
-class OtherSettings;
+class PictureB;
+class SettingsB;
 class ProgressJob;
 class Viewport;
 
@@ -24,7 +24,7 @@ class CompareOverlay final : public QWidget, public AccessibleContent {
 
 public:
     /// All must outlive the overlay.
-    CompareOverlay(Viewport&, const OtherSettings&, OtherPicture&);
+    CompareOverlay(Viewport&, const SettingsB&, PictureB&);
 
     void setMode(CompareMode);
     [[nodiscard]] CompareMode mode() const { return mode_; }
@@ -75,8 +75,8 @@ private:
     void hold(bool down);
 
     Viewport& viewport_;
-    const OtherSettings& other_;
-    OtherPicture& picture_;
+    const SettingsB& other_;
+    PictureB& picture_;
     ProgressJob* job_;
     CompareMode mode_ = CompareMode::off;
     int gain_ = 8;

@@ -1,19 +1,19 @@
 #include "ui/compare/morph_control.h"
 
 #include "exhibits/framework/table/morph.h"
-#include "ui/model/other_settings.h"
+#include "ui/model/settings_b.h"
 #include "ui/parameters/value_slider.h"
 
 namespace vitrine::ui {
 
-MorphControl::MorphControl(History& history, const OtherSettings& other, ValueSlider& slider, QObject* parent)
+MorphControl::MorphControl(History& history, const SettingsB& other, ValueSlider& slider, QObject* parent)
     : QObject(parent), history_(history), other_(other), slider_(slider)
 {
     slider.showValue(0);
     connect(&slider, &ValueSlider::edited, this, &MorphControl::morph);
     connect(&history, &History::changed, this, &MorphControl::beginAnew);
     connect(&history, &History::replaced, this, &MorphControl::beginAnew);
-    connect(&other, &OtherSettings::changed, this, &MorphControl::beginAnew);
+    connect(&other, &SettingsB::changed, this, &MorphControl::beginAnew);
 }
 
 void MorphControl::beginAnew()

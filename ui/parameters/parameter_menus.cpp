@@ -3,7 +3,7 @@
 #include "exhibits/framework/time/animation.h"
 #include "ui/kit/language.h"
 #include "ui/kit/menu_text.h"
-#include "ui/model/other_settings.h"
+#include "ui/model/settings_b.h"
 #include "ui/parameters/group_edits.h"
 #include "ui/parameters/motion_dialog.h"
 #include "ui/parameters/panel_choices.h"

@@ -15,7 +15,7 @@ class QMenu;
 namespace vitrine::ui {
 
 class GroupEdits;
-class OtherSettings;
+class SettingsB;
 class PanelChoices;
 class ParameterPanel;
 class ParameterRow;
@@ -30,7 +30,7 @@ public:
     ParameterMenus(History&, ParameterPanel&, PanelChoices&);
 
     /// Sets the settings B that values can be copied from and to; null: none.
-    void setOther(OtherSettings* other) { other_ = other; }
+    void setOther(SettingsB* other) { other_ = other; }
     /// Sets the time of the last picture, for animated parameters.
     void setMoment(const MotionMoment& moment) { moment_ = moment; }
     [[nodiscard]] const MotionMoment& moment() const { return moment_; }
@@ -83,7 +83,7 @@ private:
     History& history_;
     ParameterPanel& panel_;
     PanelChoices& choices_;
-    OtherSettings* other_ = nullptr;
+    SettingsB* other_ = nullptr;
     MotionMoment moment_;
     bool gauges_ = false;
     std::map<std::size_t, GroupEdits*> edits_;  ///< By exhibit; each is made when it is first shown.

@@ -76,7 +76,7 @@ private slots:
             if (dock->objectName() == "frame-report") dock->show();
         compare();
         QVERIFY2(isB(0.6), "a control: there is a former B");
-        const QSignalSpy failed(&controller().picture(), &OtherPicture::failed);
+        const QSignalSpy failed(&controller().picture(), &PictureB::failed);
         gallery_->otherThrown = std::make_exception_ptr(Failure(ErrorKind::check, "out of paint"));
         action("Hold the current settings as B")->trigger();
         QVERIFY(!controller().picture().upToDate());

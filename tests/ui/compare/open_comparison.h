@@ -4,8 +4,8 @@
 
 #include "ui/compare/compare_controller.h"
 #include "ui/compare/compare_overlay.h"
-#include "ui/compare/other_picture.h"
-#include "ui/model/other_settings.h"
+#include "ui/compare/picture_b.h"
+#include "ui/model/settings_b.h"
 
 namespace vitrine::test {
 

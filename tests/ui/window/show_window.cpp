@@ -10,7 +10,7 @@
 #include "exhibits/framework/scene/tree.h"
 #include "ui/charts/charts_dock.h"
 #include "ui/compare/compare_controller.h"
-#include "ui/compare/other_picture.h"
+#include "ui/compare/picture_b.h"
 #include "ui/explore/explore_dock.h"
 #include "ui/explore/morph_pad.h"
 #include "ui/explore/variations.h"

@@ -13,12 +13,12 @@ namespace vitrine::ui {
 /// Settings B: a second complete set of values beside the window's own, which are A. Views of B listen to `changed`.
 /// Copying values between A and B is one undo step; choosing the settings that are held as B is none. The camera of B
 /// is not used.
-class OtherSettings final : public QObject {
+class SettingsB final : public QObject {
     Q_OBJECT
 
 public:
     /// The history must outlive this object.
-    explicit OtherSettings(History&, QObject* parent = nullptr);
+    explicit SettingsB(History&, QObject* parent = nullptr);
 
     [[nodiscard]] bool held() const { return sceneState_.has_value(); }
     /// Returns the settings B. Call only while `held()`.

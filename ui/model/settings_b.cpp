@@ -1,21 +1,21 @@
-#include "ui/model/other_settings.h"
+#include "ui/model/settings_b.h"
 
 #include "exhibits/compare/differing_rows.h"
 
 namespace vitrine::ui {
 
-OtherSettings::OtherSettings(History& history, QObject* parent) : QObject(parent), history_(history)
+SettingsB::SettingsB(History& history, QObject* parent) : QObject(parent), history_(history)
 {
-    connect(&history, &History::changed, this, &OtherSettings::catchUp);
-    connect(&history, &History::replaced, this, &OtherSettings::catchUp);
+    connect(&history, &History::changed, this, &SettingsB::catchUp);
+    connect(&history, &History::replaced, this, &SettingsB::catchUp);
 }
 
-QString OtherSettings::name() const
+QString SettingsB::name() const
 {
     return edited_ ? name_ + QStringLiteral(" *") : name_;
 }
 
-void OtherSettings::show(const Held& held)
+void SettingsB::show(const Held& held)
 {
     sceneState_ = held.sceneState;
     name_ = held.name;
@@ -24,7 +24,7 @@ void OtherSettings::show(const Held& held)
     emit changed();
 }
 
-void OtherSettings::catchUp()
+void SettingsB::catchUp()
 {
     if (!following_) return;
     SceneState now = following_(history_.sceneState());
@@ -33,61 +33,61 @@ void OtherSettings::catchUp()
     emit changed();
 }
 
-void OtherSettings::hold(const SceneState& sceneState, const QString& name)
+void SettingsB::hold(const SceneState& sceneState, const QString& name)
 {
     show({sceneState, name, false});
 }
 
-void OtherSettings::follow(Following following, const QString& name)
+void SettingsB::follow(Following following, const QString& name)
 {
     SceneState now = following(history_.sceneState());
     show({std::move(now), name, false, std::move(following)});
 }
 
-void OtherSettings::readAgain(const SceneState& sceneState)
+void SettingsB::readAgain(const SceneState& sceneState)
 {
     show({sceneState, name_, edited_, following_});
 }
 
-void OtherSettings::letGo()
+void SettingsB::letGo()
 {
     if (held()) show({});
 }
 
-void OtherSettings::record(const QString& text, const SceneState& a, const Held& b)
+void SettingsB::record(const QString& text, const SceneState& a, const Held& b)
 {
     const Held before{sceneState_, name_, edited_, following_};
     history_.record(
         text, a, [this, b] { show(b); }, [this, before] { show(before); });
 }
 
-void OtherSettings::swap()
+void SettingsB::swap()
 {
     SceneState a = history_.sceneState(), b = sceneState();
     std::swap(a.values, b.values);
     record(tr("Swap A and B"), a, {b, tr("The former A"), false});
 }
 
-void OtherSettings::takeAll()
+void SettingsB::takeAll()
 {
     SceneState a = history_.sceneState();
     a.values = sceneState().values;
     history_.change(tr("Copy all from B"), a);
 }
 
-void OtherSettings::giveAll()
+void SettingsB::giveAll()
 {
     record(tr("Copy all to B"), history_.sceneState(), {history_.sceneState(), tr("Snapshot of A"), false});
 }
 
-void OtherSettings::take(std::size_t exhibit, const std::string& row)
+void SettingsB::take(std::size_t exhibit, const std::string& row)
 {
     SceneState a = history_.sceneState();
     if (copyRow(sceneState(), a, exhibit, row))
         history_.change(tr("Copy %1 from B").arg(QString::fromStdString(row)), a, newGesture());
 }
 
-void OtherSettings::give(std::size_t exhibit, const std::string& row)
+void SettingsB::give(std::size_t exhibit, const std::string& row)
 {
     SceneState b = sceneState();
     if (copyRow(history_.sceneState(), b, exhibit, row) && !(b == sceneState()))
@@ -96,4 +96,4 @@ void OtherSettings::give(std::size_t exhibit, const std::string& row)
 
 }  // namespace vitrine::ui
 
-#include "moc_other_settings.cpp"
+#include "moc_settings_b.cpp"

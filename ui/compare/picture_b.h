@@ -11,17 +11,17 @@
 
 namespace vitrine::ui {
 
-class OtherSettings;
+class SettingsB;
 class Viewport;
 
 /// Picture of B with the camera, time and resolution of the viewport's last whole picture, refined while that one is
 /// static. Drawn only while it is wanted.
-class OtherPicture final : public QObject {
+class PictureB final : public QObject {
     Q_OBJECT
 
 public:
     /// All must outlive this object.
-    OtherPicture(Viewport&, Renderers&, const OtherSettings&, QObject* parent);
+    PictureB(Viewport&, Renderers&, const SettingsB&, QObject* parent);
 
     /// While on, a picture of B exists or is being drawn. Off: nothing is drawn, and the renderer of B is released.
     void setWanted(bool wanted);
@@ -74,7 +74,7 @@ private:
 
     Viewport& viewport_;
     Renderers& renderers_;
-    const OtherSettings& other_;
+    const SettingsB& other_;
     bool wanted_ = false;
     bool finished_ = false;
     std::optional<Sight> ordered_;  // View of the picture that is drawn or ordered.

@@ -1,6 +1,6 @@
-#include "ui/compare/other_picture.h"
+#include "ui/compare/picture_b.h"
 
-#include "ui/model/other_settings.h"
+#include "ui/model/settings_b.h"
 #include "ui/viewport/viewport.h"
 
 #include <algorithm>
@@ -8,31 +8,31 @@
 
 namespace vitrine::ui {
 
-OtherPicture::OtherPicture(Viewport& viewport, Renderers& renderers, const OtherSettings& other, QObject* parent)
+PictureB::PictureB(Viewport& viewport, Renderers& renderers, const SettingsB& other, QObject* parent)
     : QObject(parent), viewport_(viewport), renderers_(renderers), other_(other)
 {
-    connect(&viewport, &Viewport::drawn, this, &OtherPicture::follow);
-    connect(&viewport, &Viewport::filesChanged, this, &OtherPicture::order);
-    connect(&other, &OtherSettings::changed, this, [this] {
+    connect(&viewport, &Viewport::drawn, this, &PictureB::follow);
+    connect(&viewport, &Viewport::filesChanged, this, &PictureB::order);
+    connect(&other, &SettingsB::changed, this, [this] {
         failure_.clear();
         pictured_.reset();
         order();
     });
 }
 
-bool OtherPicture::present() const
+bool PictureB::present() const
 {
     return pictured_ && pictured_->serves(sight());
 }
 
-bool OtherPicture::Sight::serves(const Sight& wanted) const
+bool PictureB::Sight::serves(const Sight& wanted) const
 {
     return camera == wanted.camera && time == wanted.time && sincePressed == wanted.sincePressed &&
            screen == wanted.screen && runEverything == wanted.runEverything &&
            (rests || (!wanted.rests && scale >= wanted.scale));
 }
 
-OtherPicture::Sight OtherPicture::sight() const
+PictureB::Sight PictureB::sight() const
 {
     const FrameRequest& request = viewport_.shownRequest();
     const DrawOrder& order = viewport_.shownOrder();
@@ -45,7 +45,7 @@ OtherPicture::Sight OtherPicture::sight() const
             order.scale == 1 && order.samples == viewport_.schedule().samples()};
 }
 
-void OtherPicture::follow(const render::FrameReport& report)
+void PictureB::follow(const render::FrameReport& report)
 {
     if (report.unfinished) {
         // A and B share the program families, of which one program is built at a time: A's first.
@@ -57,7 +57,7 @@ void OtherPicture::follow(const render::FrameReport& report)
     }
 }
 
-void OtherPicture::setWanted(bool wanted)
+void PictureB::setWanted(bool wanted)
 {
     if (wanted == wanted_) return;
     wanted_ = wanted;
@@ -76,7 +76,7 @@ void OtherPicture::setWanted(bool wanted)
     forget();
 }
 
-void OtherPicture::forget()
+void PictureB::forget()
 {
     image_ = {};
     report_ = {};
@@ -85,14 +85,14 @@ void OtherPicture::forget()
     emit gone();
 }
 
-void OtherPicture::fail(const QString& why)
+void PictureB::fail(const QString& why)
 {
     const bool said = std::exchange(failure_, why) == why;
     forget();
     if (!said) emit failed(why);
 }
 
-void OtherPicture::order()
+void PictureB::order()
 {
     if (!wanted_ || !other_.held() || viewport_.shown().isNull()) return;
     const Sight wanted = sight();
@@ -135,4 +135,4 @@ void OtherPicture::order()
 
 }  // namespace vitrine::ui
 
-#include "moc_other_picture.cpp"
+#include "moc_picture_b.cpp"
