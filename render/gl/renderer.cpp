@@ -72,7 +72,7 @@ struct Renderer::State {
     std::map<std::string, std::set<std::string>> writersOfKept;  ///< Image -> passes with a key that wrote it.
     bool timeSteps = false;
     std::thread::id thread = std::this_thread::get_id();
-    std::function<bool()> unwanted;
+    std::function<bool()> isCanceled;
     Screen screen;  ///< Target of `screenPixels`.
 
     explicit State(std::shared_ptr<Shared> common)
@@ -269,11 +269,11 @@ struct Renderer::State {
 
     [[nodiscard]] bool abandoned() const
     {
-        if (!unwanted) return false;
+        if (!isCanceled) return false;
         // A software renderer draws only when it is waited for. Without the wait, all work would still be pending at
         // the last check.
         if (info.software) glFinish();
-        return unwanted();
+        return isCanceled();
     }
 
     void remember(const Pass& pass, const FramePlan& plan, const std::set<std::string>& lost)
@@ -436,9 +436,9 @@ int Renderer::largestSide() const
     return std::min(state_->info.maxTextureSize, 16384);
 }
 
-void Renderer::abandonWhen(std::function<bool()> unwanted)
+void Renderer::abandonWhen(std::function<bool()> isCanceled)
 {
-    state_->unwanted = std::move(unwanted);
+    state_->isCanceled = std::move(isCanceled);
 }
 
 ScreenPixels Renderer::screenPixels(const std::string& image, glm::ivec2 screen, glm::ivec2 offset, glm::ivec2 part)

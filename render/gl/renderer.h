@@ -43,7 +43,7 @@ public:
     FrameReport draw(const FramePlan&) override;
     /// Sets a function that is polled between passes. When it returns true, `draw` throws `Abandoned`; the remaining
     /// passes count as not drawn. Empty: every frame is finished.
-    void abandonWhen(std::function<bool()> unwanted);
+    void abandonWhen(std::function<bool()> isCanceled);
     [[nodiscard]] Image read(const std::string& image) override;
     /// Returns the content of a buffer of the last frame. Throws std::out_of_range for a name that was not used.
     [[nodiscard]] Bytes readBuffer(const std::string& name);

@@ -114,10 +114,10 @@ void PictureB::order()
     request.rests = false;  // A may be idle while B has just changed.
     ordered_ = wanted;
     finished_ = false;
-    auto step = [this, wanted, work, &renderers = renderers_](const RenderThread::Tell& tell) {
+    auto step = [this, wanted, work, &renderers = renderers_](const RenderThread::Notify& notify) {
         OtherDrawn made = renderers.drawOther(work->sceneState, work->request, work->screen);
         const bool more = ++work->request.sample < work->request.samples;
-        tell([this, wanted, made = std::move(made), more] {
+        notify([this, wanted, made = std::move(made), more] {
             image_ = made.image;
             report_ = made.report;
             pictured_ = wanted;

@@ -95,14 +95,15 @@ void PictureExport::start()
     };
     auto work = std::make_shared<Work>();
     auto step = [this, work, &renderers = window_.renderers(), stage = stage_, sceneState = sceneState_,
-                 request = request_, exportRequest = exportRequest_, preset = preset_](const RenderThread::Tell& tell) {
+                 request = request_, exportRequest = exportRequest_,
+                 preset = preset_](const RenderThread::Notify& notify) {
         if (!work->job.maker) work->job = renderers.makePicture(sceneState, request);
         if (!work->job.maker) throw Failure(ErrorKind::openGl, "No picture can be made: there is no graphics context.");
         PictureMaker& maker = *work->job.maker;
         maker.step();
         if (!work->told.isValid() || work->told.elapsed() >= RenderThread::tellEvery) {
             work->told.start();
-            tell([this, part = maker.progress()] { note(part); });
+            notify([this, part = maker.progress()] { note(part); });
         }
         if (!maker.finished()) return true;
         Stage drawing = Stage::drawing;

@@ -122,12 +122,12 @@ void LessonBar::refresh()
     setWords(*answer_, controller_.answerText());
     answerButton_->setVisible(controller_.answerAction().isEnabled());
     answerButton_->setText(controller_.answerAction().isChecked() ? tr("Answer ▾") : tr("Answer ▸"));
-    tell();
+    announceStep();
 }
 
 /// Announces the page to screen readers once, and again with an answer that was opened: the number on it may change all
 /// the time.
-void LessonBar::tell()
+void LessonBar::announceStep()
 {
     QStringList page;
     for (const QLabel* each : {count_, title_, text_, task_, question_, answer_})

@@ -35,7 +35,7 @@ protected:
 private:
     QToolButton* button(QAction&, const QString& words);
     void addText(QLabel&, const QString& name);
-    void tell();
+    void announceStep();
 
     LessonController& controller_;
     QLabel* title_;

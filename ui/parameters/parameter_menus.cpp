@@ -181,7 +181,7 @@ void ParameterMenus::paste(std::size_t row)
     const std::optional<Value> value =
         typedValue(values().rows()[row], QApplication::clipboard()->text().trimmed(), &problem);
     if (value) edits().hold(row, *value, newGesture(), tr("Paste %1").arg(rowLabel(values().rows()[row]).toLower()));
-    if (!problem.isEmpty()) tell(row, problem);
+    if (!problem.isEmpty()) showProblem(row, problem);
 }
 
 void ParameterMenus::pasteAll(std::size_t row)
@@ -189,14 +189,14 @@ void ParameterMenus::pasteAll(std::size_t row)
     QString problem;
     const std::optional<ParameterValues> pasted =
         allFromJson(values().table(), panel_.name(), QApplication::clipboard()->text(), &problem);
-    if (!problem.isEmpty()) tell(row, problem);
+    if (!problem.isEmpty()) showProblem(row, problem);
     if (!pasted) return;
     SceneState next = history_.sceneState();
     next.values[panel_.exhibit()] = *pasted;
     history_.change(tr("Paste all values"), next, newGesture());
 }
 
-void ParameterMenus::tell(std::size_t row, const QString& words)
+void ParameterMenus::showProblem(std::size_t row, const QString& words)
 {
     QToolTip::showText(rowOf(row).mapToGlobal(QPoint(16, rowOf(row).height())), words, &rowOf(row));
 }

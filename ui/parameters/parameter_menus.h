@@ -78,7 +78,7 @@ private:
     void copyAll() const;
     void pasteAll(std::size_t row);
     /// Shows a message about pasted text below the parameter.
-    void tell(std::size_t row, const QString& words);
+    void showProblem(std::size_t row, const QString& words);
 
     History& history_;
     ParameterPanel& panel_;

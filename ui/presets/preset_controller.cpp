@@ -57,7 +57,7 @@ void PresetController::trySafely(const std::function<void()>& work, const QStrin
     }
 }
 
-void PresetController::tell(const QString& origin, const std::vector<std::string>& notes)
+void PresetController::showNotes(const QString& origin, const std::vector<std::string>& notes)
 {
     if (notes.empty()) return;
     QStringList lines{tr("%1 was loaded, with changes:").arg(origin)};
@@ -147,7 +147,7 @@ void PresetController::load(const QString& id)
     trySafely([&] {
         StoredPreset loaded = store_.load(pathOf(id), exhibitName(), table());
         const QString name = presetName(loaded.preset.name, loaded.shipped);
-        tell(name, loaded.preset.notes);
+        showNotes(name, loaded.preset.notes);
         show(loaded.preset, window_.shown(), tr("Load %1").arg(name));
         use(std::move(loaded));
     });
@@ -427,7 +427,7 @@ ReadSettings PresetController::read(const std::string& text, const QString& orig
 void PresetController::loadText(const std::string& text, const QString& origin)
 {
     const ReadSettings loaded = read(text, origin);
-    tell(origin, loaded.notes);
+    showNotes(origin, loaded.notes);
     window_.choose(loaded.exhibit);
     window_.history().change(tr("Load %1").arg(loaded.name), loaded.sceneState, 0,
                              loaded.movesCamera ? History::Camera::moves : History::Camera::stays);
@@ -445,7 +445,7 @@ std::optional<ReadSettings> PresetController::settingsIn(const QString& path)
                                                ": this picture carries no preset; choose a preset file, "
                                                "or a picture that Vitrine made.");
         ReadSettings found = read(*text, path);
-        tell(path, found.notes);
+        showNotes(path, found.notes);
         result = std::move(found);
     });
     return result;

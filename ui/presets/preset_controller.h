@@ -82,7 +82,7 @@ private:
     [[nodiscard]] ReadSettings read(const std::string& text, const QString& origin) const;
     void loadText(const std::string& text, const QString& origin);
     void show(const Preset&, std::size_t exhibit, const QString& step);
-    void tell(const QString& origin, const std::vector<std::string>& notes);
+    void showNotes(const QString& origin, const std::vector<std::string>& notes);
     void keepThumbnail(const std::filesystem::path& preset);
     void trySafely(const std::function<void()>& work, const QString& cause = QStringLiteral("presets"));
     void renameTo(const QString& id, const QString& name);

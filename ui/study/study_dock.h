@@ -75,7 +75,7 @@ private:
     void find(StudyFind);
     void start(StudyRequest);
     /// Intermediate result of the running study.
-    struct News {
+    struct Progress {
         StudyResult result;
         double progress = 0;
         std::string doing;
@@ -83,8 +83,8 @@ private:
     };
     /// Performs one step of the study on the render thread, and passes on intermediate results.
     struct Work;
-    static bool step(Work&, const RenderThread::Tell&, const std::function<void(std::shared_ptr<News>)>& take);
-    void take(News);
+    static bool step(Work&, const RenderThread::Notify&, const std::function<void(std::shared_ptr<Progress>)>& take);
+    void take(Progress);
     void end(const QString& failure);
     void showIdle();
     void keepMeasured();

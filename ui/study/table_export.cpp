@@ -59,7 +59,7 @@ TableExport::TableExport(Workbench& window, const MeasuresTable& source, QString
     auto work = std::make_shared<Work>();
     task_ = window.viewport().renderThread().start(
         [this, work, &source, values = window.history().sceneState().values[window.chosen()],
-         &renderers = window.renderers()](const RenderThread::Tell& tell) {
+         &renderers = window.renderers()](const RenderThread::Notify& notify) {
             if (!work->table) {
                 work->table = source.measureTable(values);
                 work->backend = renderers.makeBackend(true);
@@ -67,10 +67,10 @@ TableExport::TableExport(Workbench& window, const MeasuresTable& source, QString
                     throw Failure(ErrorKind::openGl, "Nothing can be measured: there is no graphics context.");
             }
             const bool more = work->table->step(*work->backend);
-            tell([this, part = work->table->progress()] { note(part); });
+            notify([this, part = work->table->progress()] { note(part); });
             if (more) return true;
             work->backend.reset();
-            tell([this, csv = QByteArray::fromStdString(work->table->csv())] { csv_ = csv; });
+            notify([this, csv = QByteArray::fromStdString(work->table->csv())] { csv_ = csv; });
             return false;
         },
         [this](const QString& failure) { end(failure); });

@@ -16,10 +16,10 @@ public:
 
     void open() override;
     void close() override;
-    render::FrameReport draw(const SceneState&, const FrameRequest&, const Unwanted&) override;
+    render::FrameReport draw(const SceneState&, const FrameRequest&, const IsCanceled&) override;
     [[nodiscard]] QImage screenImage(const QSize& screen) override;
     [[nodiscard]] QImage drawRegion(const SceneState&, const FrameRequest&, const PictureRegion&, int samples,
-                                    const Unwanted&) override;
+                                    const IsCanceled&) override;
     [[nodiscard]] OtherDrawn drawOther(const SceneState&, const FrameRequest&, const QSize& screen) override;
     void forgetOther() override { other_.reset(); }
     [[nodiscard]] QImage drawSmall(const SceneState&, const FrameRequest&, const QSize& screen) override;

@@ -135,7 +135,7 @@ void PixelInspector::ask()
     const FrameRequest frame = viewport_.presentRequest();
     const glm::dvec2 ndc = ndcAt(pointer_, viewport_);
     auto step = [this, job = job_, ndc, at = pointer_, frame, sceneState = history_.sceneState(),
-                 request = requestOf(frame, viewport_.view().direction(ndc))](const RenderThread::Tell& tell) {
+                 request = requestOf(frame, viewport_.view().direction(ndc))](const RenderThread::Notify& notify) {
         if (!job->maker)
             *job = renderers_.makePicture(sceneState, request);
         else
@@ -150,7 +150,7 @@ void PixelInspector::ask()
         } else {
             pixel.object = std::string(museum_.subject(*frame.alone).title());
         }
-        tell([this, at, pixel] { show(at, pixel); });
+        notify([this, at, pixel] { show(at, pixel); });
         return false;
     };
     task_ = viewport_.renderThread().start(std::move(step), [](const QString& failure) {

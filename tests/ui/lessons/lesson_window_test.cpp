@@ -175,7 +175,7 @@ private slots:
         // All later pictures wait, so that those of the step before are the last.
         const auto go = std::make_shared<std::atomic<bool>>(false);
         const auto goOn = qScopeGuard([go] { *go = true; });
-        gallery_->beforeDrawing = [go](const FrameRequest&, const Renderers::Unwanted&) {
+        gallery_->beforeDrawing = [go](const FrameRequest&, const Renderers::IsCanceled&) {
             while (!*go) std::this_thread::sleep_for(std::chrono::milliseconds(1));
         };
         controller().next();

@@ -70,7 +70,7 @@ private slots:
         frame.raster.size = {16, 9};
         frame.alone = 1;
         frame.transparent = true;
-        const Renderers::Unwanted never = [] { return false; };
+        const Renderers::IsCanceled never = [] { return false; };
         QVERIFY(!renderers.draw(sceneState, frame, never).unfinished);  // The first program is waited for.
         bool unfinished = false;
         for (int number = 2; number < 8 && !unfinished; ++number) {
@@ -109,7 +109,7 @@ private slots:
         frame.raster.size = {16, 9};
         frame.alone = 1;
         frame.cut = frame.finished = true;
-        const Renderers::Unwanted never = [] { return false; };
+        const Renderers::IsCanceled never = [] { return false; };
         static_cast<void>(renderers.draw(b, frame, never));
         const QImage expected = renderers.screenImage(screen);
         static_cast<void>(renderers.draw(a, frame, never));

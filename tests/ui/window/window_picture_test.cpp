@@ -161,7 +161,7 @@ private slots:
         closeWindow();
         gallery_ = std::make_unique<test::PaintedGallery>();
         std::atomic<bool> held = true;
-        gallery_->beforeDrawing = [&](const FrameRequest&, const Renderers::Unwanted&) {
+        gallery_->beforeDrawing = [&](const FrameRequest&, const Renderers::IsCanceled&) {
             while (held) std::this_thread::sleep_for(std::chrono::milliseconds(5));
         };
         window_ = std::make_unique<MainWindow>(gallery_->museum(), *gallery_);
@@ -188,7 +188,7 @@ private slots:
         std::promise<void> begun, enough;
         std::shared_future<void> released = enough.get_future().share();
         std::atomic<int> pictures = 0;
-        gallery_->beforeDrawing = [&](const FrameRequest&, const Renderers::Unwanted&) {
+        gallery_->beforeDrawing = [&](const FrameRequest&, const Renderers::IsCanceled&) {
             if (++pictures != 1) return;
             begun.set_value();
             released.wait();
@@ -223,10 +223,10 @@ private slots:
         settle();
         std::atomic<int> abandoned = 0;
         std::atomic<bool> reached = false;
-        gallery_->beforeDrawing = [&](const FrameRequest& request, const Renderers::Unwanted& unwanted) {
+        gallery_->beforeDrawing = [&](const FrameRequest& request, const Renderers::IsCanceled& isCanceled) {
             if (request.sample != 3 || abandoned > 0) return;
             reached = true;
-            while (!unwanted()) std::this_thread::yield();
+            while (!isCanceled()) std::this_thread::yield();
             ++abandoned;
             throw render::gl::Abandoned();
         };
