@@ -100,7 +100,7 @@ void CompareActions::addSources()
     preset_ = add(tr("Selected p&reset as B"), {}, tr("Sets B to the preset selected in the list."));
     file_ = add(tr("&Open as B…"), {}, tr("Sets B to a preset, an exhibition, or the settings inside a picture."));
     step_ = add(tr("&Undo step as B…"), {}, tr("Sets B to the parameters before or after an edit."));
-    connect(hold_, &QAction::triggered, this, [this] { controller_.holdPresent(); });
+    connect(hold_, &QAction::triggered, this, [this] { controller_.setToCurrent(); });
     connect(preset_, &QAction::triggered, this, [this] { controller_.holdSelectedPreset(); });
     connect(file_, &QAction::triggered, this, [this] { controller_.chooseFile(); });
     connect(step_, &QAction::triggered, this, [this] {
@@ -189,7 +189,7 @@ void CompareActions::fillSources()
 
 void CompareActions::refresh()
 {
-    const bool held = controller_.other().held();
+    const bool held = controller_.other().isSet();
     for (QAction* action : {otherAlone_, swap_, takeAll_, giveAll_, letGo_}) action->setEnabled(held);
     for (const CompareMode mode : compareModes) this->mode(mode).setChecked(controller_.overlay().mode() == mode);
     otherAlone_->setChecked(held && controller_.overlay().otherAlone());

@@ -136,7 +136,7 @@ QString CompareBar::differenceText() const
 
 void CompareBar::refresh()
 {
-    const bool held = controller_.other().held();
+    const bool held = controller_.other().isSet();
     setVisible(held && !banned_);
     if (!held) return;
     times_->setText(tr("× %1").arg(controller_.overlay().gain()));

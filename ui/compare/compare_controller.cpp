@@ -56,17 +56,17 @@ CompareController::~CompareController() = default;
 
 void CompareController::refresh()
 {
-    if (!other_->held() && overlay_->mode() != CompareMode::off) {
+    if (!other_->isSet() && overlay_->mode() != CompareMode::off) {
         overlay_->setMode(CompareMode::off);  // Calls this function again.
         return;
     }
-    if (!other_->held() || !namesFiles(workbench_.museum().subjects(), other_->sceneState())) {
+    if (!other_->isSet() || !namesFiles(workbench_.museum().subjects(), other_->sceneState())) {
         fileWatch_.stop();
     } else if (!fileWatch_.isActive()) {
         filesRead_ = stateOfFiles(workbench_.museum().subjects(), other_->sceneState());
         fileWatch_.start();
     }
-    picture_->setWanted(other_->held() && (overlay_->mode() != CompareMode::off || overlay_->otherAlone()));
+    picture_->setWanted(other_->isSet() && (overlay_->mode() != CompareMode::off || overlay_->otherAlone()));
     actions_->refresh();
     bar_->refresh();
     tellReport();
@@ -74,7 +74,7 @@ void CompareController::refresh()
 
 void CompareController::tellReport()
 {
-    if (!other_->held())
+    if (!other_->isSet())
         emit reportChanged(nullptr, {});
     else if (!picture_->wanted())
         emit reportChanged(nullptr, tr("B: not drawn, because no view shows it"));
@@ -88,12 +88,12 @@ void CompareController::tellReport()
 
 void CompareController::setMode(CompareMode mode)
 {
-    if (mode != CompareMode::off && !other_->held()) holdPresent();
+    if (mode != CompareMode::off && !other_->isSet()) setToCurrent();
     overlay_->setMode(mode);
     refresh();  // Needed even if nothing changed, because an action may have been unchecked.
 }
 
-void CompareController::hold(const SceneState& sceneState, const QString& name)
+void CompareController::set(const SceneState& sceneState, const QString& name)
 {
     // Files that the state names may add parameters. They are read on the render thread.
     workbench_.viewport().renderThread().post(
@@ -107,7 +107,7 @@ void CompareController::hold(const SceneState& sceneState, const QString& name)
                 if (name.isNull())
                     other_->readAgain(read.sceneState);
                 else
-                    other_->hold(read.sceneState, name);
+                    other_->set(read.sceneState, name);
                 if (overlay_->mode() == CompareMode::off && !overlay_->otherAlone()) setMode(CompareMode::wipe);
             };
         });
@@ -118,14 +118,14 @@ void CompareController::lookAtFiles()
     const std::uint64_t now = stateOfFiles(workbench_.museum().subjects(), other_->sceneState());
     if (now == filesRead_) return;
     filesRead_ = now;
-    hold(other_->sceneState(), {});
+    set(other_->sceneState(), {});
 }
 
-void CompareController::holdPresent()
+void CompareController::setToCurrent()
 {
     ++holds_;
     // The parameter tables of A have been read already.
-    other_->hold(workbench_.history().sceneState(), tr("Snapshot of A"));
+    other_->set(workbench_.history().sceneState(), tr("Snapshot of A"));
     if (overlay_->mode() == CompareMode::off) setMode(CompareMode::wipe);
 }
 
@@ -140,12 +140,12 @@ void CompareController::holdSelectedPreset()
 void CompareController::holdFile(const QString& path)
 {
     if (const std::optional<ReadSettings> found = presetController_.settingsIn(path))
-        hold(found->sceneState, found->name);
+        set(found->sceneState, found->name);
 }
 
 void CompareController::holdStep(int step, const QString& name)
 {
-    hold(workbench_.history().valuesAt(step), name);
+    set(workbench_.history().valuesAt(step), name);
 }
 
 void CompareController::compareWith(std::size_t subject, const OfferedComparison& offered)
@@ -195,7 +195,7 @@ History& CompareController::history() const
 std::vector<RowDifference> CompareController::differences() const
 {
     std::vector<RowDifference> all;
-    if (!other_->held()) return all;
+    if (!other_->isSet()) return all;
     for (const DifferingRow& row : differingRows(workbench_.history().sceneState(), other_->sceneState())) {
         const auto value = [&](const std::optional<Value>& v) {
             return v ? QString::fromStdString(valueWithUnit(row.info, *v)) : tr("no such parameter");

@@ -52,7 +52,7 @@ public:
 
     /// Sets the mode. If there is no B, the present settings become B.
     void setMode(CompareMode);
-    void holdPresent();
+    void setToCurrent();
     void holdSelectedPreset();
     /// Sets B to the preset, exhibition or picture in this file.
     void holdFile(const QString& path);
@@ -75,7 +75,7 @@ signals:
 
 private:
     /// Sets B once its files are read. Without a name, B is the same with files read again.
-    void hold(const SceneState&, const QString& name);
+    void set(const SceneState&, const QString& name);
     /// Reads B's files again if they have changed.
     void lookAtFiles();
     void refresh();

@@ -45,7 +45,7 @@ CompareOverlay::CompareOverlay(Viewport& viewport, const SettingsB& other, Pictu
         renew();
     });
     connect(&other, &SettingsB::changed, this, [this] {
-        if (!other_.held()) held_ = false;  // The key may still be down, but its release will not be seen.
+        if (!other_.isSet()) held_ = false;  // The key may still be down, but its release will not be seen.
         renew();
     });
     lower();
@@ -115,7 +115,7 @@ QString CompareOverlay::accessibleText() const
 
 void CompareOverlay::renew()
 {
-    const bool shown = other_.held() && (mode_ != CompareMode::off || otherAlone()) && !picture_.image().isNull();
+    const bool shown = other_.isSet() && (mode_ != CompareMode::off || otherAlone()) && !picture_.image().isNull();
     setVisible(shown);
     viewport_.setCovered(shown && (otherAlone() || mode_ == CompareMode::sideBySide || isDifference(mode_)));
     if (!shown) return;
@@ -283,7 +283,7 @@ bool CompareOverlay::holdKey(QEvent* event)
         if (!key.isAutoRepeat()) hold(false);
         return was;
     }
-    if (!other_.held() || (!plain && !held_)) return false;
+    if (!other_.isSet() || (!plain && !held_)) return false;
     if (event->type() == QEvent::ShortcutOverride)
         event->accept();
     else if (!key.isAutoRepeat())

@@ -25,7 +25,7 @@ void MorphControl::beginAnew()
 
 void MorphControl::morph(double t, Gesture gesture)
 {
-    if (!other_.held()) return;
+    if (!other_.isSet()) return;
     if (!start_) start_ = history_.sceneState();
     SceneState next = history_.sceneState();
     for (std::size_t s = 0; s < next.values.size(); ++s)

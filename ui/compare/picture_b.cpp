@@ -94,7 +94,7 @@ void PictureB::fail(const QString& why)
 
 void PictureB::order()
 {
-    if (!wanted_ || !other_.held() || viewport_.shown().isNull()) return;
+    if (!wanted_ || !other_.isSet() || viewport_.shown().isNull()) return;
     const Sight wanted = sight();
     struct Work {
         SceneState sceneState;

@@ -15,7 +15,7 @@ QString SettingsB::name() const
     return edited_ ? name_ + QStringLiteral(" *") : name_;
 }
 
-void SettingsB::show(const Held& held)
+void SettingsB::show(const State& held)
 {
     sceneState_ = held.sceneState;
     name_ = held.name;
@@ -33,7 +33,7 @@ void SettingsB::catchUp()
     emit changed();
 }
 
-void SettingsB::hold(const SceneState& sceneState, const QString& name)
+void SettingsB::set(const SceneState& sceneState, const QString& name)
 {
     show({sceneState, name, false});
 }
@@ -51,12 +51,12 @@ void SettingsB::readAgain(const SceneState& sceneState)
 
 void SettingsB::letGo()
 {
-    if (held()) show({});
+    if (isSet()) show({});
 }
 
-void SettingsB::record(const QString& text, const SceneState& a, const Held& b)
+void SettingsB::record(const QString& text, const SceneState& a, const State& b)
 {
-    const Held before{sceneState_, name_, edited_, following_};
+    const State before{sceneState_, name_, edited_, following_};
     history_.record(
         text, a, [this, b] { show(b); }, [this, before] { show(before); });
 }

@@ -111,12 +111,12 @@ Motion usualMotion(const ParameterInfo& row, const Value& now)
 }
 
 /// Values of the dialog's table; setting one changes the animation.
-class MotionDialog::Numbers final : public ValueHolder {
+class MotionDialog::Numbers final : public ValueOwner {
 public:
     explicit Numbers(MotionDialog& dialog) : dialog_(dialog) {}
 
-    [[nodiscard]] const ParameterValues& heldValues() const override { return values_; }
-    void hold(std::size_t row, const Value& value, Gesture, const QString&) override
+    [[nodiscard]] const ParameterValues& currentValues() const override { return values_; }
+    void setValue(std::size_t row, const Value& value, Gesture, const QString&) override
     {
         const Motion* motion = dialog_.present();
         if (!motion) return;
@@ -131,15 +131,15 @@ private:
 };
 
 /// Values of the exhibit in which the animated parameter has its value at one end.
-class MotionDialog::End final : public ValueHolder {
+class MotionDialog::End final : public ValueOwner {
 public:
     End(MotionDialog& dialog, Value Motion::*end, const ParameterValues& values, std::size_t row)
         : dialog_(dialog), end_(end), values_(values), row_(row)
     {
     }
 
-    [[nodiscard]] const ParameterValues& heldValues() const override { return values_; }
-    void hold(std::size_t, const Value& value, Gesture, const QString&) override
+    [[nodiscard]] const ParameterValues& currentValues() const override { return values_; }
+    void setValue(std::size_t, const Value& value, Gesture, const QString&) override
     {
         const Motion* motion = dialog_.present();
         if (!motion) return;
@@ -254,7 +254,7 @@ void MotionDialog::refresh()
     to_->take(*motion);
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         rows_[i]->setVisible(isUsed(motion->kind, i));
-        rows_[i]->showValue(numbers_->heldValues().row(i));
+        rows_[i]->showValue(numbers_->currentValues().row(i));
     }
 }
 

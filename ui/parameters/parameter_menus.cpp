@@ -157,7 +157,7 @@ void ParameterMenus::lock(const std::vector<std::size_t>& rows, bool locked)
 
 void ParameterMenus::addOtherTo(QMenu& menu, std::size_t row)
 {
-    if (!other_ || !other_->held()) return;
+    if (!other_ || !other_->isSet()) return;
     const ParameterInfo& info = values().rows()[row];
     const ParameterValues& others = other_->sceneState().values[panel_.exhibit()];
     const std::optional<std::size_t> twin = others.table().find(info.name);
@@ -180,7 +180,8 @@ void ParameterMenus::paste(std::size_t row)
     QString problem;
     const std::optional<Value> value =
         typedValue(values().rows()[row], QApplication::clipboard()->text().trimmed(), &problem);
-    if (value) edits().hold(row, *value, newGesture(), tr("Paste %1").arg(rowLabel(values().rows()[row]).toLower()));
+    if (value)
+        edits().setValue(row, *value, newGesture(), tr("Paste %1").arg(rowLabel(values().rows()[row]).toLower()));
     if (!problem.isEmpty()) showProblem(row, problem);
 }
 

@@ -40,7 +40,7 @@ ParameterRow* TreeRowsView::row(std::string_view name) const
     return found ? rows_[*found] : nullptr;
 }
 
-void TreeRowsView::hold(std::size_t row, const Value& value, Gesture gesture, const QString& text)
+void TreeRowsView::setValue(std::size_t row, const Value& value, Gesture gesture, const QString& text)
 {
     const ParameterInfo& info = values_->rows()[row];
     const std::optional<Value> legal = nearestLegal(info, value);

@@ -39,7 +39,7 @@ private slots:
     {
         window_->say(MessageStrip::Mood::notice, "Something happened.");
         window_->say(MessageStrip::Mood::problem, "Something went wrong.");
-        window_->comparison().holdPresent();
+        window_->comparison().setToCurrent();
         QStringList complaints = test::complaintsOf(*window_);
         int docks = 0;
         forEveryDock([&](QDockWidget& dock) {
@@ -221,7 +221,7 @@ private slots:
 
     void theLineOfTheWipeIsANumber()
     {
-        window_->comparison().holdPresent();
+        window_->comparison().setToCurrent();
         CompareOverlay& overlay = window_->comparison().overlay();
         QTRY_VERIFY(overlay.isVisible());
         QAccessibleValueInterface* line = of(&overlay)->valueInterface();

@@ -243,7 +243,7 @@ private slots:
         QVERIFY(preset);
         QCOMPARE(preset->text(), QString("Dull && Dusty"));  // A single ampersand would mark a shortcut key.
         preset->trigger();
-        QTRY_VERIFY(controller().other().held());
+        QTRY_VERIFY(controller().other().isSet());
         QCOMPARE(otherRoughness(), 0.3);
         QCOMPARE(controller().other().name(), QString("Dull & Dusty"));
         QCOMPARE(roughness(), 0.7);

@@ -75,7 +75,7 @@ void showTrees(ui::MainWindow& window, const Museum& museum, const QString& fold
 void showComparison(ui::MainWindow& window, const QString& folder, const QString& ending)
 {
     window.visit(1);
-    window.comparison().holdPresent();
+    window.comparison().setToCurrent();
     const auto row = window.history().sceneState().values[1].table().find("morph");
     window.history().set(1, *row, 0.1, ui::newGesture());
     for (auto* dock : window.findChildren<QDockWidget*>())

@@ -130,7 +130,7 @@ private slots:
         setType(percent);
         window_->say(MessageStrip::Mood::problem,
                      "A file that was named and cannot be read is left out until it can be read again.");
-        window_->comparison().holdPresent();
+        window_->comparison().setToCurrent();
         action("Signed difference")->trigger();
         settle();
         fits(*window_, "strips");
