@@ -3,7 +3,7 @@
 #include "exhibits/framework/scene/capabilities.h"
 #include "exhibits/framework/scene/exhibit.h"
 #include "render/hash.h"
-#include "render/plan/elsewhere.h"
+#include "render/plan/secondary_view.h"
 #include "render/scene/cube_views.h"
 #include "shaders/lib/bindings.glsl"
 
@@ -27,8 +27,8 @@ void planLampFace(const Lamps& lamps, const render::LocalLight& light, int map, 
     layer.view = view;
     layer.depth = render::Attachment::clearedSlice(localShadowImage, 6 * map + face);
     layer.key = render::Hash().addValue(lamps.castersKey).addValue(view.clipFromWorld).value();
-    const auto images = render::addElsewhere(plan, lamps.seenFrom(view),
-                                             {.name = name, .reason = lampReason, .view = view, .depthOnly = true});
+    const auto images = render::addSecondaryView(plan, lamps.seenFrom(view),
+                                                 {.name = name, .reason = lampReason, .view = view, .depthOnly = true});
     if (const auto depth = images.find(depthImage); depth != images.end()) {
         layer.shader = {.vertex = "lib/fullscreen.vert", .fragment = "hall/restore.frag"};
         layer.state.depthWrite = true;

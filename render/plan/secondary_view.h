@@ -9,7 +9,7 @@
 namespace vitrine::render {
 
 /// Secondary view: the scene drawn again from another viewpoint, for example for the shadow map of a lamp.
-struct Elsewhere {
+struct SecondaryView {
     std::string name;                      ///< Prefix of the names of its passes and images: "lamp".
     std::string reason;                    ///< Reason of its passes, for people: Pass::reason.
     View view;                             ///< `raster.size` is the size of its images; it has no tile.
@@ -26,6 +26,7 @@ struct Elsewhere {
 /// maps, probes, passes with a `key` and passes that write only buffers. The copies read the frame's own images of
 /// these passes, and of all others that `seen` reads without drawing them.
 /// Returns the new name of every image that is drawn: {"radiance", "lamp.radiance"}, ...
-std::map<std::string, std::string> addElsewhere(FramePlan& plan, const FramePlan& seen, const Elsewhere& elsewhere);
+std::map<std::string, std::string> addSecondaryView(FramePlan& plan, const FramePlan& seen,
+                                                    const SecondaryView& elsewhere);
 
 }  // namespace vitrine::render

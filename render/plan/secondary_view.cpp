@@ -1,4 +1,4 @@
-#include "render/plan/elsewhere.h"
+#include "render/plan/secondary_view.h"
 
 #include <algorithm>
 #include <bit>
@@ -19,7 +19,7 @@ bool dependsOnView(const Pass& pass)
 /// Images of a secondary view: maps the names of the original images to those of the copies.
 class Renamed {
 public:
-    Renamed(const FramePlan& seen, const Elsewhere& elsewhere) : seen_(seen), elsewhere_(elsewhere) {}
+    Renamed(const FramePlan& seen, const SecondaryView& elsewhere) : seen_(seen), elsewhere_(elsewhere) {}
 
     void add(const std::string& image) { names_.emplace(image, elsewhere_.name + '.' + image); }
     void rename(std::string& image) const
@@ -60,11 +60,11 @@ public:
 
 private:
     const FramePlan& seen_;
-    const Elsewhere& elsewhere_;
+    const SecondaryView& elsewhere_;
     std::map<std::string, std::string> names_;
 };
 
-View viewOf(const Pass& pass, const FramePlan& seen, const Elsewhere& elsewhere)
+View viewOf(const Pass& pass, const FramePlan& seen, const SecondaryView& elsewhere)
 {
     if (pass.view) return *pass.view;
     for (const std::string& image : outputsOf(pass))
@@ -105,7 +105,8 @@ std::vector<Pass> depthOf(std::vector<Pass> passes)
 
 }  // namespace
 
-std::map<std::string, std::string> addElsewhere(FramePlan& plan, const FramePlan& seen, const Elsewhere& elsewhere)
+std::map<std::string, std::string> addSecondaryView(FramePlan& plan, const FramePlan& seen,
+                                                    const SecondaryView& elsewhere)
 {
     std::vector<Pass> passes;
     for (const Pass& pass : seen.passes()) {

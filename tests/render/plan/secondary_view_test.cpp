@@ -1,6 +1,6 @@
 // Secondary views, as in mirrors and portals: the passes and images of a plan that they copy.
 
-#include "render/plan/elsewhere.h"
+#include "render/plan/secondary_view.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -55,12 +55,12 @@ FramePlan scene()
     return plan;
 }
 
-TEST(Elsewhere, CopiesWhatDependsOnTheViewIntoImagesOfItsOwn)
+TEST(SecondaryView, CopiesWhatDependsOnTheViewIntoImagesOfItsOwn)
 {
     FramePlan plan = scene();
-    Elsewhere mirror{.name = "lake", .reason = "the lake mirrors it", .view = visitor};
+    SecondaryView mirror{.name = "lake", .reason = "the lake mirrors it", .view = visitor};
     mirror.view.raster = {.size = {33, 20}};
-    const std::map<std::string, std::string> names = addElsewhere(plan, scene(), mirror);
+    const std::map<std::string, std::string> names = addSecondaryView(plan, scene(), mirror);
     EXPECT_EQ(names, (std::map<std::string, std::string>{{"blocks", "lake.blocks"},
                                                          {"cones", "lake.cones"},
                                                          {"depth", "lake.depth"},
@@ -90,20 +90,20 @@ TEST(Elsewhere, CopiesWhatDependsOnTheViewIntoImagesOfItsOwn)
     EXPECT_EQ(plan.find("lake/blocks")->view->raster.size, glm::ivec2(9, 5));
 }
 
-TEST(Elsewhere, TakesAndChangesWhatItIsToldTo)
+TEST(SecondaryView, TakesAndChangesWhatItIsToldTo)
 {
     FramePlan plan = scene();
-    Elsewhere light{.name = "lamp", .reason = "its light falls on it", .view = visitor};
+    SecondaryView light{.name = "lamp", .reason = "its light falls on it", .view = visitor};
     light.take = [](Pass& pass) {
         pass.colors.clear();
         return pass.depth.has_value();
     };
-    EXPECT_EQ(addElsewhere(plan, scene(), light), (std::map<std::string, std::string>{{"depth", "lamp.depth"}}));
+    EXPECT_EQ(addSecondaryView(plan, scene(), light), (std::map<std::string, std::string>{{"depth", "lamp.depth"}}));
     EXPECT_EQ(std::get<std::string>(plan.find("lamp/surface")->inputs[1].source), "cones")
         << "what is not drawn there is the frame's";
 }
 
-TEST(Elsewhere, CanBeItsDepthAlone)
+TEST(SecondaryView, CanBeItsDepthAlone)
 {
     FramePlan seen = scene();
     Pass marched;
@@ -127,7 +127,7 @@ TEST(Elsewhere, CanBeItsDepthAlone)
     }
 
     FramePlan plan = scene();
-    EXPECT_EQ(addElsewhere(plan, seen, {.name = "lamp", .view = visitor, .depthOnly = true}),
+    EXPECT_EQ(addSecondaryView(plan, seen, {.name = "lamp", .view = visitor, .depthOnly = true}),
               (std::map<std::string, std::string>{
                   {"blocks", "lamp.blocks"}, {"cones", "lamp.cones"}, {"depth", "lamp.depth"}}));
     EXPECT_TRUE(plan.errors().empty());
@@ -155,7 +155,7 @@ TEST(Elsewhere, CanBeItsDepthAlone)
                               "lamp/marched > surface > reader");
 }
 
-TEST(Elsewhere, PreparesNothingThatADepthDoesNotAskFor)
+TEST(SecondaryView, PreparesNothingThatADepthDoesNotAskFor)
 {
     FramePlan seen;
     seen.image({.name = "depth", .format = Format::depth32f});
@@ -173,14 +173,14 @@ TEST(Elsewhere, PreparesNothingThatADepthDoesNotAskFor)
     wall.depthOnly = DepthOnly{{.vertex = "depth.vert"}};
     seen.add(std::move(wall));
     FramePlan plan;
-    EXPECT_EQ(addElsewhere(plan, seen, {.name = "lamp", .view = visitor, .depthOnly = true}),
+    EXPECT_EQ(addSecondaryView(plan, seen, {.name = "lamp", .view = visitor, .depthOnly = true}),
               (std::map<std::string, std::string>{{"depth", "lamp.depth"}}));
 }
 
-TEST(Elsewhere, IsLeftOutWhenNothingReadsIt)
+TEST(SecondaryView, IsLeftOutWhenNothingReadsIt)
 {
     FramePlan plan = scene();
-    (void)addElsewhere(plan, scene(), {.name = "lake", .view = visitor});
+    (void)addSecondaryView(plan, scene(), {.name = "lake", .view = visitor});
     plan.prune({"radiance"});
     EXPECT_EQ(plan.find("lake/surface"), nullptr);
     EXPECT_EQ(plan.findSkipped("lake/surface")->reason, "its output is not used");
