@@ -30,7 +30,7 @@ std::string planOccluders(const RaysScene& s, render::FramePlan& plan)
     const char* reason =
         s.tile ? "the picture is a tile and does not show the whole sky" : "the mask is made of the occluders";
     const std::map<std::string, std::string> images = render::addSecondaryView(
-        plan, s.context.seenFrom(s.wholeView),
+        plan, s.context.planOfView(s.wholeView),
         {.name = "crepuscular_rays/occluders", .reason = reason, .view = s.wholeView, .depthOnly = true});
     return images.at(depthImage);
 }

@@ -27,7 +27,7 @@ void planLampFace(const Lamps& lamps, const render::LocalLight& light, int map, 
     layer.view = view;
     layer.depth = render::Attachment::clearedSlice(localShadowImage, 6 * map + face);
     layer.key = render::Hash().addValue(lamps.castersKey).addValue(view.clipFromWorld).value();
-    const auto images = render::addSecondaryView(plan, lamps.seenFrom(view),
+    const auto images = render::addSecondaryView(plan, lamps.planOfView(view),
                                                  {.name = name, .reason = lampReason, .view = view, .depthOnly = true});
     if (const auto depth = images.find(depthImage); depth != images.end()) {
         layer.shader = {.vertex = "lib/fullscreen.vert", .fragment = "hall/restore.frag"};

@@ -20,7 +20,7 @@ struct Lamps {
     double radius = 0;             ///< ... and the radius around it in which surfaces may be visible, meters.
     std::uint64_t castersKey = 0;  ///< Hash of everything that casts a shadow.
     /// Returns the plan of all surfaces for another view of the frame, not pruned, in the images that exhibits share.
-    std::function<render::FramePlan(const render::View&)> seenFrom;
+    std::function<render::FramePlan(const render::View&)> planOfView;
 };
 
 /// Appends the lamps of an exhibit, in world space. With `steadyOnly`, skips lamps whose light changes by itself.

@@ -83,7 +83,7 @@ struct Museum::Frame {
     void clearPicture(render::FramePlan&) const;
     void addState(render::Hash&, const Present&) const;
     [[nodiscard]] std::uint64_t castersKey() const;
-    [[nodiscard]] render::FramePlan seenFrom(const render::View&) const;
+    [[nodiscard]] render::FramePlan planOfView(const render::View&) const;
 };
 
 std::string Museum::whyHidden(const render::Box& box, const render::View& view, bool alone) const
@@ -442,13 +442,13 @@ void Museum::Frame::planExhibits(const render::PersistentState& kept)
         const auto* over = capability<OverFrame>(present[i].exhibit);
         if (!over) continue;
         PlanContext context = contexts[i];
-        context.seenFrom = [this](const render::View& view) { return seenFrom(view); };
+        context.planOfView = [this](const render::View& view) { return planOfView(view); };
         over->planOverFrame(context, plan);
     }
 }
 
 /// Plans hall and exhibits for another view of the same frame, without shadow maps and exhibits over the frame.
-render::FramePlan Museum::Frame::seenFrom(const render::View& view) const
+render::FramePlan Museum::Frame::planOfView(const render::View& view) const
 {
     render::FramePlan other;
     other.view = view;
@@ -486,7 +486,7 @@ void Museum::Frame::lightLamps()
                                    .center = request.camera.target,
                                    .radius = 2 * glm::length(size),
                                    .castersKey = lamps.empty() ? 0 : castersKey(),
-                                   .seenFrom = [this](const render::View& view) { return seenFrom(view); }},
+                                   .planOfView = [this](const render::View& view) { return planOfView(view); }},
                                   plan);
     if (light.localLights) light.brightest += mostRadianceBy(*light.localLights);
 }

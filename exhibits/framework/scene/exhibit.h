@@ -53,7 +53,7 @@ struct PlanContext {
     const PreparedPart* prepared = nullptr;       ///< Result of `prepare`.
     /// Plans the hall and all exhibits for another view of the same frame: without shadows, without passes over the
     /// whole frame, and unpruned. Only for OverFrame::planOverFrame.
-    std::function<render::FramePlan(const render::View&)> seenFrom = {};
+    std::function<render::FramePlan(const render::View&)> planOfView = {};
 };
 
 /// A rendering technique in the museum: a parameter table and the passes that draw it. Optional features are the
