@@ -251,7 +251,7 @@ void Museum::Frame::begin()
     plan.sample = sample;
     plan.runEverything = request.runEverything;
     plan.cut = request.cut;
-    plan.allParts = request.finished;
+    plan.allSlices = request.finished;
     declareImages(plan);
     light = sceneLighting(scene, request.runEverything);
     light.light.sampleIndex = sample;

@@ -101,18 +101,18 @@ struct Renderer::State {
     {
         PassRanges ranges;
         ranges.frame = frameRange(pass, plan, planFrame);
-        if (pass.past.used) {
+        if (pass.temporal.used) {
             const std::vector<std::string> inputs = inputsOf(pass);
             // The plan may have been made for the state of another renderer, or for an earlier state of this one.
             const bool missing = std::any_of(lost.begin(), lost.end(), [&](const std::string& image) {
                 return std::any_of(inputs.begin(), inputs.end(), [&](const std::string& name) {
-                    return name == previous(image) || (name == image && plan.imagesInParts().contains(image) &&
-                                                       pass.parts == 1 && !madeByNow(plan, image));
+                    return name == previous(image) || (name == image && plan.slicedImages().contains(image) &&
+                                                       pass.sliceCount == 1 && !madeByNow(plan, image));
                 });
             });
-            for (int part = pass.past.firstPart; part < pass.past.endPart; ++part)
+            for (int part = pass.temporal.firstSlice; part < pass.temporal.endSlice; ++part)
                 ranges.temporal.push_back(
-                    arena.add(std140Bytes(temporalBlock(pass, part, pass.past.valid && !missing))));
+                    arena.add(std140Bytes(temporalBlock(pass, part, pass.temporal.valid && !missing))));
         }
         ranges.blocks = blockRanges(pass.blocks);
         for (const Draw& draw : pass.draws) ranges.objects.push_back(objectRange(draw.object));
@@ -159,7 +159,7 @@ struct Renderer::State {
     {
         return std::any_of(plan.passes().begin(), plan.passes().end(), [&](const Pass& pass) {
             const std::vector<std::string> written = outputsOf(pass);
-            return pass.parts > 1 && pass.past.endPart == pass.parts &&
+            return pass.sliceCount > 1 && pass.temporal.endSlice == pass.sliceCount &&
                    std::find(written.begin(), written.end(), image) != written.end();
         });
     }
@@ -204,20 +204,20 @@ struct Renderer::State {
         if (used.standIn.empty()) lastInputs.keep(pass);
         bindBuffers(pass.buffers);
         if (last) bindBuffers(last->buffers);
-        for (int part = pass.past.firstPart; part < pass.past.endPart; ++part) {
-            if (pass.past.used)
-                arena.bind(BLOCK_TEMPORAL, ranges.temporal[static_cast<std::size_t>(part - pass.past.firstPart)]);
+        for (int part = pass.temporal.firstSlice; part < pass.temporal.endSlice; ++part) {
+            if (pass.temporal.used)
+                arena.bind(BLOCK_TEMPORAL, ranges.temporal[static_cast<std::size_t>(part - pass.temporal.firstSlice)]);
             if (pass.work == Work::compute)
                 dispatch(pass, resources);
             else
-                raster(pass, last ? ranges.lastObjects : ranges.objects, part == pass.past.firstPart);
+                raster(pass, last ? ranges.lastObjects : ranges.objects, part == pass.temporal.firstSlice);
         }
         if (std::any_of(pass.buffers.begin(), pass.buffers.end(),
                         [](const BufferUse& use) { return use.access != Access::read; }))
             glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
         for (const std::string& name : pass.mipmaps) makeMipmaps(resources.target(name), programs);
         // A slice drawn by a fallback program is drawn again with the right one.
-        if (pass.parts == 1 || (pass.past.endPart == pass.parts && used.standIn.empty()))
+        if (pass.sliceCount == 1 || (pass.temporal.endSlice == pass.sliceCount && used.standIn.empty()))
             for (const std::string& name : outputsOf(pass)) resources.finished(name);
         return used;
     }
@@ -250,7 +250,7 @@ struct Renderer::State {
         for (const std::string& image : images) {
             for (const std::string& pass : writersOfKept[image]) {
                 kept.passes.erase(pass);
-                kept.parts.erase(pass);
+                kept.slices.erase(pass);
             }
             writersOfKept.erase(image);
             kept.histories.erase(image);
@@ -280,7 +280,7 @@ struct Renderer::State {
     {
         const std::vector<std::string> written = outputsOf(pass);
         // If the image with the first slices was lost, the later slices are useless.
-        if (pass.past.firstPart > 0 &&
+        if (pass.temporal.firstSlice > 0 &&
             std::any_of(written.begin(), written.end(), [&](const std::string& image) { return lost.contains(image); }))
             return;
         for (const std::string& image : written)
@@ -288,12 +288,12 @@ struct Renderer::State {
                 kept.histories[image] = recordOf(state->second.history, plan);
         if (!pass.key) return;
         for (const std::string& image : written) writersOfKept[image].insert(pass.name);
-        const bool complete = pass.past.endPart == pass.parts;
-        if (pass.parts > 1) {
-            PartProgress& progress = kept.parts[pass.name];
-            progress = {*pass.key, pass.past.endPart, progress.completedOnce || complete};
+        const bool complete = pass.temporal.endSlice == pass.sliceCount;
+        if (pass.sliceCount > 1) {
+            SliceProgress& progress = kept.slices[pass.name];
+            progress = {*pass.key, pass.temporal.endSlice, progress.completedOnce || complete};
         }
-        if (pass.past.provisional)
+        if (pass.temporal.provisional)
             kept.passes.erase(pass.name);
         else if (complete)
             kept.passes[pass.name] = *pass.key;
@@ -304,7 +304,7 @@ struct Renderer::State {
     void runPasses(const FramePlan& plan, const std::vector<PassRanges>& ranges, const std::set<std::string>& lost,
                    FrameClock& clock, std::vector<SamplesQuery>& samplesQueries, FrameReport& report)
     {
-        const auto building = plan.allParts ? ProgramCache::Building::isWaitedFor : ProgramCache::Building::goesOn;
+        const auto building = plan.allSlices ? ProgramCache::Building::isWaitedFor : ProgramCache::Building::goesOn;
         std::size_t next = 0;
         try {
             for (; next < plan.passes().size(); ++next) {

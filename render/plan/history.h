@@ -55,7 +55,7 @@ struct HistoryState {
                                         const HistoryRecord* last);
 
 /// Progress of a sliced pass, which takes several frames.
-struct PartProgress {
+struct SliceProgress {
     std::uint64_t hash = 0;
     int done = 0;
     bool completedOnce = false;  ///< Its outputs hold a complete result, of this hash or of the one before.
@@ -65,7 +65,7 @@ struct PartProgress {
 struct PersistentState {
     std::map<std::string, std::uint64_t> passes = {};  ///< Pass -> key under which it last wrote its persistent images.
     std::map<std::string, HistoryRecord> histories = {};  ///< By image name.
-    std::map<std::string, PartProgress> parts = {};       ///< By pass name.
+    std::map<std::string, SliceProgress> slices = {};     ///< By pass name.
 };
 
 }  // namespace vitrine::render

@@ -300,7 +300,7 @@ void SpriteShots::step(render::RenderBackend& backend)
     shot.partsId = render::Hash().addValue(d).addValue(i).value();
     render::FramePlan plan;
     plan.view.raster.size = request_.size;
-    plan.allParts = true;
+    plan.allSlices = true;
     const PixelBlock block = planPixelPicture(shot, plan);
     std::vector<std::string> outputs{pixelLitImage, pixelSurfaceImage, pixelDrawnDepthImage};
     if (hasTranslucent(shot.parts))

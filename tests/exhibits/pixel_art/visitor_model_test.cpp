@@ -179,7 +179,7 @@ protected:
         shot.parts = std::move(parts);
         render::FramePlan plan;
         plan.view.raster.size = shot.camera.size;
-        plan.allParts = true;
+        plan.allSlices = true;
         planPixelPicture(shot, plan);
         plan.prune({pixelLitImage});
         gallery().renderer.draw(plan);

@@ -290,7 +290,7 @@ TEST_F(ScenePicture, FoldedNumbersDrawTheSamePictureFromTheSameInputs)
         const auto image = [&](bool folded) {
             render::FramePlan plan = test::planned(test::gallery().museum, shot.sceneState, frame,
                                                    test::gallery().renderer.persistentState());
-            plan.allParts = true;
+            plan.allSlices = true;
             auto& shader = const_cast<render::Pass*>(plan.find("sdf_scenes/scene"))->shader;
             EXPECT_TRUE(shader.better) << name;
             if (folded) {

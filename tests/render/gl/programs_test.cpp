@@ -64,7 +64,7 @@ protected:
     float drawn(const ShaderKey& shader, bool finishedPicture = false)
     {
         FramePlan plan = planOf({2, 2});
-        plan.allParts = finishedPicture;
+        plan.allSlices = finishedPicture;
         Pass pass = fill("filled", "frame", "");
         pass.shader = shader;
         pass.blocks[BLOCK_EXHIBIT] = block_;
