@@ -170,7 +170,7 @@ Prepared Museum::prepare(const SceneState& sceneState, const FrameRequest& reque
                   {},
                   std::vector<PreparedExhibit>(subjects_.size()),
                   {}};
-    render::AssetStore assets = request.waitless ? assets_->waitless() : *assets_;
+    render::AssetStore assets = request.nonBlocking ? assets_->nonBlocking() : *assets_;
     const auto complainOf = [&](const PreparedPart* part) {
         if (request.needsFiles && part && !part->unreadable.empty())
             throw Failure(ErrorKind::file, part->unreadable.front().why);
@@ -194,7 +194,7 @@ Prepared Museum::prepare(const SceneState& sceneState, const FrameRequest& reque
         PreparedExhibit& part = made.exhibits[i];
         if (!part.seen && !part.shadowSeen) continue;
         part.part = exhibit.prepare({made.sceneState.values[i], made.time, made.sincePress(i), part.seen,
-                                     part.shadowSeen, request.rests, assets});
+                                     part.shadowSeen, request.idle, assets});
         complainOf(part.part.get());
     }
     made.pending = assets.pending();
@@ -250,7 +250,7 @@ void Museum::Frame::begin()
     plan.seed = request.seed;
     plan.sample = sample;
     plan.runEverything = request.runEverything;
-    plan.cut = request.cut;
+    plan.resetHistory = request.resetHistory;
     plan.allSlices = request.finished;
     declareImages(plan);
     light = sceneLighting(scene, request.runEverything);

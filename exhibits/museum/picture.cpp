@@ -102,7 +102,7 @@ FrameRequest PictureMaker::frameOf(const Tile& tile, int step) const
     frame.raster.offset = tile.drawnOffset;
     frame.raster.tile = tile.drawnSize;
     // A finished picture depends only on its request, not on frames or tiles drawn before.
-    frame.cut = !moves || step == 0;
+    frame.resetHistory = !moves || step == 0;
     frame.finished = true;
     return frame;
 }
@@ -125,7 +125,7 @@ void PictureMaker::drawHalos()
     frame.channels = {};
     frame.sample = frame.movingFrame = 0;
     frame.samples = 1;
-    frame.cut = frame.finished = true;
+    frame.resetHistory = frame.finished = true;
     const render::FramePlan plan = museum_.plan(museum_.prepare(sceneState_, frame), frame, backend_.persistentState());
     if (!plan.find(glareSpreadPass)) return;
     (void)backend_.draw(plan);

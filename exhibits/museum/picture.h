@@ -19,8 +19,8 @@ struct Moment {
 
 /// Request for a finished picture: any size, any number of samples, drawn by tiles if the size requires it.
 struct PictureRequest {
-    FrameRequest frame;  ///< `raster.tile`, `raster.jitter`, `sample`, `movingFrame`, `cut` and `finished` are set
-                         ///< here, not by the caller.
+    FrameRequest frame;  ///< `raster.tile`, `raster.jitter`, `sample`, `movingFrame`, `resetHistory` and `finished` are
+                         ///< set here, not by the caller.
     int samples = 1;     ///< Supersamples per pixel, averaged.
     /// Earlier frames of a picture in motion, the first one first; such a picture has one sample. Empty: the picture is
     /// static.

@@ -231,9 +231,9 @@ std::shared_ptr<const PreparedPart> SdfScenes::prepare(const PrepareContext& con
     part->numbers = numbersAt(context.values, context.time);
     part->words = scene.program->words(part->numbers);
     const bool runs = context.values[table_.animate] && scene.contents.moves;
-    const scenes::SceneRest rest = !context.rests ? scenes::SceneRest::nothing
-                                   : runs         ? scenes::SceneRest::steady
-                                                  : scenes::SceneRest::all;
+    const scenes::SceneRest rest = !context.idle ? scenes::SceneRest::nothing
+                                   : runs        ? scenes::SceneRest::steady
+                                                 : scenes::SceneRest::all;
     part->asked = scenes::sceneEvaluator(scene, part->words, context.values[table_.evaluation], rest, context.assets);
     if (context.values[table_.split])
         part->askedRight =

@@ -452,7 +452,7 @@ render::FrameReport Study::drawTimed(const SceneState& sceneState, std::size_t v
     for (const std::string& pass : dependentPasses_) kept.passes.erase(pass);
     FrameRequest frame = pictureRequest(sceneState, view).frame;
     frame.channels = {};
-    frame.cut = frame.finished = true;  // The same as for the pictures whose time this is.
+    frame.resetHistory = frame.finished = true;  // The same as for the pictures whose time this is.
     const Prepared prepared = museum_.prepare(sceneState, frame);
     if (studiesMotion()) {
         // The timed frame uses the history of a previous frame.
@@ -460,7 +460,7 @@ render::FrameReport Study::drawTimed(const SceneState& sceneState, std::size_t v
         (void)backend_.draw(museum_.plan(prepared, frame, kept));
         kept = backend_.persistentState();
         frame.movingFrame = 2;
-        frame.cut = false;
+        frame.resetHistory = false;
     }
     return backend_.draw(museum_.plan(prepared, frame, kept));
 }

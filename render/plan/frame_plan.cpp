@@ -281,7 +281,7 @@ void FramePlan::readTemporalState(const PersistentState& kept)
     std::map<std::string, const HistoryState*> byPrevious;
     for (auto& [name, state] : histories_) {
         const auto last = kept.histories.find(name);
-        state = historyState(state.history, state.history.view.value_or(view), time, cut,
+        state = historyState(state.history, state.history.view.value_or(view), time, resetHistory,
                              last == kept.histories.end() ? nullptr : &last->second);
         byPrevious[previous(name)] = &state;
     }

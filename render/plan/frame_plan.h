@@ -194,7 +194,7 @@ public:
     std::uint32_t seed = 1;
     int sample = 0;              ///< Index of the supersample being drawn.
     bool runEverything = false;  ///< Diagnostic switch: no pass is pruned or skipped as unchanged.
-    bool cut = false;            ///< This frame does not continue the last one: histories start again.
+    bool resetHistory = false;   ///< This frame does not continue the last one: histories start again.
     bool allSlices = false;  ///< Runs all slices of a sliced pass in this frame and waits for programs to be built: for
                              ///< pictures that are drawn only once.
 

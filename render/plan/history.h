@@ -49,9 +49,9 @@ struct HistoryState {
     View lastView;      ///< View of the last frame; this frame's view when not valid.
 };
 
-/// Compares a history with its record. `last` is null if there is none. `cut`: this frame does not continue the last
-/// one, so the history is discarded.
-[[nodiscard]] HistoryState historyState(const History&, const View& now, double time, bool cut,
+/// Compares a history with its record. `last` is null if there is none. `resetHistory`: this frame does not continue
+/// the last one, so the history is discarded.
+[[nodiscard]] HistoryState historyState(const History&, const View& now, double time, bool resetHistory,
                                         const HistoryRecord* last);
 
 /// Progress of a sliced pass, which takes several frames.

@@ -216,7 +216,7 @@ public:
     void buildBetter(const SceneState&, const FrameRequest& request) override
     {
         strangers += std::this_thread::get_id() == thread ? 0 : 1;
-        betterBuilds += request.rests ? 1 : 100;
+        betterBuilds += request.idle ? 1 : 100;
     }
     void timeSteps(bool) override {}
     bool reloadChangedShaders() override { return false; }

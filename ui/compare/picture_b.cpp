@@ -29,7 +29,7 @@ bool PictureB::Sight::serves(const Sight& wanted) const
 {
     return camera == wanted.camera && time == wanted.time && sincePressed == wanted.sincePressed &&
            screen == wanted.screen && runEverything == wanted.runEverything &&
-           (rests || (!wanted.rests && scale >= wanted.scale));
+           (idle || (!wanted.idle && scale >= wanted.scale));
 }
 
 PictureB::Sight PictureB::sight() const
@@ -108,10 +108,10 @@ void PictureB::order()
                                                          (wanted.scale * quality.resolutionScale))),
                                    glm::ivec2(1));
     request.sample = 0;
-    request.samples = wanted.rests ? std::min(quality.supersamples, viewport_.schedule().mostSamples()) : 1;
+    request.samples = wanted.idle ? std::min(quality.supersamples, viewport_.schedule().mostSamples()) : 1;
     // Its history may be outdated, and the picture is not drawn again.
-    request.cut = request.finished = true;
-    request.rests = false;  // A may be idle while B has just changed.
+    request.resetHistory = request.finished = true;
+    request.idle = false;  // A may be idle while B has just changed.
     ordered_ = wanted;
     finished_ = false;
     auto step = [this, wanted, work, &renderers = renderers_](const RenderThread::Notify& notify) {

@@ -59,7 +59,7 @@ private:
         QSize screen;
         bool runEverything = false;
         double scale = 1;
-        bool rests = false;
+        bool idle = false;
 
         /// Returns whether a picture of this view can also be used for `wanted`: it is the same view and at least as
         /// fine.

@@ -107,8 +107,8 @@ void Variations::order()
     request.samples = std::min(pictureQuality(work->looks.front().hall()).supersamples, mostSamples);
     request.movingFrame = 0;
     request.mostExhibits = std::numeric_limits<int>::max();
-    request.cut = request.finished = true;
-    request.rests = request.waitless = request.runEverything = false;
+    request.resetHistory = request.finished = true;
+    request.idle = request.nonBlocking = request.runEverything = false;
     auto step = [this, work, &renderers = workbench_.renderers()](const RenderThread::Notify& notify) {
         const auto left = static_cast<std::size_t>(count - work->next);
         const SceneState& look = work->looks[work->looks.size() - left];

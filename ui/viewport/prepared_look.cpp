@@ -12,8 +12,8 @@ const Prepared& PreparedLook::of(const SceneState& sceneState, long long number,
     const bool current =
         prepared_ && number_ == number && prepared_->time == wanted.time && (!moves || eye_ == wanted.camera.eye);
     if (!current || (!prepared_->pending.empty() && !asked_)) {
-        wanted.waitless = true;  // The render thread reads missing files,
-        wanted.rests = false;    // and builds the programs.
+        wanted.nonBlocking = true;  // The render thread reads missing files,
+        wanted.idle = false;        // and builds the programs.
         prepared_ = museum_.prepare(sceneState, wanted);
         number_ = number;
         eye_ = wanted.camera.eye;

@@ -105,7 +105,7 @@ FrameRequest Viewport::request(double time) const
     wanted.time = time;
     wanted.runEverything = runEverything_;
     if (isInDepot()) wanted.alone = subject_;
-    wanted.rests = !rest_.isActive();
+    wanted.idle = !rest_.isActive();
     for (const double pressedAt : pressedAt_)
         wanted.sincePressed.push_back(time - (pressedAt <= time ? pressedAt : never));
     return wanted;
@@ -169,10 +169,10 @@ void Viewport::orderWhole(const DrawOrder& order)
     wanted.request.raster.size =
         glm::max(glm::ivec2(glm::round(glm::dvec2(wanted.request.raster.size) * scale)), glm::ivec2(1));
     wanted.request.mostExhibits = order.mostExhibits;
-    wanted.request.cut = std::exchange(cut_, false);
+    wanted.request.resetHistory = std::exchange(cut_, false);
     wanted.request.sample = order.sample;
     wanted.request.samples = order.samples;
-    if (!order.inMotion || wanted.request.cut) motionFrames_ = 0;
+    if (!order.inMotion || wanted.request.resetHistory) motionFrames_ = 0;
     if (order.inMotion) ++motionFrames_;
     wanted.request.movingFrame = motionFrames_;
     schedule_.begun(order);
@@ -192,7 +192,7 @@ void Viewport::orderRegion()
 void Viewport::take(const DrawnPicture& picture)
 {
     drawing_ = drawingRegion_ = false;
-    if (picture.abandoned || !picture.failure.isEmpty()) cut_ = cut_ || picture.order.request.cut;
+    if (picture.abandoned || !picture.failure.isEmpty()) cut_ = cut_ || picture.order.request.resetHistory;
     if (picture.order.region) {
         takeRegion(picture);
     } else if (picture.abandoned) {

@@ -277,7 +277,7 @@ TEST_F(ScenePicture, AFaceThatChangedIsSeenWhenTheSceneIsReadAgain)
 render::Pass restingPass(SceneShot& shot, bool rests = true)
 {
     FrameRequest frame = shot.request.frame;
-    frame.rests = rests;
+    frame.idle = rests;
     return *test::planned(test::gallery().museum, shot.sceneState, frame).find("sdf_scenes/scene");
 }
 
@@ -286,7 +286,7 @@ TEST_F(ScenePicture, FoldedNumbersDrawTheSamePictureFromTheSameInputs)
     for (const char* name : {"torus", "intersections", "primitives"}) {
         SceneShot shot(shippedScene(name));
         FrameRequest frame = shot.request.frame;
-        frame.rests = true;
+        frame.idle = true;
         const auto image = [&](bool folded) {
             render::FramePlan plan = test::planned(test::gallery().museum, shot.sceneState, frame,
                                                    test::gallery().renderer.persistentState());
@@ -348,7 +348,7 @@ TEST_F(ScenePicture, ADragAfterFoldingCompilesNothing)
     renderer.buildInBackground(test::gallery().context.shared());
     const auto frame = [&](bool rests) {
         FrameRequest request = shot.request.frame;
-        request.rests = rests;
+        request.idle = rests;
         return renderer.draw(
             test::planned(test::gallery().museum, shot.sceneState, request, renderer.persistentState()));
     };

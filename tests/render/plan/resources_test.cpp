@@ -35,7 +35,7 @@ struct Accumulated {
         FramePlan plan;
         plan.view = makeView(camera, raster);
         plan.time = time;
-        plan.cut = cut;
+        plan.resetHistory = cut;
         History declared = history;
         declared.dependencies = {{"a value changed", values}};
         const ResourceId mist = plan.history(std::move(declared));

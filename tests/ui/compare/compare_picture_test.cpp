@@ -58,13 +58,13 @@ private slots:
         QTRY_VERIFY(gallery_->betterBuilds > 0);  // The values are idle.
         dragInPicture(0.2, 0.3);
         rest();
-        QVERIFY2(gallery_->requests().back().rests, "a control: A was drawn as what rests is");
-        QVERIFY(!gallery_->otherRequests().back().rests);
+        QVERIFY2(gallery_->requests().back().idle, "a control: A was drawn as idle");
+        QVERIFY(!gallery_->otherRequests().back().idle);
         const std::size_t drawn = gallery_->otherRequests().size();
         gallery_->unfinishedFrames = 2;
         setRoughness(0.6);
         rest();
-        QVERIFY2(!gallery_->requests().back().rests, "a control: A is drawn as what was changed is");
+        QVERIFY2(!gallery_->requests().back().idle, "a control: A is drawn as changed");
         QCOMPARE(gallery_->unfinishedFrames, 0);
         QCOMPARE(gallery_->otherRequests().size(), drawn);
         QVERIFY(isB(0.6));

@@ -210,7 +210,7 @@ private slots:
         const std::vector<FrameRequest> drawn = gallery_->requests();
         QVERIFY(!drawn.empty());
         for (const FrameRequest& request : drawn) QVERIFY(request.camera == drawn.back().camera);
-        QVERIFY(drawn.front().cut);  // The history is discarded.
+        QVERIFY(drawn.front().resetHistory);  // The history is discarded.
         QTest::keyClick(&window_->viewport(), Qt::Key_Escape);
         QCOMPARE(window_->viewport().mode(), CameraControl::Mode::walk);
         window_->viewport().goBack();

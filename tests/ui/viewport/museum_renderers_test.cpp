@@ -108,7 +108,7 @@ private slots:
         frame.camera = museum.exhibit(1).bestView(a.values[1]);
         frame.raster.size = {16, 9};
         frame.alone = 1;
-        frame.cut = frame.finished = true;
+        frame.resetHistory = frame.finished = true;
         const Renderers::IsCanceled never = [] { return false; };
         static_cast<void>(renderers.draw(b, frame, never));
         const QImage expected = renderers.screenImage(screen);

@@ -83,7 +83,7 @@ private slots:
         settle();
         dragRoughness(40);
         settle();
-        QVERIFY(!gallery_->requests().back().rests);
+        QVERIFY(!gallery_->requests().back().idle);
         gallery_->betterBuilds = 0;
         const long long drawn = window_->viewport().picturesDrawn();
         QTRY_COMPARE_WITH_TIMEOUT(gallery_->betterBuilds, 1, test::patience);
@@ -91,10 +91,10 @@ private slots:
         QCOMPARE(window_->viewport().picturesDrawn(), drawn);
         window_->viewport().sceneStateChanged();  // Like a visitor who looks around.
         settle();
-        QVERIFY(gallery_->requests().back().rests);
+        QVERIFY(gallery_->requests().back().idle);
         dragRoughness(60);
         settle();
-        QVERIFY2(!gallery_->requests().back().rests, "a drag ends the rest");
+        QVERIFY2(!gallery_->requests().back().idle, "a drag ends the rest");
     }
 
     void aStillPictureIsRefinedOverSixteenSamples()
@@ -315,8 +315,9 @@ private slots:
         settle();
         const std::vector<FrameRequest> requests = gallery_->requests();
         QVERIFY(requests.size() >= 32);
-        QVERIFY(requests.front().cut);
-        QCOMPARE(std::count_if(requests.begin(), requests.end(), [](const FrameRequest& r) { return r.cut; }), 1);
+        QVERIFY(requests.front().resetHistory);
+        QCOMPARE(std::count_if(requests.begin(), requests.end(), [](const FrameRequest& r) { return r.resetHistory; }),
+                 1);
         QVERIFY(std::none_of(requests.begin(), requests.end(), [](const FrameRequest& r) { return r.finished; }));
     }
 
