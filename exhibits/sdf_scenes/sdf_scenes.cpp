@@ -305,7 +305,7 @@ void SdfScenes::planPart(const std::string& name, const ParameterValues& values,
     pass.columns = columns;
     pass.shader.sources = asked.sources;
     pass.buffers = asked.buffers;
-    pass.shader.slot = pass.name;
+    pass.shader.programFamily = pass.name;
     const bool reference = prepared.numbers[scene.scene->look.numbers] > 0.5;
     ScenePass{table_, values, scene, reference, steps, pass, plan}.all();
 
@@ -325,10 +325,10 @@ void SdfScenes::planPart(const std::string& name, const ParameterValues& values,
     block.insert(block.end(), around.begin(), around.end());
     pass.blocks[BLOCK_EXHIBIT] = std::move(block);
     if (asked.folded) {
-        auto better = std::make_shared<render::ShaderKey>(pass.shader);
-        better->sources = asked.folded;
-        better->about = "with its constant numbers compiled in";
-        pass.shader.better = std::move(better);
+        auto specialized = std::make_shared<render::ShaderKey>(pass.shader);
+        specialized->sources = asked.folded;
+        specialized->about = "with its constant numbers compiled in";
+        pass.shader.specialized = std::move(specialized);
     }
     plan.add(std::move(pass));
 }

@@ -3,6 +3,7 @@
 #include "render/failure.h"
 #include "render/gl/context.h"
 #include "render/gl/draw_scopes.h"
+#include "render/gl/family_inputs.h"
 #include "render/gl/frame_block.h"
 #include "render/gl/frame_clock.h"
 #include "render/gl/framebuffers.h"
@@ -11,7 +12,6 @@
 #include "render/gl/program_cache.h"
 #include "render/gl/resources.h"
 #include "render/gl/screen.h"
-#include "render/gl/slot_inputs.h"
 #include "render/gl/uniform_allocator.h"
 #include "render/gl/uploads.h"
 #include "render/measure/clock.h"
@@ -31,7 +31,7 @@ struct PassRanges {
     std::vector<UniformAllocator::Range> temporal;  ///< One for each slice that runs in this frame.
     std::vector<std::pair<int, UniformAllocator::Range>> blocks;
     std::vector<UniformAllocator::Range> objects;
-    // Replace `blocks` and `objects` if the last good program of the slot is used.
+    // Replace `blocks` and `objects` if the last good program of the family is used.
     std::vector<std::pair<int, UniformAllocator::Range>> lastBlocks;
     std::vector<UniformAllocator::Range> lastObjects;
 };
@@ -116,7 +116,7 @@ struct Renderer::State {
         }
         ranges.blocks = blockRanges(pass.blocks);
         for (const Draw& draw : pass.draws) ranges.objects.push_back(objectRange(draw.object));
-        if (const SlotInputs* last = lastInputs.ofOthers(pass)) {
+        if (const FamilyInputs* last = lastInputs.ofOthers(pass)) {
             ranges.lastBlocks = blockRanges(last->blocks);
             for (const Bytes& object : last->objects) ranges.lastObjects.push_back(objectRange(object));
         }
@@ -190,7 +190,7 @@ struct Renderer::State {
     {
         if (pass.work == Work::simulation) return {};
         ProgramInUse used = programs.use(pass.shader, building);
-        const SlotInputs* last = used.ofSources ? lastInputs.ofOthers(pass) : nullptr;
+        const FamilyInputs* last = used.ofSources ? lastInputs.ofOthers(pass) : nullptr;
         // Another renderer drew with that program, so its inputs are not known here.
         if (used.ofSources && (!last || last->sources != *used.ofSources)) {
             used = programs.use(pass.shader, ProgramCache::Building::isWaitedFor);
@@ -201,7 +201,7 @@ struct Renderer::State {
         for (const auto& [binding, range] : last ? ranges.lastBlocks : ranges.blocks) arena.bind(binding, range);
         bindInputs(pass.inputs);
         if (last) bindInputs(last->textures);
-        if (used.standIn.empty()) lastInputs.keep(pass);
+        if (used.fallback.empty()) lastInputs.keep(pass);
         bindBuffers(pass.buffers);
         if (last) bindBuffers(last->buffers);
         for (int part = pass.temporal.firstSlice; part < pass.temporal.endSlice; ++part) {
@@ -217,7 +217,7 @@ struct Renderer::State {
             glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
         for (const std::string& name : pass.mipmaps) makeMipmaps(resources.target(name), programs);
         // A slice drawn by a fallback program is drawn again with the right one.
-        if (pass.sliceCount == 1 || (pass.temporal.endSlice == pass.sliceCount && used.standIn.empty()))
+        if (pass.sliceCount == 1 || (pass.temporal.endSlice == pass.sliceCount && used.fallback.empty()))
             for (const std::string& name : outputsOf(pass)) resources.finished(name);
         return used;
     }
@@ -314,9 +314,9 @@ struct Renderer::State {
                 if (pass.countSamples) samplesQueries.emplace_back();
                 const ProgramInUse used = run(pass, ranges[next], building);
                 if (pass.countSamples) SamplesQuery::end();
-                if (used.standIn.empty()) remember(pass, plan, lost);
+                if (used.fallback.empty()) remember(pass, plan, lost);
                 report.unfinished = report.unfinished || used.building;
-                const std::string& how = used.standIn.empty() ? used.better : used.standIn;
+                const std::string& how = used.fallback.empty() ? used.specialized : used.fallback;
                 report.ran.push_back({pass.name, how.empty() ? pass.reason : pass.reason + ", " + how, pass.work, -1,
                                       pass.bound, pass.effects, pass.variant});
                 if (timeSteps) clock.mark();
@@ -463,7 +463,7 @@ void Renderer::buildInBackground(std::shared_ptr<SharedContext> context)
 void Renderer::buildBetter(const FramePlan& plan)
 {
     for (const Pass& pass : plan.passes())
-        if (pass.shader.better) (void)state_->programs.useBetter(pass.shader);
+        if (pass.shader.specialized) (void)state_->programs.useSpecialized(pass.shader);
 }
 
 void Renderer::timeSteps(bool on)

@@ -43,7 +43,7 @@ struct FrameRequest {
     bool finished = false;
     /// True: Museum::prepare throws Failure if a named file cannot be read. False: the plan only contains a warning.
     bool needsFiles = false;
-    /// The values have not changed for a while, so that specialized programs may be built (ShaderKey::better).
+    /// The values have not changed for a while, so that specialized programs may be built (ShaderKey::specialized).
     bool idle = false;
     /// Limits the visible exhibits to this number, the nearest ones first: at startup a picture appears soon and is
     /// extended later.

@@ -43,7 +43,7 @@ public:
         pass.shader.sources = std::make_shared<const render::ShaderSources>(std::map<std::string, std::string>{
             {"filled.frag", "layout(location = 0) out vec4 color;\nvoid main()\n{\n    color = vec4(" +
                                 std::to_string(context.values[table.number]) + ".0);\n}\n"}});
-        pass.shader.slot = "filled";
+        pass.shader.programFamily = "filled";
         pass.colors = {render::Attachment::whole(radianceImage)};
         pass.draws = {render::Draw{}};
         plan.add(std::move(pass));
