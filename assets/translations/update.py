@@ -27,7 +27,7 @@ NOT_SHOWN = re.compile(r'/stability/|stability_|doctor_command|html_text|_page\.
 CONVERTED = ('render/files/', 'render/gl/', 'render/scene/', 'exhibits/jobs/sprite/palette_file', 'exhibits/jobs/sprite/sprite_description')
 # What looks like a sentence in them and is shown to nobody: keys, names, messages of asserts.
 UNSHOWN = {'framebuffers made', 'constant buffers', 'the picture was abandoned', 'unknown error',
-           '{1} (better)'}
+           '{1} (specialized)'}
 # Callees whose argument is no text for people.
 SILENT = {'shader', 'at', 'value', 'find', 'contains', 'define', 'getenv', 'uniform', 'is_member_of', 'compare', 'starts_with',
           'ends_with', 'add_option', 'add_flag', 'add_subcommand', 'add_option_function', 'add_flag_function', 'type_name',

@@ -31,7 +31,7 @@ Pass keptPass(const char* name, const SceneLighting& light, const render::Hash& 
     pass.reason = "the sun has moved";
     pass.phase = render::PassPhase::shadow;
     pass.bound = light.bouncedLight;
-    pass.key = key.value();
+    pass.contentHash = key.value();
     return pass;
 }
 
@@ -154,7 +154,7 @@ void planAirLight(const HallScene& scene, const SceneLighting& light, render::Fr
     pass.name = "hall/light in the air";
     pass.reason = "sun, sky or lamps have changed";
     pass.phase = render::PassPhase::shadow;
-    pass.key = key.value();
+    pass.contentHash = key.value();
     fillAir(airImage, "hall/air_light.comp", transfer, pass, plan);
     pass.blocks[BLOCK_EXHIBIT] = render::std140Bytes(block);
     if (light.hasBouncedLight) {

@@ -26,7 +26,7 @@ void planLampFace(const Lamps& lamps, const render::LocalLight& light, int map, 
     layer.phase = render::PassPhase::prepare;
     layer.view = view;
     layer.depth = render::Attachment::clearedSlice(localShadowImage, 6 * map + face);
-    layer.key = render::Hash().addValue(lamps.castersKey).addValue(view.clipFromWorld).value();
+    layer.contentHash = render::Hash().addValue(lamps.castersKey).addValue(view.clipFromWorld).value();
     const auto images = render::addSecondaryView(plan, lamps.planOfView(view),
                                                  {.name = name, .reason = lampReason, .view = view, .depthOnly = true});
     if (const auto depth = images.find(depthImage); depth != images.end()) {

@@ -352,7 +352,7 @@ void Museum::Frame::castShadows()
     clear.shader = meshDepth().shader;
     clear.view = light.exhibitShadowView;
     clear.depth = render::Attachment::cleared(exhibitShadowImage);
-    clear.key = light.exhibitShadowKey;
+    clear.contentHash = light.exhibitShadowKey;
     clear.bound = light.sunShadow;
     if (glass) clearGlassShadow(clear);
     plan.add(std::move(clear));

@@ -331,7 +331,7 @@ void Study::findDependentPasses()
         const FrameRequest frame = pictureRequest(sceneState, 0).frame;
         const render::FramePlan plan = museum_.plan(museum_.prepare(sceneState, frame), frame);
         for (const render::Pass& pass : plan.passes())
-            if (pass.key) keys[pass.name] = *pass.key;
+            if (pass.contentHash) keys[pass.name] = *pass.contentHash;
         return keys;
     };
     const Keys exact = keysAt(result_.exact);

@@ -309,7 +309,7 @@ void WorkPlan::planStep(const std::string& namePrefix, const std::string& reason
     }
     key.add(viewOf(inputs));
     for (render::Pass& pass : passes) {
-        if (hasKey) pass.key = key.value();
+        if (hasKey) pass.contentHash = key.value();
         plan_.add(std::move(pass));
     }
 }
@@ -327,7 +327,7 @@ void WorkPlan::markStep(std::int64_t step, std::uint64_t identity, bool isOnly)
     for (std::size_t i = 0; i < work_.targets.size(); ++i)
         for (const std::int64_t each : {step, step + 1})
             if (work_.targets[i].isKept && (each == step || !isOnly)) pass.writes.push_back(imageOf(i, each));
-    pass.key = keyOf(identity, step);
+    pass.contentHash = keyOf(identity, step);
     plan_.add(std::move(pass));
 }
 

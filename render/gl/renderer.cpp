@@ -261,7 +261,7 @@ struct Renderer::State {
     void forgetFrom(const FramePlan& plan, std::size_t first)
     {
         for (std::size_t i = first; i < plan.passes().size(); ++i)
-            if (plan.passes()[i].key) {
+            if (plan.passes()[i].contentHash) {
                 const std::vector<std::string> outputs = outputsOf(plan.passes()[i]);
                 forget({outputs.begin(), outputs.end()});
             }
@@ -286,17 +286,17 @@ struct Renderer::State {
         for (const std::string& image : written)
             if (const auto state = plan.histories().find(image); state != plan.histories().end())
                 kept.histories[image] = recordOf(state->second.history, plan);
-        if (!pass.key) return;
+        if (!pass.contentHash) return;
         for (const std::string& image : written) writersOfKept[image].insert(pass.name);
         const bool complete = pass.temporal.endSlice == pass.sliceCount;
         if (pass.sliceCount > 1) {
             SliceProgress& progress = kept.slices[pass.name];
-            progress = {*pass.key, pass.temporal.endSlice, progress.completedOnce || complete};
+            progress = {*pass.contentHash, pass.temporal.endSlice, progress.completedOnce || complete};
         }
         if (pass.temporal.provisional)
             kept.passes.erase(pass.name);
         else if (complete)
-            kept.passes[pass.name] = *pass.key;
+            kept.passes[pass.name] = *pass.contentHash;
     }
 
     /// Runs the passes in order. An exception, `Abandoned` included, leaves the renderer as if the remaining passes had

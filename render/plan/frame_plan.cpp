@@ -138,7 +138,7 @@ void FramePlan::add(Pass pass)
         return;
     }
     if (pass.sliceCount > 1) {
-        assert(pass.key && "work for several frames needs a key");
+        assert(pass.contentHash && "work for several frames needs a hash");
         for (std::string& name : outputsOf(pass)) slicedImages_.insert(std::move(name));
     }
     passes_.push_back(std::move(pass));
@@ -196,9 +196,9 @@ void FramePlan::prune(const std::vector<std::string>& outputs, const PersistentS
 
 bool FramePlan::isUnchanged(const Pass& pass, const PersistentState& kept) const
 {
-    if (!pass.key) return false;
+    if (!pass.contentHash) return false;
     const auto last = kept.passes.find(pass.name);
-    if (last == kept.passes.end() || last->second != *pass.key) return false;
+    if (last == kept.passes.end() || last->second != *pass.contentHash) return false;
     const std::vector<std::string> written = outputsOf(pass);
     return std::all_of(written.begin(), written.end(), [&](const std::string& name) {
         if (const auto buffer = buffers_.find(name); buffer != buffers_.end()) return buffer->second.persistent;
@@ -265,7 +265,7 @@ void FramePlan::takeSlice(Pass& pass, const PersistentState& kept) const
     pass.temporal = {.lastView = view};
     if (pass.sliceCount <= 1) return;
     const auto progress = kept.slices.find(pass.name);
-    const bool begun = progress != kept.slices.end() && progress->second.hash == pass.key.value_or(0) &&
+    const bool begun = progress != kept.slices.end() && progress->second.hash == pass.contentHash.value_or(0) &&
                        progress->second.done < pass.sliceCount;
     pass.temporal.used = true;
     pass.temporal.firstSlice = begun ? progress->second.done : 0;

@@ -153,13 +153,13 @@ struct Pass {
     std::vector<Effect> effects;
 
     /// Hash of everything that the outputs depend on. When it is set, and all outputs are persistent images last
-    /// written under the same key, the pass is skipped as unchanged.
-    std::optional<std::uint64_t> key;
+    /// written under the same hash, the pass is skipped as unchanged.
+    std::optional<std::uint64_t> contentHash;
 
     /// Number of slices of a pass that is spread over several frames; 1: an ordinary pass. Each frame runs the next
-    /// slice until all have run. They start again when `key` changes, which such a pass must have. The outputs are
-    /// persistent; until the last slice is done, readers get the last complete result. The shader reads the number of
-    /// the slice from lib/temporal.glsl. Attachments are cleared only before the first slice.
+    /// slice until all have run. They start again when `contentHash` changes, which such a pass must have. The outputs
+    /// are persistent; until the last slice is done, readers get the last complete result. The shader reads the number
+    /// of the slice from lib/temporal.glsl. Attachments are cleared only before the first slice.
     int sliceCount = 1;
 
     /// State of earlier frames, filled in by `FramePlan::prune`.
@@ -170,7 +170,8 @@ struct Pass {
                             ///< is filled.
         bool valid = true;  ///< All histories and sliced outputs that it reads have usable content.
         View lastView;      ///< View of the frame that drew the histories.
-        /// True if the pass reads an unfinished output, so that it must run again even if its `key` is unchanged.
+        /// True if the pass reads an unfinished output, so that it must run again even if its `contentHash` is
+        /// unchanged.
         bool provisional = false;
     } temporal = {};
 };

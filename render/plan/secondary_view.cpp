@@ -13,7 +13,7 @@ bool dependsOnView(const Pass& pass)
 {
     if (pass.phase == PassPhase::simulate || pass.phase == PassPhase::shadow || pass.phase == PassPhase::probe)
         return false;
-    return !pass.key && !(pass.colors.empty() && !pass.depth && pass.storage.empty());
+    return !pass.contentHash && !(pass.colors.empty() && !pass.depth && pass.storage.empty());
 }
 
 /// Images of a secondary view: maps the names of the original images to those of the copies.

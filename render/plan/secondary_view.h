@@ -23,9 +23,9 @@ struct SecondaryView {
 
 /// Copies the passes of `seen` into `plan`, for another view and with images of their own. `seen` is a plan of the same
 /// scene for `elsewhere.view`, not pruned. Passes that do not depend on the view are not copied: simulation, shadow
-/// maps, probes, passes with a `key` and passes that write only buffers. The copies read the frame's own images of
-/// these passes, and of all others that `seen` reads without drawing them.
-/// Returns the new name of every image that is drawn: {"radiance", "lamp.radiance"}, ...
+/// maps, probes, passes with a `contentHash` and passes that write only buffers. The copies read the frame's own images
+/// of these passes, and of all others that `seen` reads without drawing them. Returns the new name of every image that
+/// is drawn: {"radiance", "lamp.radiance"}, ...
 std::map<std::string, std::string> addSecondaryView(FramePlan& plan, const FramePlan& seen,
                                                     const SecondaryView& elsewhere);
 

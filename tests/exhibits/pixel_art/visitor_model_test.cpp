@@ -103,7 +103,7 @@ struct ModelFrames : VisitorModel {
     {
         std::map<std::string, std::uint64_t> keys;
         for (const render::Pass& pass : plan.passes())
-            if (pass.key && pass.name.rfind("pixel_art/", 0) == 0) keys[pass.name] = *pass.key;
+            if (pass.contentHash && pass.name.rfind("pixel_art/", 0) == 0) keys[pass.name] = *pass.contentHash;
         return keys;
     }
     std::string whyStill(double time)

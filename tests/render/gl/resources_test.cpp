@@ -281,7 +281,7 @@ protected:
                  "if (int(gl_FragCoord.x) != temporalSlice()) discard;\ncolor = vec4(" + std::to_string(value) + ");",
                  temporalInclude);
         bake.sliceCount = 4;
-        bake.key = static_cast<std::uint64_t>(value);
+        bake.contentHash = static_cast<std::uint64_t>(value);
         plan.add(std::move(bake));
         Pass show = fill("show", "frame",
                          "color = temporalIsValid() ? texelFetch(source, ivec2(gl_FragCoord.xy), 0) : vec4(-1.0);",

@@ -149,10 +149,10 @@ FramePlan baked(std::uint64_t key, const PersistentState& kept = {}, bool allSli
     Pass bake = drawn("bake", {}, "volume");
     bake.reason = "the density is baked";
     bake.sliceCount = 3;
-    bake.key = key;
+    bake.contentHash = key;
     plan.add(std::move(bake));
     Pass light = drawn("light", {"volume"}, "light");
-    light.key = key + 100;
+    light.contentHash = key + 100;
     plan.add(std::move(light));
     plan.add(drawn("show", {"volume", "light"}, "frame"));
     plan.prune({"frame"}, kept);
@@ -235,7 +235,7 @@ TEST(Buffers, ThatAreKeptNeedNotBeWrittenAgain)
         FramePlan plan;
         plan.buffer({.name = "places", .bytes = 64, .persistent = isKept});
         Pass place = writesBuffer("place", "places", Access::write);
-        place.key = 3;
+        place.contentHash = 3;
         plan.add(std::move(place));
         Pass draw = drawn("draw", {}, "frame");
         draw.buffers = {{0, std::string("places")}};
