@@ -138,7 +138,7 @@ void FramePlan::add(Pass pass)
         return;
     }
     if (pass.sliceCount > 1) {
-        assert(pass.contentHash && "work for several frames needs a hash");
+        assert(pass.contentHash && "work for several frames needs a key");
         for (std::string& name : outputsOf(pass)) slicedImages_.insert(std::move(name));
     }
     passes_.push_back(std::move(pass));
