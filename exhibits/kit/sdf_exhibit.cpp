@@ -82,7 +82,7 @@ double SdfExhibit::firstHit(const ExhibitState& state, const render::Ray& ray) c
     const SdfBody now = body(state.values, state.time);
     const render::Ray own = ray.transformed(glm::affineInverse(now.exhibitFromBody));
     const double length = glm::length(own.direction);
-    const render::Stretch inside = render::insideBox(own, now.box);
+    const render::RayInterval inside = render::insideBox(own, now.box);
     if (!(inside.enter <= inside.exit) || !(length > 0)) return never;
     double t = inside.enter;
     for (int step = 0; step < 1000 && t <= inside.exit; ++step) {

@@ -493,7 +493,7 @@ std::shared_ptr<const TreeShape> SdfScenes::shapeOf(const ExhibitState& state, s
     shape->isHit = [field, portal, box](const render::Ray& ray) {
         const SceneRay through = sceneRay(portal, ray);
         if (!through.throughOpening || field->program().nodes().empty()) return false;
-        const render::Stretch inside = render::insideBox({through.origin, through.direction}, box);
+        const render::RayInterval inside = render::insideBox({through.origin, through.direction}, box);
         const double start = std::max(through.start, inside.enter - 1e-6);
         return std::isfinite(
             scenes::marched(*field, through.origin, through.direction, start, std::min(inside.exit + 1e-6, 1e5)));
