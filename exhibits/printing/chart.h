@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exhibits/printing/interlace.h"
-#include "exhibits/printing/taps.h"
+#include "exhibits/printing/view_weights.h"
 
 #include <string>
 #include <vector>
@@ -41,7 +41,7 @@ public:
     [[nodiscard]] const std::vector<Band>& bands() const { return bands_; }
 
 private:
-    [[nodiscard]] double level(double x, double y, std::vector<Tap>& taps) const;
+    [[nodiscard]] double level(double x, double y, std::vector<ViewWeight>& taps) const;
     [[nodiscard]] bool inked(double along, double across) const;
     template <typename Code> void fillCodes(const Region&, Code* out) const;
 

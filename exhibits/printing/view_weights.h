@@ -10,7 +10,7 @@
 namespace vitrine::printing {
 
 /// Part of a printed pixel: one view under one lens.
-struct Tap {
+struct ViewWeight {
     std::int64_t lens = 0;
     int view = 0;
     double weight = 0;
@@ -23,7 +23,7 @@ struct Tap {
 
 /// Computes what the pixel with center (x, y) shows, in pixels from the raster's top left corner. The weights sum to 1.
 /// `taps` is cleared first; the caller keeps it, so a row needs no allocation.
-void tapsAt(const PrintLayout&, double x, double y, std::vector<Tap>& taps);
+void viewWeightsAt(const PrintLayout&, double x, double y, std::vector<ViewWeight>& taps);
 
 /// Samples of a line that make up an interval of it.
 struct BoxTaps {

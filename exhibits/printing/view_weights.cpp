@@ -1,4 +1,4 @@
-#include "exhibits/printing/taps.h"
+#include "exhibits/printing/view_weights.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,7 @@ double shareBefore(double t, double a, double b)
     return 0.5 + t / std::max(a, b);
 }
 
-void tapsAt(const PrintLayout& layout, double x, double y, std::vector<Tap>& taps)
+void viewWeightsAt(const PrintLayout& layout, double x, double y, std::vector<ViewWeight>& taps)
 {
     taps.clear();
     const PrintSettings& settings = layout.settings();
