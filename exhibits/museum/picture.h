@@ -12,7 +12,7 @@
 namespace vitrine {
 
 /// Camera and time of one frame.
-struct Moment {
+struct MotionSample {
     render::Camera camera;
     double time = 0;  ///< Seconds.
 };
@@ -24,7 +24,7 @@ struct PictureRequest {
     int samples = 1;     ///< Supersamples per pixel, averaged.
     /// Earlier frames of a picture in motion, the first one first; such a picture has one sample. Empty: the picture is
     /// static.
-    std::vector<Moment> motion = {};
+    std::vector<MotionSample> motion = {};
     /// Adds the channel "depth.Z". Channels other than color hold the value at the pixel's center.
     bool depth = false;
     /// Largest side of a tile in pixels, rounded down to a multiple of 8 and limited to RenderBackend::largestSide().

@@ -106,7 +106,7 @@ Recording::~Recording() = default;
 
 std::string Recording::presetAt(int k) const
 {
-    const Moment first = momentsOf(request_, k).front();
+    const MotionSample first = motionSamplesOf(request_, k).front();
     PictureRequest picture = request_.picture;
     picture.frame.camera = first.camera;
     picture.frame.time = first.time;
