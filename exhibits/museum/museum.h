@@ -93,7 +93,7 @@ public:
 
     /// Returns the inputs of subject `i`'s animations at the time of the request: the clock, and the distance of its
     /// camera from the center of the subject's bounds (or the hall's bounds, for the hall).
-    [[nodiscard]] MotionMoment motionMoment(const SceneState&, std::size_t i, const FrameRequest&) const;
+    [[nodiscard]] AnimationTime animationTime(const SceneState&, std::size_t i, const FrameRequest&) const;
     /// Returns the scene state at the time of the request, with animated parameters evaluated. Deterministic.
     [[nodiscard]] SceneState atMoment(const SceneState&, const FrameRequest&) const;
 

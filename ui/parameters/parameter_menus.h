@@ -32,8 +32,8 @@ public:
     /// Sets the settings B that values can be copied from and to; null: none.
     void setOther(SettingsB* other) { other_ = other; }
     /// Sets the time of the last picture, for animated parameters.
-    void setMoment(const MotionMoment& moment) { moment_ = moment; }
-    [[nodiscard]] const MotionMoment& moment() const { return moment_; }
+    void setMoment(const AnimationTime& moment) { moment_ = moment; }
+    [[nodiscard]] const AnimationTime& moment() const { return moment_; }
     /// Sets whether menus of quality parameters offer to show the cost of accuracy.
     void setGaugesShown(bool shown) { gauges_ = shown; }
     [[nodiscard]] bool gaugesShown() const { return gauges_; }
@@ -84,7 +84,7 @@ private:
     ParameterPanel& panel_;
     PanelChoices& choices_;
     SettingsB* other_ = nullptr;
-    MotionMoment moment_;
+    AnimationTime moment_;
     bool gauges_ = false;
     std::map<std::size_t, GroupEdits*> edits_;  ///< By exhibit; each is made when it is first shown.
 };

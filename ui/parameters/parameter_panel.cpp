@@ -142,7 +142,7 @@ void ParameterPanel::showValue(std::size_t row)
     rows_[row]->showValue(motion ? valueOf(info, *motion, menus_->moment()) : values().row(row));
 }
 
-void ParameterPanel::showMoment(const MotionMoment& moment)
+void ParameterPanel::showMoment(const AnimationTime& moment)
 {
     menus_->setMoment(moment);
     if (values().motions().empty()) return;

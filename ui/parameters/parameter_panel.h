@@ -55,7 +55,7 @@ public:
     [[nodiscard]] ParameterMenus& menus() const { return *menus_; }
 
     /// Sets the time of the last picture, for animated parameters: their rows show the values at that time.
-    void showMoment(const MotionMoment&);
+    void showMoment(const AnimationTime&);
 
     // The following functions take the index or the name of a parameter of the shown table.
     [[nodiscard]] QString keyOf(std::size_t row) const;

@@ -28,7 +28,7 @@ void FrameReporter::note(const render::FrameReport& report, const QSize& pixels)
     workbench_.setProblems(QStringLiteral("drawing"), {});
     status_.note(report, pixels, viewport.reason());
     docks_.frameReport().note(report);
-    docks_.parameters().panel().showMoment(workbench_.museum().motionMoment(
+    docks_.parameters().panel().showMoment(workbench_.museum().animationTime(
         workbench_.history().sceneState(), workbench_.shown(), viewport.shownRequest()));
     showComplaints(report.skipped);
 }
