@@ -8,6 +8,6 @@
 
 #include "shaders/crepuscular_rays/light_shafts.glsl"
 
-#include "shaders/crepuscular_rays/air.glsl"
+#include "shaders/crepuscular_rays/participating_media.glsl"
 
 #include "render/glsl/end_cpu.h"

@@ -7,7 +7,7 @@ namespace vitrine {
 
 /// A lake at night behind a deep frame, with paper lanterns up to the horizon. Start reading with the parameters, then
 /// lake_scene.h (positions and motion) and shaders/paper_lanterns: water.glsl and lantern.glsl (geometry), walk.glsl
-/// (ray traversal), surfaces.glsl and paper.glsl (lighting).
+/// (ray traversal), water_and_paper.glsl and paper.glsl (lighting).
 class PaperLanterns final : public Exhibit, public HasButton, public HasSurroundings, public HasLocalLights {
 public:
     using Table = PaperLanternsTable;

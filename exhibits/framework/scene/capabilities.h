@@ -2,7 +2,7 @@
 
 #include "exhibits/framework/scene/chart.h"
 #include "exhibits/framework/scene/prepare.h"
-#include "exhibits/framework/scene/standing.h"
+#include "exhibits/framework/scene/standing_shape.h"
 #include "exhibits/framework/table/parameters.h"
 #include "render/files/asset_store.h"
 #include "render/plan/frame_plan.h"

@@ -1,6 +1,6 @@
 // A polished floor at y = 0 with objects on it: POLISHED_FLOOR of kit/surface.frag. Permutations: CONTACT_SHADOWS,
 // MIRROR_SHAPES.
-#include "lib/standing.glsl"
+#include "lib/floor_reflection.glsl"
 #include "kit/floor_block.glsl"
 #ifdef MIRROR_SHAPES
 #include "lib/sky.glsl"

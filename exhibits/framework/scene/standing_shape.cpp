@@ -1,4 +1,4 @@
-#include "exhibits/framework/scene/standing.h"
+#include "exhibits/framework/scene/standing_shape.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 #ifndef __cplusplus
 #include "lib/bindings.glsl"
 #include "lib/numerics.glsl"
-#include "lib/standing_block.glsl"
+#include "lib/standing_shape_block.glsl"
 #endif
 
 // Share of a reflected lobe on the near side of a straight edge. `inside`: distance of the lobe's center from the edge

@@ -7,7 +7,7 @@
 
 namespace vitrine {
 
-#include "shaders/lib/standing_block.glsl"
+#include "shaders/lib/standing_shape_block.glsl"
 
 /// Returns the reach of this shape's contact shadow: three times its height, at least 0.15 m and at most 1.5 m.
 [[nodiscard]] double contactReach(const StandingShape&);
