@@ -5,7 +5,7 @@
 #include "ui/viewport/camera_control.h"
 #include "ui/viewport/draw_schedule.h"
 #include "ui/viewport/file_watch.h"
-#include "ui/viewport/prepared_look.h"
+#include "ui/viewport/prepared_state.h"
 #include "ui/viewport/render_thread.h"
 #include "ui/viewport/renderers.h"
 #include "ui/viewport/shown_picture.h"
@@ -228,7 +228,7 @@ private:
     long long sceneStateNumber_ = 0;  // Grows with every visible change.
     long long drawnState_ = 0;        // Scene state number of the last ordered picture.
 
-    mutable PreparedLook prepared_;  // Cache of the last preparation.
+    mutable PreparedState prepared_;  // Cache of the last preparation.
 
     // Region that moves while the rest of the picture is static.
     std::optional<PictureRegion> region_;

@@ -8,10 +8,10 @@ namespace vitrine::ui {
 
 /// Cache of the prepared scene for queries to the museum: made once for each time and scene state. Waits for no file.
 /// While files are still being read, it is prepared again after each `lookAgain`.
-class PreparedLook {
+class PreparedState {
 public:
     /// `museum` must outlive this object.
-    explicit PreparedLook(const Museum& museum) : museum_(museum) {}
+    explicit PreparedState(const Museum& museum) : museum_(museum) {}
 
     /// Returns the prepared scene. `number` identifies the scene state; `wanted` gives the time and the camera.
     const Prepared& of(const SceneState&, long long number, FrameRequest wanted);

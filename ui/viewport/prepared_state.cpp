@@ -1,11 +1,11 @@
-#include "ui/viewport/prepared_look.h"
+#include "ui/viewport/prepared_state.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace vitrine::ui {
 
-const Prepared& PreparedLook::of(const SceneState& sceneState, long long number, FrameRequest wanted)
+const Prepared& PreparedState::of(const SceneState& sceneState, long long number, FrameRequest wanted)
 {
     const bool moves = std::any_of(sceneState.values.begin(), sceneState.values.end(),
                                    [](const ParameterValues& values) { return !values.motions().empty(); });
