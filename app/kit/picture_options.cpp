@@ -53,7 +53,7 @@ Channels parseChannels(const std::string& text, PictureRequest& request, bool& b
         else if (name != "color")
             throw Failure(ErrorKind::usage,
                           "--channels: \"" + name +
-                              "\" is no channel; give color, depth, normal or evaluations, separated by commas.");
+                              "\" is not a channel; give color, depth, normal or evaluations, separated by commas.");
         beyondColor = beyondColor || name != "color";
     }
     return channels;
@@ -302,14 +302,14 @@ void assign(const Museum& museum, SceneState& sceneState, const Assignment& assi
     const std::optional<Value> value = optionValue(info, text);
     if (!value && info.isNumeric()) refuseDecimalComma("--set " + name, text);
     if (!value || !nearestLegal(info, *value))
-        throw Failure(ErrorKind::usage, "--set " + name + ": \"" + text + "\" is no value for it" +
+        throw Failure(ErrorKind::usage, "--set " + name + ": \"" + text + "\" is not a value for it" +
                                             didYouMean(text, {info.choices.begin(), info.choices.end()}) + " give " +
                                             whatItTakes(info, text) + '.');
     values.setMotion(row, std::nullopt);  // An explicit value ends an animation of the preset.
     if (!values.chooseFile(row, *value) && info.kind != Kind::direction)
         notes.push_back(
-            "--set " + name + ": " + text + " was brought to " + valueAsTyped(info, values.row(row), text) +
-            ", the nearest that is allowed (" + whatItTakes(info, text) +
+            "--set " + name + ": " + text + " was changed to " + valueAsTyped(info, values.row(row), text) +
+            ", the nearest allowed value (" + whatItTakes(info, text) +
             (info.unit == Unit::degree && evaluate(text, Unit::none) ? "; degrees are written " + text + "deg" : "") +
             ").");
 }

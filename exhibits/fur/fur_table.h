@@ -200,7 +200,7 @@ struct FurTable final : Parameters {
     StudiedRows studied{
         *this,
         {{.name = "shellCount", .lifted = {"levelOfDetail"}},
-         {.name = "samplesBetween", .settles = "No ray grazes a shell along so many cells."},
+         {.name = "samplesBetween", .settles = "No ray grazes a shell along this many cells."},
          {.name = "levelOfDetail", .with = {{"shellCount", 256}}},
          {.name = "drawOrder",
           .same = "What lies behind a shell is covered in either order, so that the picture is the same."},

@@ -81,7 +81,7 @@ render::ContributionBound boundOfBounce(const HallScene& scene, double most)
     return render::boundOf(0, sun.strength * scene.model.sunTransfer().surfaceScale(),
                            {{scene.alone ? 0.0 : 1.0, "there is no hall to bounce it"},
                             {sun.strength, sun.elevation > 0 ? "the sun's strength is 0" : "the sun has set"},
-                            {most, "too little of the sun comes in by window and oculus"}});
+                            {most, "too little sunlight comes in through window and oculus"}});
 }
 
 void planBouncedLight(const HallScene& scene, const SceneLighting& light, render::FramePlan& plan)

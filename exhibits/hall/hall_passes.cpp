@@ -106,9 +106,9 @@ void planTurningShadow(const HallScene& scene, const Pass& still, const std::vec
     render::Hash key;
     key.addValue(*still.contentHash);
     for (const ExhibitPose& pose : scene.poses) key.addValue(pose.rotation);
-    Pass restore = follow("hall/shadow/restore", "what hangs here has turned", Attachment::whole("shadow.hall"));
+    Pass restore = follow("hall/shadow/restore", "the hanging objects have turned", Attachment::whole("shadow.hall"));
     restore.contentHash = key.value();
-    Pass hangings = follow("hall/shadow/hangings", "what hangs here has turned", Attachment::whole("shadow.hall"));
+    Pass hangings = follow("hall/shadow/hangings", "the hanging objects have turned", Attachment::whole("shadow.hall"));
     hangings.contentHash = key.value();
     // The probe is kept when they rotate, so they must not be in its shadows: it is captured before they are drawn.
     restore.phase = hangings.phase = render::PassPhase::prepare;

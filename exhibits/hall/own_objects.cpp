@@ -164,7 +164,7 @@ void planOwnObject(const HallScene& scene, const OwnObject& object, const SceneL
 std::string whyNone(const HallScene& scene, std::size_t which)
 {
     const OwnObjectRows& rows = scene.table.objects[which];
-    if (!scene.values[rows.model].empty()) return "its file is not read";
+    if (!scene.values[rows.model].empty()) return "its file has not been read";
     return which == 0 ? "the free plinth is empty" : "no file is chosen for it";
 }
 

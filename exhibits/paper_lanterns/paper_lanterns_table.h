@@ -197,13 +197,15 @@ struct PaperLanternsTable final : Parameters {
         // Excludes lanterns so far away that they are points of light, which the methods by cells leave out.
         {{.name = "repetition", .with = {{"lanterns", 16}, {"pointSize", 0.5}}},
          {.name = "bounces", .settles = "Mirrored rays lead upwards and seldom meet the water again."},
-         {.name = "waterSteps", .settles = "Rays have found the water in fewer steps."},
+         {.name = "waterSteps", .settles = "Rays find the water in fewer steps."},
          {.name = "rows",
           .lifted = {"meanSize"},
-          .settles = "Rays of a small picture meet the water before they have passed so many rows."},
+          .settles = "Rays of a small picture meet the water before they have passed this many rows."},
          {.name = "pointSize", .lifted = {"meanSize", "rows"}},
-         {.name = "meanSize", .lifted = {"rows"}, .settles = "The rows end before lanterns look so narrow."},
-         {.name = "stepLimit", .settles = "Rays end before they have taken so many steps."}}};
+         {.name = "meanSize",
+          .lifted = {"rows"},
+          .settles = "The rows of lanterns end before lanterns look this narrow."},
+         {.name = "stepLimit", .settles = "Rays end before they have taken this many steps."}}};
 };
 
 }  // namespace vitrine

@@ -37,7 +37,8 @@ void checkSettings(const PrintSettings& s)
 {
     if (s.views < 1) refuse("there are no views");
     if (s.views > mostViews)
-        refuse("there are " + std::to_string(s.views) + " views, and " + std::to_string(mostViews) + " is the most");
+        refuse("there are " + std::to_string(s.views) + " views, and at most " + std::to_string(mostViews) +
+               " are possible");
     check(s.sheet);
     requirePositive(s.dpiX, "dpi");
     requirePositive(s.dpiY, "dpi-y");

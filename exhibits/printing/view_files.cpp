@@ -166,8 +166,8 @@ std::vector<std::size_t> chosenViews(std::size_t available, const SequenceSettin
     const std::size_t count = settings.count == 0 ? row.size() : static_cast<std::size_t>(settings.count);
     if (count > most) {
         throw Failure(ErrorKind::usage,
-                      "There are " + std::to_string(count) + " views, and " + std::to_string(mostViews) +
-                          " is the most; take fewer with --every " +
+                      "There are " + std::to_string(count) + " views, and at most " + std::to_string(mostViews) +
+                          " are possible; take fewer with --every " +
                           std::to_string((row.size() + most - 1) / most * static_cast<std::size_t>(settings.every)) +
                           " or --count " + std::to_string(mostViews) + ".");
     }

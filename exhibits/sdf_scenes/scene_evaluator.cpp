@@ -84,8 +84,8 @@ SceneEvaluator unfolded(const ShownScene& shown, const SceneConstants& words, Sc
     const bool noCells = made->near->cells.cells.empty();
     const char* const noEnd = !noCells ? ""
                               : made->near->crowded
-                                  ? "so many shapes blend into each other that cells would hold them all"
-                                  : "the scene has no end, so no cells hold it";
+                                  ? "so many shapes blend into each other that every cell would list all of them"
+                                  : "the scene is infinite, so no grid of cells can cover it";
     if (noCells && automatic && !isInBuffer(*shown.program)) return everyShape(shown, words, noEnd);
     SceneEvaluator asked = *made;
     asked.why = noEnd;
@@ -136,9 +136,10 @@ std::vector<char> timeInvariantConstants(const SceneProgram& program)
 /// Returns why the scene's numbers are not folded into its program; empty if they are.
 std::string whyNotFolded(const ShownScene& shown, const SceneEvaluator& asked, SceneEvaluation way, SceneRest rest)
 {
-    if (way != SceneEvaluation::automatic) return "numbers are folded by themselves where the evaluation is automatic";
+    if (way != SceneEvaluation::automatic) return "numbers are compiled in only if the evaluation is automatic";
     if (asked.near) return "the shader text of lists contains no numbers";
-    if (shapesOf(*shown.program) > mostFolded) return "so many numbers take too long to be built into a program";
+    if (shapesOf(*shown.program) > mostFolded)
+        return "so many constants would take too long to compile into the shader";
     return rest == SceneRest::nothing ? "its numbers changed a short time ago" : "";
 }
 
@@ -165,7 +166,7 @@ SceneEvaluator sceneEvaluator(const ShownScene& shown, const SceneConstants& wor
                                return render::AssetStore::Made<render::ShaderSources>{std::move(sources), 16 * count};
                            })
                        .value;
-    if (!asked.folded) asked.whyNotFolded = "the text with its numbers is still being written";
+    if (!asked.folded) asked.whyNotFolded = "the shader with constant numbers is still being generated";
     return asked;
 }
 

@@ -183,7 +183,7 @@ struct SceneMesher::Work {
 
 SceneMesher::SceneMesher(const SceneField& scene, const MeshRequest& request, const MeshProgress& progress)
 {
-    if (!(request.cell > 0)) throw Failure(ErrorKind::usage, "A cell has a size above 0.");
+    if (!(request.cell > 0)) throw Failure(ErrorKind::usage, "The size of a cell must be above 0; give a larger one.");
     const render::Box box = meshedBox(scene, request);
     work_ = std::make_unique<Work>(scene, request.part ? *request.part : endlessBox());
     Work& work = *work_;

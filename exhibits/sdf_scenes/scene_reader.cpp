@@ -177,7 +177,7 @@ void SceneReader::readHead(std::uint32_t file)
     const auto format = json.member(0, "format");
     if (!format || json.written(*format) != '"' + std::string(sceneFormat) + '"')
         findings_.add(json, format.value_or(0),
-                      std::string("this is no scene; one begins with \"format\": \"") + sceneFormat + '"');
+                      std::string("this is not a scene; a scene begins with \"format\": \"") + sceneFormat + '"');
     const auto version = json.member(0, "version");
     if (!version || json.written(*version) != std::to_string(sceneVersion))
         findings_.add(json, version.value_or(0),

@@ -201,7 +201,7 @@ std::vector<StudyView> SdfScenes::studyViews(const ParameterValues& values) cons
     aside.eye += glm::dvec3(0.5, 0.2, 0.1);
     return {{"best view", bestView(values), 0, still},
             {"from the side", aside, 0, still},
-            {"gone around", bestView(values), 0, around}};
+            {"from another side", bestView(values), 0, around}};
 }
 
 DynamicParameters SdfScenes::dynamicParameters(const ParameterValues& values, render::AssetStore& assets) const

@@ -31,7 +31,10 @@ public:
     {
         return "A file of shapes becomes a shader; its numbers become sliders.";
     }
-    [[nodiscard]] std::string_view tryThis() const override { return "load a preset, then drag what is its own."; }
+    [[nodiscard]] std::string_view tryThis() const override
+    {
+        return "load a preset, then drag the sliders of its scene.";
+    }
     [[nodiscard]] std::string_view buttonText() const override { return "let time run"; }
     [[nodiscard]] int place() const override { return 5; }
     [[nodiscard]] bool isComplete() const override { return true; }

@@ -138,7 +138,7 @@ struct SdfScenesTable final : Parameters {
         *this,
         {{.name = "bounces", .settles = "The scene asks for fewer mirror images of mirror images."},
          {.name = "hitTolerance", .lifted = {"stepLimit"}},
-         {.name = "stepLimit", .settles = "Rays end before they have taken so many steps."},
+         {.name = "stepLimit", .settles = "Rays end before they have taken this many steps."},
          {.name = "normalStep", .settles = "Steps of half and of double that length give the same normals."}}};
 
     const std::shared_ptr<const scenes::ShownScene> shown;

@@ -95,7 +95,7 @@ void Study::addViews()
             turned.view.camera.target + glm::dvec3(std::cos(angle) * arm.x + std::sin(angle) * arm.z, arm.y,
                                                    std::cos(angle) * arm.z - std::sin(angle) * arm.x);
         turned.view.time += 0.37;
-        turned.view.name += ", from aside";
+        turned.view.name += ", from the side";
         turned.heldOut = true;
         views_.push_back(std::move(turned));
     }

@@ -52,7 +52,7 @@ void setValues(const SceneState& sceneState, StudyAxis& axis, const std::string&
         const std::optional<Value> value = optionValue(row, part);
         const std::optional<Value> legal = value ? nearestLegal(row, *value) : std::nullopt;
         if (!legal || *legal != *value)
-            throw Failure(ErrorKind::usage, "--values: \"" + part + "\" is no value for " + std::string(row.name) +
+            throw Failure(ErrorKind::usage, "--values: \"" + part + "\" is not a value for " + std::string(row.name) +
                                                 "; give " + whatItTakes(row, part) + '.');
         axis.values.push_back(std::get<double>(*legal));
     }

@@ -43,7 +43,7 @@ struct StudyTable final : Parameters {
                labeled("Keep all settings"));
 
     Group measureGroup = group("Measurement");
-    Choice<int> metric = choice("metric", 0, studyMetrics(), "Measure of the error.");
+    Choice<int> metric = choice("metric", 0, studyMetrics(), "Metric by which errors are measured.");
     Real pixelsPerDegree = real("pixelsPerDegree", render::flipPixelsPerDegree, none, Range{1, 1000}.soft(20, 100),
                                 "Pixels per degree of the viewer's field of view, for the metric flip.");
     Toggle modelError = toggle(

@@ -41,22 +41,22 @@ struct YourShaderTable final : Parameters {
     Toggle mouseDown = toggle("mouseDown", false, "Whether the button of the mouse is held, for Shadertoy's iMouse.");
 
     Group steps = group("Steps");
-    Real rate =
-        real("rate", 60, hertz, {1, 240},
-             "Number of steps a second of shaders that continue their last picture, and of the frames counted.");
-    Choice<ShaderChange> afterChange = choice(
-        "afterChange", ShaderChange::goesOn, {"continue", "recompute"},
-        "After a change of an input, a shader with persistent buffers continues from what they hold, or begins again. "
-        "Pictures for files always begin again.");
+    Real rate = real("rate", 60, hertz, {1, 240},
+                     "Number of steps per second of shaders that continue from their last picture; frame counters "
+                     "advance at this rate, too.");
+    Choice<ShaderChange> afterChange =
+        choice("afterChange", ShaderChange::goesOn, {"continue", "recompute"},
+               "Behavior of persistent buffers when an input changes: the shader continues from their content, or "
+               "begins again. Pictures for files always begin again.");
 
     Group accuracy = group("Accuracy");
     Count loopRounds = count("loopRounds", 65536, {16, 262144, logarithmic},
-                             "Largest number of loop rounds of one pixel, all loops together: low cuts long loops off, "
-                             "high lets them end.",
+                             "Largest number of loop iterations per pixel, in all loops together: low cuts long loops "
+                             "off, high lets them end.",
                              quality(262144), essential());
     Count screenWidth =
         count("screenWidth", 960, {64, 4096, logarithmic}, "Width of the picture in its frame in the hall, in pixels.");
-    StudiedRows studied{*this, {{.name = "loopRounds", .settles = "The loops of the shader end before."}}};
+    StudiedRows studied{*this, {{.name = "loopRounds", .settles = "The loops of the shader end earlier."}}};
 
     const std::shared_ptr<const guest::Work> work;
     /// Parameters of each input, in the order of its components; empty for inputs without any.

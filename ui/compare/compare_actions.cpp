@@ -34,7 +34,7 @@ constexpr std::array<ModeWords, 5> modeWords{
      {CompareMode::sideBySide, "compare-side-by-side",
       QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "Side by &side"),
       QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "Whole pictures of A and B, side by side.")},
-     {CompareMode::flicker, "compare-flicker", QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "&Flicker"),
+     {CompareMode::flicker, "compare-flicker", QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "A/B &flicker"),
       QT_TRANSLATE_NOOP("vitrine::ui::CompareActions",
                         "A, with B kept ready: hold the key B in the picture to see it.")},
      {CompareMode::flip, "compare-flip", QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "FLI&P"),

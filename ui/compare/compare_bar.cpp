@@ -27,7 +27,7 @@ constexpr std::size_t mostRows = 30;  ///< Most parameters in the menu of differ
 constexpr int widestName = 140;
 constexpr std::array<const char*, 5> modeNames{
     QT_TRANSLATE_NOOP("vitrine::ui::CompareBar", "Wipe"), QT_TRANSLATE_NOOP("vitrine::ui::CompareBar", "Side by side"),
-    QT_TRANSLATE_NOOP("vitrine::ui::CompareBar", "Flicker"), QT_TRANSLATE_NOOP("vitrine::ui::CompareBar", "FLIP"),
+    QT_TRANSLATE_NOOP("vitrine::ui::CompareBar", "A/B flicker"), QT_TRANSLATE_NOOP("vitrine::ui::CompareBar", "FLIP"),
     QT_TRANSLATE_NOOP("vitrine::ui::CompareBar", "Difference")};
 
 ValueSlider* sliderOver(std::uint16_t row, const QString& name, QWidget* parent)

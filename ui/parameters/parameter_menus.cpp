@@ -111,9 +111,9 @@ void ParameterMenus::addMotionTo(QMenu& menu, std::size_t row)
     const Motion next = motion->heldAt ? resumed(*motion, moment_) : held(*motion, moment_);
     const Value now = valueOf(info, *motion, moment_);
     menu.addAction(
-        motion->heldAt ? tr("Move on") : tr("Hold"), this,
+        motion->heldAt ? tr("Resume the motion") : tr("Hold the motion"), this,
         [this, row, next, base = values().row(row),
-         words = (motion->heldAt ? tr("Move %1 on") : tr("Hold %1")).arg(name)] { setMotion(row, words, next, base); });
+         words = (motion->heldAt ? tr("Resume %1") : tr("Hold %1")).arg(name)] { setMotion(row, words, next, base); });
     menu.addAction(tr("Stop here"), this,
                    [this, row, now, words = tr("Stop %1").arg(name)] { setMotion(row, words, std::nullopt, now); });
 }

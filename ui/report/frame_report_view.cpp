@@ -24,7 +24,7 @@ QString millisecondsText(double ms)
 FrameReportView::FrameReportView(QWidget* parent) : QTreeWidget(parent)
 {
     setAccessibleName(tr("Frame report"));
-    setHeaderLabels({tr("Step"), tr("Work"), tr("ms"), tr("Saved"), tr("Why"), tr("B, ms")});
+    setHeaderLabels({tr("Step"), tr("Kind of work"), tr("ms"), tr("Saved"), tr("Why"), tr("B, ms")});
     headerItem()->setToolTip(
         saved, tr("Milliseconds that a skipped pass took when it last ran. “Run everything” measures all of them."));
     headerItem()->setToolTip(other, tr("Milliseconds of the same pass with settings B, in a complete frame that reuses "

@@ -173,9 +173,10 @@ public:
     void head(const Part& part)
     {
         if (!part.hasBlock)
-            throw failureAt(file_, part.line,
-                            message("the block that says whose lesson this is is missing; write ```json, {\"format\": "
-                                    "\"vitrine-lesson\", \"version\": 1, \"exhibit\": ...} and ``` below the title."));
+            throw failureAt(
+                file_, part.line,
+                message("the block that names the exhibit of the lesson is missing; write ```json, {\"format\": "
+                        "\"vitrine-lesson\", \"version\": 1, \"exhibit\": ...} and ``` below the title."));
         const JsonDocument document = object(part, {"format", "version", "exhibit"});
         const Json& root = document.root();
         if (root.value("format", Json()) != "vitrine-lesson")

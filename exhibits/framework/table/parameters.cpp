@@ -216,7 +216,7 @@ std::uint16_t Parameters::appendRow(ParameterInfo row)
     if (row.actsWhen) own(*row.actsWhen);
 
     assert(isRowName(row.name));
-    assert(!find(row.name) && "two rows share a name");
+    assert(!find(row.name) && "two parameters share a name");
     assert(row.range.low <= row.range.softLow && row.range.softHigh <= row.range.high);
     assert(row.range.scale == Scale::linear || row.range.softLow > 0);
     assert(nearestLegal(row, row.initial).has_value());

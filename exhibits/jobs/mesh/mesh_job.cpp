@@ -80,7 +80,7 @@ std::optional<render::Box> partOf(const ParameterValues& values)
         throw Failure(ErrorKind::usage, "--low and --high belong together: two corners of the part that is meshed.");
     const glm::dvec3 size = *high - *low;
     if (!(size.x > 0 && size.y > 0 && size.z > 0))
-        throw Failure(ErrorKind::usage, "--high: all three numbers are above those of --low.");
+        throw Failure(ErrorKind::usage, "--high: each of the three numbers must be above that of --low.");
     return render::Box{*low, *high};
 }
 

@@ -81,10 +81,9 @@ void turnAround(const ParameterValues& values, const JobScene& scene, RecordingR
     request.closed = isWholeTurns(angle);
     request.camera = turntable(frame.camera, angle, paceOf(values, request.closed ? Pace::constant : Pace::eased));
     if (frame.alone || firstCollision(scene.museum->obstacles(scene.state), request.camera) < 0) return;
-    throw Failure(ErrorKind::usage,
-                  "A camera that turns by " + render::shortNumber(angle * 180 / std::numbers::pi) +
-                      " degrees runs into a wall or what stands in the hall; turn by a smaller angle, or "
-                      "show the exhibit alone.");
+    throw Failure(ErrorKind::usage, "A camera that turns by " + render::shortNumber(angle * 180 / std::numbers::pi) +
+                                        " degrees runs into a wall or an object; turn by a smaller angle, or "
+                                        "show the exhibit alone.");
 }
 
 /// Returns the request with the motion of the camera. Finding a way around walls takes a while.
@@ -176,8 +175,8 @@ std::string refusalOf(const ParameterValues& values, const JobScene& scene, cons
 {
     const RecordPath path = pathOf(values, scene);
     if (scene.frame.alone && path != RecordPath::turntable && path != RecordPath::still)
-        return "A tour goes through the hall, in which an exhibit that is shown alone does not stand; choose turntable "
-               "or still, or show it in the hall.";
+        return "A tour needs the hall, but the exhibit is shown alone; choose turntable or still, or show it in the "
+               "hall.";
     if (path != RecordPath::bookmarks) return {};
     if (!inputs.bookmarksProblem.empty()) return inputs.bookmarksProblem;
     if (inputs.bookmarks && inputs.bookmarks->bookmarks.size() > 1) return {};

@@ -35,7 +35,7 @@ struct RecordTable final : Parameters {
                         "Motion blur: fraction of a frame's time for which it is exposed. 0 is without blur.",
                         labeled("Motion blur"));
     Count shutterSamples = count("shutterSamples", 8, Range{1, 4096, logarithmic}.soft(2, 64),
-                                 "Number of times within the exposure whose pictures are averaged.",
+                                 "Number of points in time within the exposure whose pictures are averaged.",
                                  labeled("Times in the exposure"), whenAbove(shutter, 0));
 
     Group pictureGroup = group("Picture");

@@ -458,8 +458,8 @@ TEST(RecordJob, TellsFramesAndWhatCannotBeBeforeItStarts)
     refused({"--fps=60"}, "a.gif", "50");
     refused({}, "a.avi", "a.avi: give a name that ends in .mp4, ");
     refused({}, "a.png", "frames/%04d.png");
-    refused({"--path=tour"}, "", "A tour goes through the hall");
-    refused({"--path=bookmarks"}, "", "A tour goes through the hall");
+    refused({"--path=tour"}, "", "A tour needs the hall");
+    refused({"--path=bookmarks"}, "", "A tour needs the hall");
     EXPECT_PRED_FORMAT2(testing::IsSubstring, "the frames so far are whole", planned({}, "f/%02d.png").ifStopped);
     EXPECT_EQ(planned({}, "a.mp4").ifStopped, "Stopped; nothing was written.");
 }

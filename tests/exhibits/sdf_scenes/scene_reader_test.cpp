@@ -138,7 +138,7 @@ TEST(SceneReader, TakesTextThatIsNoSceneForWhatItIs)
     EXPECT_EQ(first("{\"format\": 1,\n \"format\": 2}"),
               "test.json:2:9: format: this key appears twice; remove one of the two.");
     EXPECT_EQ(first("[]"), "test.json:1:1: a scene must be an object: { ... }.");
-    EXPECT_EQ(first("{}").substr(0, 47), "test.json:1:1: this is no scene; one begins wit");
+    EXPECT_EQ(first("{}").substr(0, 47), "test.json:1:1: this is not a scene; a scene beg");
     EXPECT_EQ(first(R"({"format": "vitrine-scene", "version": 2, "root": {"kind": "sphere"}})"),
               "test.json:1:29: version: this version is not known; give \"version\": 1.");
     EXPECT_EQ(first(R"({"format": "vitrine-scene", "version": 1})"),

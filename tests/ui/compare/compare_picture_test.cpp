@@ -143,7 +143,7 @@ private slots:
         QCOMPARE(gallery_->otherRequests().size(), drawn);
         FrameReportDock& frameReport = window_->docks().frameReport();
         QTRY_VERIFY2(frameReport.sumsText().contains("B: not drawn"), qPrintable(frameReport.sumsText()));
-        action("Flicker")->trigger();
+        action("A/B flicker")->trigger();
         rest();
         QVERIFY2(gallery_->otherRequests().size() > drawn, "a control: a mode that needs B draws it");
         QTRY_VERIFY2(frameReport.sumsText().contains("B: 2 steps, 17.80 ms"), qPrintable(frameReport.sumsText()));

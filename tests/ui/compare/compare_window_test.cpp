@@ -80,7 +80,7 @@ private slots:
         QVERIFY(gallery_->otherRequests().size() > drawn);
         QTest::keyRelease(&view(), Qt::Key_B);
         QTRY_VERIFY(isA(0.1));
-        action("Flicker")->trigger();
+        action("A/B flicker")->trigger();
         rest();
         QVERIFY(isA(0.1));
         QVERIFY(isA(0.9));

@@ -70,7 +70,7 @@ private slots:
         rest();
         const QImage b = grabbed();
         action("Show B alone")->trigger();
-        action("Flicker")->trigger();  // A alone, in a picture of the same size, because the bar stays.
+        action("A/B flicker")->trigger();  // A alone, in a picture of the same size, because the bar stays.
         rest();
         const QImage a = grabbed();
         QVERIFY(sameWithin(both, a, 0, 0.48));

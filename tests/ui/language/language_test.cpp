@@ -194,7 +194,7 @@ private slots:
     {
         ui::setLanguage(QStringLiteral("de"));
         for (const char* text :
-             {"moving: 50% of full resolution", "\"0,3\" is no value for it; give a number from 0 to 1.",
+             {"moving: 50% of full resolution", "\"0,3\" is not a value for it; give a number from 0 to 1.",
               "study nope: sdf_morph has no such parameter; give one of bounces, hitTolerance."}) {
             const QString shown = ui::translatedText(text);
             QVERIFY2(shown == QString::fromUtf8(text) || !englishIn(shown), qPrintable(shown));
