@@ -3,6 +3,7 @@
 #include "exhibits/framework/scene/scene_object.h"
 #include "render/failure.h"
 #include "render/text/joined.h"
+#include "render/text/nearest_word.h"
 
 namespace vitrine {
 
@@ -17,11 +18,13 @@ OfferedComparison offeredComparison(const SceneObject& subject, std::string_view
     const std::vector<OfferedComparison> all = offeredComparisons(subject);
     for (const OfferedComparison& offered : all)
         if (offered.name == name) return offered;
-    const std::string names = joined(all, ", ", &OfferedComparison::name);
+    std::vector<std::string> names;
+    for (const OfferedComparison& offered : all) names.push_back(offered.name);
     const std::string who(subject.name());
-    throw Failure(ErrorKind::usage, names.empty() ? who + " offers no comparisons; name two settings."
-                                                  : who + " offers no comparison \"" + std::string(name) +
-                                                        "\"; choose one of " + names + ".");
+    throw Failure(ErrorKind::usage, names.empty()
+                                        ? who + " offers no comparisons; name two settings."
+                                        : who + " offers no comparison \"" + std::string(name) + "\"" +
+                                              didYouMean(name, names) + " choose one of " + joined(names, ", ") + ".");
 }
 
 SceneState otherSide(const SceneState& a, std::size_t subject, const OfferedComparison& offered)

@@ -9,6 +9,7 @@
 #include "render/files/atomic_write.h"
 #include "render/files/number_text.h"
 #include "render/text/joined.h"
+#include "render/text/nearest_word.h"
 
 #include <unistd.h>
 
@@ -97,10 +98,12 @@ std::vector<double> parametersOf(const scenes::Scene& scene, const ParameterValu
         std::size_t i = 0;
         while (i < all.size() && scene.parameters()[i].name != name) ++i;
         if (i == all.size()) {
-            const std::string names = joined(scene.parameters(), ", ", &scenes::SceneParameter::name);
-            throw Failure(ErrorKind::usage,
-                          "--set " + name + ": the scene has no " +
-                              (names.empty() ? "parameters." : "such parameter; it has " + names + "."));
+            std::vector<std::string> names;
+            for (const scenes::SceneParameter& parameter : scene.parameters()) names.push_back(parameter.name);
+            throw Failure(ErrorKind::usage, "--set " + name + ": the scene has no " +
+                                                (names.empty() ? "parameters."
+                                                               : "parameter of that name" + didYouMean(name, names) +
+                                                                     " it has " + joined(names, ", ") + "."));
         }
         const scenes::SceneParameter& parameter = scene.parameters()[i];
         std::optional<double> value = evaluate(typed, Unit::none);

@@ -7,6 +7,7 @@
 #include "render/failure.h"
 #include "render/hash.h"
 #include "render/text/joined.h"
+#include "render/text/nearest_word.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -137,9 +138,12 @@ int SpriteSubject::animationOf(const SpriteRequest& request) const
     if (request.animation.empty()) return all.empty() ? -1 : 0;
     for (std::size_t i = 0; i < all.size(); ++i)
         if (all[i].name == request.animation) return static_cast<int>(i);
-    const std::string names = joined(all, ", ", [](const auto& animation) { return animation.name; });
-    throw Failure(ErrorKind::usage, "There is no animation \"" + request.animation + "\"; " +
-                                        (names.empty() ? "the file has none." : "the file has " + names + "."));
+    std::vector<std::string> names;
+    for (const auto& animation : all) names.push_back(animation.name);
+    throw Failure(ErrorKind::usage, "There is no animation \"" + request.animation + "\"" +
+                                        (names.empty() ? "; the file has none."
+                                                       : didYouMean(request.animation, names) + " the file has " +
+                                                             joined(names, ", ") + "."));
 }
 
 double SpriteSubject::duration(const SpriteRequest& request) const

@@ -67,6 +67,7 @@ TEST(OfferedComparison, HasTheValuesOfAButForItsRowsWhichDoNotMove)
     EXPECT_TRUE(b.values[1].motions().empty());
     ASSERT_EQ(differingRows(a, b).size(), 1U);
     EXPECT_NE(refusalOf(**rays, "nothing").find("without, screen, air"), std::string::npos);
+    EXPECT_NE(refusalOf(**rays, "scren").find("did you mean screen?"), std::string::npos);
     EXPECT_EQ(refusalOf(**rays, "air"), "");
 }
 
