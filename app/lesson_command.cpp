@@ -96,7 +96,7 @@ void addLessonCommand(CLI::App& parser, Action& chosen)
     showing->callback([&chosen, name] { chosen = [name] { return showLesson(*name); }; });
     CLI::App* checking = command->add_subcommand("check", "Check whether lessons can be read, and list their errors");
     auto files = std::make_shared<std::vector<std::string>>();
-    checking->add_option("files", *files, "Lessons, as Markdown")->required();
+    checking->add_option("files", *files, "Lesson files (Markdown)")->required();
     checking->callback([&chosen, files] { chosen = [files] { return checkLessons(*files); }; });
 }
 

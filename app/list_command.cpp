@@ -108,7 +108,7 @@ void addListCommand(CLI::App& parser, Action& chosen)
     command->add_option("--manual", *name, "Name of an exhibit whose parameters are printed as a table in Markdown");
     auto ofJobs = std::make_shared<bool>(false);
     command->add_flag("--jobs", *ofJobs,
-                      "List the jobs in place of the exhibits; with --json, a JSON Schema of each job's parameters");
+                      "List the jobs instead of the exhibits; with --json, a JSON Schema of each job's parameters");
     command->callback([&chosen, asJson, sets, name, ofJobs, command] {
         chosen = [asJson, sets, name, ofJobs, command] {
             for (const char* option : {"--manual", "--set"}) refuseOn(*command, option, *ofJobs, "the list of --jobs");

@@ -93,7 +93,7 @@ void addRenderCommand(CLI::App& parser, Action& chosen)
     CLI::App* command = parser.add_subcommand(
         "render", "Render an exhibit at its place in the hall, or the hall, to a file; needs no display");
     auto options = std::make_shared<RenderOptions>();
-    command->add_option("exhibit", options->picture.subject, "An exhibit's name, or hall")->required();
+    command->add_option("exhibit", options->picture.subject, "Name of an exhibit, or hall")->required();
     command
         ->add_option("--out", options->picture.out,
                      "Output picture: " + render::writtenExtensions() + "; OpenEXR holds linear light")

@@ -73,8 +73,7 @@ void addCheck(CLI::App& command, Action& chosen)
         command.add_subcommand("check", "Check scene files, and list their errors as file:line:column: key: ...");
     auto files = std::make_shared<std::vector<std::string>>();
     auto asJson = std::make_shared<bool>(false);
-    checking->add_option("files", *files, "Scene files, of this program, or scene objects of the reference as JSON")
-        ->required();
+    checking->add_option("files", *files, "Scene files (JSON) of this program, or of the reference")->required();
     checking->add_flag("--json", *asJson, "Print the findings as JSON");
     checking->callback([&chosen, files, asJson] { chosen = [files, asJson] { return checkScenes(*files, *asJson); }; });
 }

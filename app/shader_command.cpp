@@ -102,12 +102,13 @@ void addShaderCommand(CLI::App& parser, Action& chosen)
 {
     CLI::App* command = parser.add_subcommand("shader", "Work with shaders of your own");
     command->require_subcommand(1);
-    CLI::App* checking = command->add_subcommand("check", "Say what is wrong in shaders: file:line:column: ...");
+    CLI::App* checking =
+        command->add_subcommand("check", "Check shader files, and list their errors as file:line:column: ...");
     auto files = std::make_shared<std::vector<std::string>>();
     auto asJson = std::make_shared<bool>(false);
     checking->add_option("files", *files, "Shaders: ISF, Shadertoy's code or JSON, or plain fragment shaders")
         ->required();
-    checking->add_flag("--json", *asJson, "The findings, inputs and passes as JSON");
+    checking->add_flag("--json", *asJson, "Print the errors, inputs and passes as JSON");
     checking->callback(
         [&chosen, files, asJson] { chosen = [files, asJson] { return checkShaders(*files, *asJson); }; });
 }

@@ -175,8 +175,7 @@ void addCompareSettingsCommand(CLI::App& parser, Action& chosen)
     command->add_option("--with", options->with,
                         "Name of a comparison that the exhibit of A offers (see `list --json`), in place of B");
     command->add_option("--out", options->picture.out, "Output folder for the page")->required();
-    command->add_option("--exhibit", options->picture.subject,
-                        "Exhibit whose shipped presets A and B may be given by their names");
+    command->add_option("--exhibit", options->picture.subject, "Exhibit whose presets can be given by name as A and B");
     command->add_option("--size", options->picture.size, "Width x height in pixels")->capture_default_str();
     addNumber(*command, "--samples", options->picture.samples, {1, 4096},
               "Samples per pixel. Default: the supersamples of a setting that changes them, else 4");

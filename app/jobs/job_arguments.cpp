@@ -87,12 +87,12 @@ void addJobArguments(CLI::App& command, const jobs::Job& job, JobArguments& type
 {
     const jobs::JobNeeds needs = job.needs();
     if (needs.anyScene) {
-        command.add_option("exhibit", typed.scene.subject, "An exhibit's name, or hall");
+        command.add_option("exhibit", typed.scene.subject, "Name of an exhibit, or hall");
         addSceneOptions(command, typed.scene);
         command.remove_option(command.get_option("--samples"));  // A parameter of the jobs that take samples.
     } else if (needs.hasScene()) {
         const std::string subject(needs.anySettings ? "the exhibit" : needs.subject);
-        if (needs.anySettings) command.add_option("exhibit", typed.scene.subject, "An exhibit's name, or hall");
+        if (needs.anySettings) command.add_option("exhibit", typed.scene.subject, "Name of an exhibit, or hall");
         command.add_option("--preset", typed.scene.preset,
                            "Preset of " + subject + ": the name of a shipped one, or a file");
         command.add_option("--set", typed.scene.sets, "Value of a parameter of " + subject + ", name=value")
