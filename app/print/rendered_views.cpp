@@ -27,9 +27,9 @@ using printing::PrintLayout;
 using printing::ViewRig;
 using printing::ViewShot;
 
-constexpr int longestSide = 1200;  ///< Where no size is asked for.
+constexpr int longestSide = 1200;  ///< Default of the longer side of a view, in pixels.
 constexpr int mostSide = 8192;     ///< A print of a meter at 40 LPI has 1600 lenses.
-constexpr int mostOfItself = 24;   ///< Views, where none are asked for: more cost time and show little.
+constexpr int mostOfItself = 24;   ///< Most views by default: more cost time and show little.
 
 template <typename... Args> std::string text(const char* format, Args... args)
 {

@@ -2,7 +2,7 @@
 
 #include "render/glsl/cpu.h"
 
-/// shaders/crepuscular_rays/light_shafts.glsl and air.glsl as C++.
+/// shaders/crepuscular_rays/light_shafts.glsl and participating_media.glsl as C++.
 
 #include "render/glsl/begin_cpu.h"
 

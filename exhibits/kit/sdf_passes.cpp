@@ -118,7 +118,7 @@ struct SdfPlanner {
                                             {{around.sunShadow.absolute + own, around.sunShadow.whyNone}})}))
             needed.set(table.shadowMethod, SdfShadow::none);
 
-        // Each surface after the first adds its own light, and the last one the room's.
+        // Each surface after the first adds the light that it reflects, and the last one adds the light of the room.
         const double shaded = bounces > 0 ? bounces * (around.sunShadow.absolute + own) : 0;
         const double reflected = around.probeLight.absolute + shaded;
         (void)plan.includeIfEffective(

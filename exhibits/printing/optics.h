@@ -48,6 +48,7 @@ struct Aperture {
 
 /// Return the full angle in which all views are seen once, in radians, by two definitions.
 [[nodiscard]] double zoneByChiefRay(const Sheet&);
-[[nodiscard]] double zoneByAperture(const Sheet&);  ///< From the angle at which the mean over the lens is half a pitch.
+[[nodiscard]] double
+zoneByAperture(const Sheet&);  ///< Viewing zone, from the angle at which the mean over the lens is half a pitch.
 
 }  // namespace vitrine::printing

@@ -98,7 +98,7 @@ struct NodeKind {
     Form form = Form::shape;
     std::string_view help;
     std::vector<Field> fields;
-    Exactness exactness = Exactness::exact;  ///< For a node without a blend whose children are exact.
+    Exactness exactness = Exactness::exact;  ///< Exactness of a node without a blend whose children are exact.
     bool ofFlatChild = false;                ///< Only a bound if the child is not flat.
 
     /// shape: distance.

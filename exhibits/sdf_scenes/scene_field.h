@@ -17,7 +17,7 @@ struct SceneSample {
 
 /// Result of a node at a point.
 struct NodeSample {
-    double distance = 0;   ///< In the space of its parent, after the division by `lipschitz`.
+    double distance = 0;   ///< Distance in the space of its parent, after the division by `lipschitz`.
     double lipschitz = 1;  ///< Upper bound on the stretch by the operation at that point.
 };
 

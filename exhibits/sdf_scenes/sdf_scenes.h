@@ -56,7 +56,7 @@ public:
     [[nodiscard]] std::vector<DraggedLine> draggedLines(const ExhibitState&, const glm::dvec3& eye) const override;
     [[nodiscard]] double valueUnder(const ExhibitState&, std::size_t row, const render::Ray&) const override;
 
-    // Its tree: HasTree.
+    // HasTree
     [[nodiscard]] Tree tree(const ParameterValues&) const override;
     [[nodiscard]] std::optional<TreeRows> rowsOf(const ParameterValues&, std::string_view node) const override;
     [[nodiscard]] EditedTree edited(const ParameterValues&, const TreeEdit&, render::AssetStore&) const override;

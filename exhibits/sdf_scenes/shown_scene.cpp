@@ -192,15 +192,15 @@ render::Camera sceneView(double fovY)
 
 namespace {
 
-constexpr int widestPanorama = 4096;  ///< Made of faces.
+constexpr int widestPanorama = 4096;  ///< Largest width of a panorama that is made from the faces of a cube, in pixels.
 
-/// Which face a direction meets, and where in its picture: columns to the right, rows down, 0 to 1.
+/// Face of a cube that a direction meets, and position in its picture: columns to the right, rows down, 0 to 1.
 struct FacePlace {
     std::size_t face;
     double column, row;
 };
 
-/// right, left, top, bottom, front, back, as seen from within; front is -z.
+/// Returns the face that a direction meets. Faces: right, left, top, bottom, front, back, seen from within; front: -z.
 FacePlace facePlace(const glm::dvec3& d)
 {
     const glm::dvec3 size = glm::abs(d);
@@ -275,7 +275,8 @@ namespace {
 
 constexpr double farthestOfReference = 100;
 constexpr double farthestOfPhysical = 300;
-constexpr double timesAsFar = 60;  ///< As what a scene without a camera is seen from: as far as 300 m from 5 m.
+constexpr double timesAsFar =
+    60;  ///< Far limit over the distance of the camera, for a scene without a camera: 300 m for 5 m.
 
 glm::dvec3 vectorOf(const double* v)
 {
@@ -291,7 +292,7 @@ void setEdges(SceneStage& stage, std::size_t i, const glm::dvec3& facing, double
     stage.lightAlong[i] = glm::vec4(glm::vec3(0.5 * height * glm::cross(facing, across)), 0);
 }
 
-/// `target`: where the camera looks, at which a point of light is as bright as its color says.
+/// `target`: point that the camera looks at. A point light illuminates it as brightly as its color says.
 void setLight(const Record& light, const double* v, const glm::dvec3& target, bool byReference, std::size_t i,
               SceneStage& stage)
 {

@@ -101,7 +101,7 @@ private:
     const Work& work_;
     const render::PersistentState& kept_;
     render::FramePlan& plan_;
-    std::vector<glm::ivec2> sizes_;  ///< Of the targets.
+    std::vector<glm::ivec2> sizes_;  ///< Sizes of the targets.
 };
 
 std::optional<double> WorkPlan::inputNumber(std::string_view name) const

@@ -172,7 +172,7 @@ std::vector<std::string> commandsIn(const std::string& help)
 struct NumberOption {
     std::vector<std::string> command;
     std::string name;
-    std::string words;  ///< That it takes besides numbers: "|inf|auto".
+    std::string words;  ///< Words that it accepts besides numbers: "|inf|auto".
 };
 
 /// Returns all options of all commands that take a number, from their help texts.

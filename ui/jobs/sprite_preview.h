@@ -24,10 +24,10 @@ public:
     struct Shown {
         QImage picture;
         std::vector<SpriteCell> cells;  ///< Direction by direction.
-        std::vector<QPoint> pivots;     ///< Of each, pixels of the uncut frame.
-        QSize frame;                    ///< Uncut.
-        int frames = 1;                 ///< Of each direction.
-        double seconds = 1.0 / 12;      ///< Of each frame.
+        std::vector<QPoint> pivots;     ///< Pivot of each cell, in pixels of the untrimmed frame.
+        QSize frame;                    ///< Size of the untrimmed frame.
+        int frames = 1;                 ///< Number of frames of each direction.
+        double seconds = 1.0 / 12;      ///< Duration of each frame.
     };
 
     explicit SpritePreview(QWidget* parent);

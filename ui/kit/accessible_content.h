@@ -20,7 +20,7 @@ struct AccessibleNumber {
 /// made from these functions.
 class AccessibleContent {
 public:
-    /// Installs the factory of accessible interfaces  for all widgets with `AccessibleContent`, and for labels and
+    /// Installs the factory of accessible interfaces for all widgets with `AccessibleContent`, and for labels and
     /// combo boxes.
     AccessibleContent();
     virtual ~AccessibleContent() = default;

@@ -96,7 +96,7 @@ void ParameterPanel::showAll()
     if (table_ && table_->hasRowsOf(values().table())) {
         showValues();
     } else if (table_) {
-        rearrange();  // Of the same exhibit: a file gave others.
+        rearrange();  // Another file of the same exhibit has other parameters.
     } else {
         rebuild();
     }
@@ -255,7 +255,7 @@ std::vector<std::size_t> ParameterPanel::groupOf(std::size_t row) const
         if (group.kind == PanelGroup::Kind::table &&
             std::find(group.members.begin(), group.members.end(), row) != group.members.end())
             return group.members;
-    return {row};  // All of its group are shown further up.
+    return {row};  // All parameters of its group are in the essential group.
 }
 
 std::vector<std::size_t> ParameterPanel::inOrder() const

@@ -22,7 +22,7 @@ namespace {
 QHBoxLayout* rowLayout(QWidget* parent)
 {
     auto* layout = new QHBoxLayout(parent);
-    layout->setContentsMargins(6, 0, 0, 0);  // Where a slider's track begins.
+    layout->setContentsMargins(6, 0, 0, 0);  // The track of a slider begins there.
     layout->setSpacing(4);
     return layout;
 }

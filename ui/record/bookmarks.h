@@ -56,7 +56,7 @@ private:
 
     Workbench& window_;
     std::filesystem::path file_;
-    bool broken_ = false;  ///< What is in the file could not be read, and is left as it is.
+    bool broken_ = false;  ///< The file could not be read, and is not overwritten.
     std::array<std::optional<Bookmark>, most> places_;
 };
 

@@ -222,7 +222,7 @@ void StudyDock::vary(const QString& parameters)
     const StudyTable& t = studyTable();
     ParameterValues values = setup_.values();
     values.set(t.varied, parameters.toStdString());
-    values.set(t.values, std::string());  // Those of another parameter.
+    values.set(t.values, std::string());  // The old values belong to another parameter.
     if (!(values == setup_.values())) setup_.change(tr("What to measure"), values);
     showVaried();
 }

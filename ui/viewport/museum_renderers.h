@@ -47,9 +47,9 @@ private:
     std::unique_ptr<render::gl::Renderer> other_;  ///< Draws the settings B.
     std::unique_ptr<render::gl::Renderer> small_;  ///< Draws small pictures, such as thumbnails.
     bool timeSteps_ = false;
-    bool hasHalos_ = false;               ///< The last picture of `draw` has halos, ...
-    glm::ivec2 halosPicture_{0};          ///< ... which were made at this size.
-    std::shared_ptr<const Halos> halos_;  ///< They, read back when a region first needs them.
+    bool hasHalos_ = false;               ///< Whether the last picture of `draw` has halos.
+    glm::ivec2 halosPicture_{0};          ///< Size of that picture, in pixels.
+    std::shared_ptr<const Halos> halos_;  ///< Its halos, read back when a region first needs them.
 };
 
 }  // namespace vitrine::ui

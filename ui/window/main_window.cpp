@@ -254,7 +254,7 @@ void MainWindow::showTitle()
 void MainWindow::hidePanels(bool hidden)
 {
     if (hidden == bare_) return;
-    if (hidden && keeper_) keeper_->saveLayout();  // What comes back next time is what was there before.
+    if (hidden && keeper_) keeper_->saveLayout();  // The next start restores the panels that are visible now.
     bare_ = hidden;
     if (hidden)
         docks_->hideAll();
@@ -300,7 +300,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
         event->ignore();
         return;
     }
-    lessons_->leave();  // What comes back next time is what was open before.
+    lessons_->leave();  // The next start restores the state before the lesson.
     keeper_->close();
     event->accept();
 }

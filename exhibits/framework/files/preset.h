@@ -45,7 +45,7 @@ struct Preset {
     std::optional<render::Camera> camera;
 
     render::Json kept = render::Json::object();  ///< The file as read: its unknown keys are written again.
-    std::vector<std::string> notes;              ///< What reading changed or did not know, for people.
+    std::vector<std::string> notes;              ///< Sentences on values that reading changed or did not know.
     PresetTags tags = {};
 };
 

@@ -89,28 +89,28 @@ struct GivenAs {
 /// preset, the command line flag, the field of the uniform block, the line in the manual, the points of the accuracy
 /// study and the random values of the tests are all derived from it.
 struct ParameterInfo {
-    std::string_view name;   ///< The member it initializes; preset key, flag and GLSL field.
+    std::string_view name;   ///< Name of its member in a table; also its preset key, its option and its GLSL field.
     std::string_view group;  ///< Heading in the panel; empty before the first `group`.
     std::string_view help;   ///< One or two sentences: what it does, what low and high look like.
     Kind kind = Kind::real;
-    Unit unit = Unit::none;  ///< How to show it; `range` and `initial` are in SI.
+    Unit unit = Unit::none;  ///< Unit in which it is shown; `range` and `initial` are in SI units.
     Range range;
     Value initial;
     std::vector<std::string_view> choices = {};   ///< Names, for Kind::choice only.
-    std::optional<double> qualityReference = {};  ///< The value that counts as exact, when accuracy costs time.
-    bool exactByMeaning = false;  ///< Nothing is approximated there; else that it is exact has to be checked.
-    std::optional<Condition> actsWhen = {};  ///< When it changes anything that can be seen; nothing: always.
+    std::optional<double> qualityReference = {};  ///< Value that counts as exact, if accuracy costs time.
+    bool exactByMeaning = false;             ///< The reference is exact by definition; else a test checks that it is.
+    std::optional<Condition> actsWhen = {};  ///< Condition under which it can change a picture; none: always.
     std::string_view label = {};             ///< Label; empty: made from `name`.
     std::vector<Word> words = {};            ///< For a real or a count; values may lie outside of `range`.
     std::string_view extensions = {};        ///< For Kind::file: accepted extensions, "glb gltf"; empty: all files.
     bool addsParameters = false;             ///< For Kind::file and text: the file or the text adds parameters.
     std::string_view assetFolder = {};       ///< For Kind::file: folder of the assets in which bare names are found.
     std::string_view array = {};             ///< The array of groups that it belongs to: "coats"; empty: none.
-    std::size_t element = 0;                 ///< Which group of that array, from 0.
+    std::size_t element = 0;                 ///< Index of its group in the array, from 0.
     std::string_view elementRow = {};        ///< Its name within each of these groups: "length" of "ballLength".
-    std::string_view documentOf = {};        ///< For Kind::text: the file row that it stands in for or belongs to.
+    std::string_view documentOf = {};        ///< For Kind::text: parameter of the file that it replaces or belongs to.
     bool several = false;                    ///< For Kind::file and text: each line is a value of its own.
-    bool essential = false;                  ///< One of the six with which the panel of an exhibit opens.
+    bool essential = false;                  ///< One of the six that the panel of an exhibit shows at first.
     GivenAs given = {};
 
     /// Returns whether its values are numbers with intermediate values: a real or a count.

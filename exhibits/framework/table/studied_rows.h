@@ -9,8 +9,8 @@ namespace vitrine {
 
 class Parameters;
 
-/// How an accuracy study shows the effect of a parameter, if its condition (`when`) is not sufficient. Texts must be
-/// literals; names are those of parameters of the same object.
+/// Settings with which an accuracy study shows the effect of a parameter, if its condition (`when`) is not sufficient.
+/// Texts must be literals; names are those of parameters of the same object.
 struct StudiedRow {
     /// Value of another parameter.
     struct Setting {

@@ -167,7 +167,7 @@ private:
     JobOrder order_;
     std::optional<RecordingRequest> request_;
     std::unique_ptr<render::RenderBackend> backend_;
-    std::unique_ptr<Recording> recording_;  ///< Goes before what it draws with.
+    std::unique_ptr<Recording> recording_;  ///< Declared last: destroyed before the renderer that it uses.
     JobReport report_;
 };
 

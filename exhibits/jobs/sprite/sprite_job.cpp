@@ -9,7 +9,7 @@
 namespace vitrine::jobs {
 namespace {
 
-constexpr std::int64_t draftPixels = 1U << 20U;  // Of all frames that are drawn for a preview.
+constexpr std::int64_t draftPixels = 1U << 20U;  // Most pixels of all frames of a preview.
 
 const SpriteSubject& objectOf(const JobInputs& inputs)
 {

@@ -14,7 +14,7 @@ namespace {
 
 using render::Image;
 
-constexpr int fewestPixels = 12;  ///< Of a frame that shows something.
+constexpr int fewestPixels = 12;  ///< Fewest visible pixels of a frame that shows something.
 
 /// Returns the number of visible pixels in the frame that has most of them.
 int mostSeen(const std::vector<SpriteFrame>& frames)

@@ -183,7 +183,7 @@ std::vector<WorldPart> SpriteSubject::parts(const SpriteRequest& request, int i)
 
 struct SpriteShots::Scene {
     std::vector<std::vector<WorldPart>> poses;
-    std::vector<glm::dvec3> origins;  ///< Of the object in the small world, for each pose.
+    std::vector<glm::dvec3> origins;  ///< Origin of the object in the small world, for each pose.
     SpriteExtent extent;
 };
 

@@ -244,7 +244,7 @@ TEST(PruneCells, EndWithTheirBudgetAndTheSceneIsWholeWithoutThem)
     for (const int across : {12, 48}) {  // With one thread, and with two.
         const scenes::GridCells all = pruned(across, {});
         EXPECT_TRUE(all.whole);
-        EXPECT_GT(all.meanShapes, 250);  // Of 512 shapes.
+        EXPECT_GT(all.meanShapes, 250);  // The scene has 512 shapes.
         EXPECT_FALSE(pruned(across, {.bytes = 10'000}).whole);
         const scenes::GridCells few = pruned(across, {.evaluations = 50'000});
         EXPECT_FALSE(few.whole);

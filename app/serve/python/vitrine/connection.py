@@ -65,7 +65,7 @@ class Connection:
         try:
             self._socket.sendall(line.encode())
         except OSError as error:
-            # What the service said last explains more than a broken pipe.
+            # The last message of the service explains more than a broken pipe.
             self._raise_last_words()
             raise ConnectionLost(f"The connection to the service broke: {error.strerror or error}.") from error
 
