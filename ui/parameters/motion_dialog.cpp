@@ -19,18 +19,22 @@ namespace {
 struct MotionTable final : Parameters {
     Choice<MotionKind> kind =
         choice("kind", MotionKind::sine, {"once", "sine", "triangle", "steps", "noise", "by distance"},
-               "Once from one to the other; there and back, softly or evenly; in steps; at random; or by how far away "
-               "the visitor is.");
+               "Course from the first value to the second: once, there and back (sine or triangle), in steps, at "
+               "random (noise), or by the distance of the visitor.");
     Choice<Ease> ease = choice("ease", Ease::inOut, {"even", "slow at first", "slow at last", "slow at both"},
-                               "How each way begins and ends.");
+                               "Acceleration at the start and the end of each way.");
     Real period = real("period", 4, second, Range{shortestPeriod, longestPeriod, logarithmic}.soft(0.5, 60),
-                       "How long it takes: there and back, or once.");
-    Real phase = real("phase", 0, none, Range{-1e9, 1e9}.soft(0, 1), "Where it stands when the clock begins, periods.");
-    Real start = real("start", 0, second, Range{-1e9, 1e9}.soft(0, 60), "When it begins.");
-    Count steps = count("steps", 4, Range{2, mostMotionSteps, logarithmic}.soft(2, 16), "How many values it visits.");
-    Count seed = count("seed", 1, Range{0, 4294967295.0}.soft(0, 100), "Another one, another way.");
-    Real nearest = real("nearest", 1, meter, Range{0, 1e4}.soft(0, 20), "So near or nearer it has the first value.");
-    Real farthest = real("farthest", 6, meter, Range{0, 1e4}.soft(0, 20), "So far or farther it has the second.");
+                       "Duration of one way, or of there and back if it repeats.");
+    Real phase = real("phase", 0, none, Range{-1e9, 1e9}.soft(0, 1),
+                      "Position in the period when the clock starts, in periods.");
+    Real start = real("start", 0, second, Range{-1e9, 1e9}.soft(0, 60), "Time at which the animation starts.");
+    Count steps = count("steps", 4, Range{2, mostMotionSteps, logarithmic}.soft(2, 16),
+                        "Number of values, evenly spaced from the first to the second.");
+    Count seed = count("seed", 1, Range{0, 4294967295.0}.soft(0, 100), "Seed of the random values.");
+    Real nearest = real("nearest", 1, meter, Range{0, 1e4}.soft(0, 20),
+                        "Distance of the visitor at which, or nearer, the parameter has the first value.");
+    Real farthest = real("farthest", 6, meter, Range{0, 1e4}.soft(0, 20),
+                         "Distance of the visitor at which, or farther, the parameter has the second value.");
 };
 
 const MotionTable& motionTable()

@@ -31,7 +31,7 @@ ParameterTabs::ParameterTabs(Subjects subjects, History& history, QWidget* paren
     layout->addWidget(panel_, 1);
     tabs_->setDrawBase(false);
     tabs_->setExpanding(false);
-    tabs_->setAccessibleName(tr("Whose parameters"));
+    tabs_->setAccessibleName(tr("Parameters of"));
     connect(tabs_, &QTabBar::currentChanged, this, [this] {
         show();
         emit turned();

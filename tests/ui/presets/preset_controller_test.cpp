@@ -29,7 +29,7 @@ class PresetControllerTest : public test::OpenWindow {
     void showTab(int tab)
     {
         for (QTabBar* bar : window_->findChildren<QTabBar*>())
-            if (bar->accessibleName() == "Whose parameters") bar->setCurrentIndex(tab);
+            if (bar->accessibleName() == "Parameters of") bar->setCurrentIndex(tab);
     }
 
 private slots:

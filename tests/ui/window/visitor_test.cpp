@@ -68,7 +68,7 @@ class VisitorTest : public test::OpenWindow {
     [[nodiscard]] QTabBar* tabs()
     {
         for (QTabBar* bar : window_->findChildren<QTabBar*>())
-            if (bar->accessibleName() == "Whose parameters") return bar;
+            if (bar->accessibleName() == "Parameters of") return bar;
         return nullptr;
     }
     [[nodiscard]] QStringList menu(const char* name)
@@ -295,7 +295,7 @@ private slots:
         }
         QVERIFY2(blind.isEmpty(), qPrintable(blind.join("; ")));
         for (const char* stop :
-             {"Exhibits", "Presets", "Save preset", "Whose parameters", "Only changed", "Base color"})
+             {"Exhibits", "Presets", "Save preset", "Parameters of", "Only changed", "Base color"})
             QVERIFY2(seen.contains(QLatin1String(stop)), stop);
     }
 
