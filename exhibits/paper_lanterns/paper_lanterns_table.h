@@ -47,8 +47,9 @@ struct PaperLanternsTable final : Parameters {
     Real crowding = real("crowding", 0.8, none, {0, 1},
                          "Share of the cells that hold a lantern: 0 is an empty lake, 1 fills every cell.");
     const Condition afloat = whenAbove(crowding, 0);
-    Real spacing = real("spacing", 7.5, meter, Range{1, 100, logarithmic}.soft(4, 20),
-                        "Width of a cell; never less than a lantern needs.", afloat);
+    Real spacing =
+        real("spacing", 7.5, meter, Range{1, 100, logarithmic}.soft(4, 20),
+             "Width of the cells, each of which contains one lantern; a wide lantern may need more.", afloat);
     Real irregularity =
         real("irregularity", 1, none, {0, 1},
              "Random shift of the lanterns from the middle of their cells: 0 is a regular grid.", afloat);
