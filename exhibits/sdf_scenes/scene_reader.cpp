@@ -64,8 +64,8 @@ public:
         return {whole, {}};
     }
 
-    /// Valid after reading: the shapes of the reference that all findings are about; empty if any is about something
-    /// else.
+    /// Valid after reading: the shapes that all findings are about, as values of the converted text; empty if any
+    /// finding is about something else.
     [[nodiscard]] const std::vector<std::uint32_t>& faultyShapes() const { return faulty_; }
 
 private:
