@@ -12,7 +12,7 @@ namespace vitrine {
 
 /// One parameter that a study varies, and the values that it tries: numbers as in `ParameterValues`, ascending.
 struct StudyAxis {
-    std::size_t subject = 0;  ///< SceneObject of the study, or the hall, which all pictures share.
+    std::size_t subject = 0;  ///< Subject of the study, or the hall, which all pictures share.
     std::size_t row = 0;
     std::vector<double> values;
 
