@@ -157,7 +157,7 @@ void setLanguage(const QString& code)
         now.qts = std::move(qts);
         QCoreApplication::installTranslator(now.qts.get());
     }
-    QCoreApplication::installTranslator(now.ours.get());  // Installed last, so that it is asked first.
+    QCoreApplication::installTranslator(now.ours.get());  // Installed last, so that it is searched first.
 }
 
 QString languageCode()

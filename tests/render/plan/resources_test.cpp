@@ -137,7 +137,7 @@ TEST(History, ThatOnlyTheNextFrameReadsIsWrittenAllTheSame)
     EXPECT_EQ(toString(unread), "picture") << "a history that feeds itself alone is called for by nothing";
 }
 
-// ---- parts
+// ---- slices
 
 FramePlan baked(std::uint64_t key, const PersistentState& kept = {}, bool allSlices = false)
 {

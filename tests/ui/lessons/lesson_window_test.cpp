@@ -172,7 +172,7 @@ private slots:
         controller().next();
         QTRY_VERIFY(says("Read: time of a picture 43.8 ms"));
         settle();
-        // All later pictures wait, so that those of the step before are the last.
+        // Drawing is blocked from here on, so that the last pictures are those of the previous step.
         const auto go = std::make_shared<std::atomic<bool>>(false);
         const auto goOn = qScopeGuard([go] { *go = true; });
         gallery_->beforeDrawing = [go](const FrameRequest&, const Renderers::IsCanceled&) {
@@ -399,7 +399,7 @@ private slots:
         syllabus->trigger();
         auto* dialog = window_->findChild<PageDialog*>();
         QVERIFY(dialog && dialog->browser().source().path().endsWith("/syllabus.html"));
-        // This museum has other parameters than the shipped lessons ask for: it is the question that counts.
+        // Only the request to start the lesson is tested: the exhibits of this museum lack its parameters.
         QSignalSpy asked(dialog, &PageDialog::lessonAsked);
         emit dialog->browser().anchorClicked(QUrl(QStringLiteral("lesson:sdf_morph")));
         QCOMPARE(asked.count(), 1);
