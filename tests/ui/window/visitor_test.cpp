@@ -294,8 +294,7 @@ private slots:
             QTest::keyClick(stop, Qt::Key_Tab);
         }
         QVERIFY2(blind.isEmpty(), qPrintable(blind.join("; ")));
-        for (const char* stop :
-             {"Exhibits", "Presets", "Save preset", "Parameters of", "Only changed", "Base color"})
+        for (const char* stop : {"Exhibits", "Presets", "Save preset", "Parameters of", "Only changed", "Base color"})
             QVERIFY2(seen.contains(QLatin1String(stop)), stop);
     }
 
