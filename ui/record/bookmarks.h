@@ -29,7 +29,7 @@ public:
     void set(int number);
     /// Glides to a bookmark; shows a message if it is not set.
     void go(int number);
-    /// Sets the first bookmark that is not set to the current view; shows a message if all are.
+    /// Stores the current view as the first free bookmark; shows a message if there is none.
     void add();
     void forget(int number);
     void forgetAll();

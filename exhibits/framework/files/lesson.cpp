@@ -141,7 +141,7 @@ const ParameterValues* tableOf(const NamedValues& tables, std::string_view name)
     return found == tables.end() ? nullptr : &found->second;
 }
 
-/// Returns the row named "kind" or "hall.exposure"; null if there is none.
+/// Returns the parameter named "kind" or "hall.exposure"; null if there is none.
 const ParameterInfo* rowNamed(std::string_view name, std::string_view exhibit, const NamedValues& tables)
 {
     if (name.starts_with("hall.")) {
@@ -299,8 +299,8 @@ private:
         return *row;
     }
 
-    /// Sets the rows of a step. An unknown row may be one that a scene file adds to the table, if the step names such a
-    /// file; it is then kept as pending.
+    /// Sets the parameters of a step. An unknown parameter may be one that a scene file adds to the table, if the step
+    /// names such a file; it is then kept as pending.
     void setRows(ParameterValues& values, const JsonDocument& document)
     {
         ParameterValues::PendingRows pending;

@@ -81,8 +81,8 @@ Opened open(const JsonDocument& document)
     return file;
 }
 
-/// Moves the entries that may be rows added to the table by a file from `left`, and from the object `key` of the file,
-/// into the result (for values or for motions).
+/// Moves the entries that may be parameters added to the table by a file from `left`, and from the object `key` of the
+/// file, into the result (for values or for motions).
 ParameterValues::PendingRows pendingRows(Opened& file, const char* key, const ParameterValues& values,
                                          const std::string& prefix, std::map<std::string, const Json*>& left)
 {
@@ -102,7 +102,7 @@ ParameterValues::PendingRows pendingRows(Opened& file, const char* key, const Pa
     return pending;
 }
 
-/// Reads the rows of one table; `prefix` is "" or "sdf_morph.". Removes what it read from `left`.
+/// Reads the parameters of one table; `prefix` is "" or "sdf_morph.". Removes what it read from `left`.
 ParameterValues readRows(Opened& file, const Parameters& table, const std::string& prefix,
                          std::map<std::string, const Json*>& left)
 {
@@ -119,7 +119,7 @@ ParameterValues readRows(Opened& file, const Parameters& table, const std::strin
     return values;
 }
 
-/// Reads the motions of the rows of one table, like `readRows`.
+/// Reads the motions of the parameters of one table, like `readRows`.
 void readMotions(Opened& file, ParameterValues& values, const std::string& prefix,
                  std::map<std::string, const Json*>& left)
 {

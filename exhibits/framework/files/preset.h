@@ -51,9 +51,9 @@ struct Preset {
 
 /// Reads a preset. Unknown keys at the top level, in `values` and in `camera` are kept, with a note. Values out of
 /// range are clamped, with a note ("exposure 99 -> 16 (allowed -16 to 16)"). Missing values get their initial value.
-/// Keys that may be rows added to the table by a file become pending values of the result. Throws Failure with file,
-/// line and key for malformed JSON, a duplicate key, a wrong type, an unknown choice, a wrong format or exhibit, or a
-/// newer version. Never changes an argument.
+/// Keys that may be parameters added to the table by a file become pending values of the result. Throws Failure with
+/// file, line and key for malformed JSON, a duplicate key, a wrong type, an unknown choice, a wrong format or exhibit,
+/// or a newer version. Never changes an argument.
 [[nodiscard]] Preset parsePreset(std::string text, std::string fileName, std::string_view exhibit, const Parameters&);
 
 /// Returns the text of a preset file, including the unknown keys of `kept`. Throws Failure if a number is not finite.

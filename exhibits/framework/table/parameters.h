@@ -192,7 +192,7 @@ public:
     };
 
 protected:
-    using enum Unit;  // So that a row reads `meter`, not `Unit::meter`.
+    using enum Unit;  // So that a parameter reads `meter`, not `Unit::meter`.
     using enum Scale;
 
     /// One group of an array: `name` ("ball") is the prefix of its parameters' names, `heading` is shown above them.
