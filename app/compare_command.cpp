@@ -40,13 +40,13 @@ void requireColor(const std::string& file, const render::Image& image, Metric me
 {
     if (!render::metricInfo(metric).ofColor || image.channelNames.empty()) return;
     if (const std::string why = render::colorChannels(image.channelNames).problem; !why.empty())
-        throw Failure(Blame::file, "Cannot compare " + file + ": " + why + ".");
+        throw Failure(ErrorKind::file, "Cannot compare " + file + ": " + why + ".");
 }
 
 render::PictureFormat heatMapFormat(const std::string& file)
 {
     if (const auto format = render::writtenFormat(file)) return *format;
-    throw Failure(Blame::usage,
+    throw Failure(ErrorKind::usage,
                   "--heatmap " + file + ": give a name that ends in " + render::writtenExtensions() + '.');
 }
 
@@ -62,9 +62,10 @@ int compare(const CompareOptions& options)
     requireColor(options.test, b, metric);
     const std::optional<double> value = render::distance(metric, a, b, options.pixelsPerDegree);
     if (!value)
-        throw Failure(Blame::usage, "--metric " + options.metric +
-                                        ": both pictures need the channel for it; make them with `vitrine render ... "
-                                        "--channels color,depth,normal --out NAME.exr`.");
+        throw Failure(ErrorKind::usage,
+                      "--metric " + options.metric +
+                          ": both pictures need the channel for it; make them with `vitrine render ... "
+                          "--channels color,depth,normal --out NAME.exr`.");
     if (format) {
         const render::Image errors = *render::errorMap(metric, a, b, options.pixelsPerDegree);
         render::writePicture(options.heatMap, render::heatMap(errors, render::fullScale(metric, errors)), *format);
@@ -76,7 +77,7 @@ int compare(const CompareOptions& options)
     if (!options.limit || !render::isBeyond(metric, *value, *options.limit)) return 0;
     say(options.reference + " and " + options.test + " differ by " + std::string(toString(metric)) + ' ' +
         numberText(*value) + ", beyond the limit of " + numberText(*options.limit) + '.');
-    return static_cast<int>(Blame::check);
+    return static_cast<int>(ErrorKind::check);
 }
 
 }  // namespace

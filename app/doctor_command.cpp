@@ -89,7 +89,7 @@ int doctor(bool asJson)
         std::fputs(render::writeJson(report).c_str(), stdout);
     else
         printText(report, "");
-    return report["opengl"]["usable"].get<bool>() ? 0 : static_cast<int>(Blame::openGl);
+    return report["opengl"]["usable"].get<bool>() ? 0 : static_cast<int>(ErrorKind::openGl);
 }
 
 }  // namespace

@@ -33,18 +33,18 @@ struct Tables {
 /// if it cannot be read.
 int checkLesson(const std::string& file, const NamedValues& tables)
 {
-    Blame blame = Blame::file;
+    ErrorKind kind = ErrorKind::file;
     try {
         const std::string text = render::readFile(file, lessonBytes);
-        blame = Blame::check;
+        kind = ErrorKind::check;
         const Lesson lesson = parseLesson(text, file, tables);
         std::printf("%s: %s (%s \"%s\", %zu steps)\n", file.c_str(), lesson.notes.empty() ? "good" : "changed",
                     lesson.exhibit.c_str(), lesson.title.c_str(), lesson.steps.size());
         for (const std::string& note : lesson.notes) std::printf("  %s\n", note.c_str());
-        return lesson.notes.empty() ? 0 : static_cast<int>(Blame::check);
+        return lesson.notes.empty() ? 0 : static_cast<int>(ErrorKind::check);
     } catch (const Failure& failure) {
         say(failure);
-        return static_cast<int>(blame);
+        return static_cast<int>(kind);
     }
 }
 
@@ -96,7 +96,7 @@ void addLessonCommand(CLI::App& parser, Action& chosen)
     showing->callback([&chosen, name] { chosen = [name] { return showLesson(*name); }; });
     CLI::App* checking = command->add_subcommand("check", "Check whether lessons can be read, and list their errors");
     auto files = std::make_shared<std::vector<std::string>>();
-    checking->add_option("files", *files, "Lessons, as Markdown")->required();
+    checking->add_option("files", *files, "Lesson files (Markdown)")->required();
     checking->callback([&chosen, files] { chosen = [files] { return checkLessons(*files); }; });
 }
 

@@ -10,6 +10,7 @@
 #include "exhibits/jobs/kit/job_document.h"
 #include "render/failure.h"
 #include "render/files/strict_json.h"
+#include "render/text/nearest_word.h"
 
 #include <CLI/CLI.hpp>
 
@@ -28,12 +29,15 @@ int manual(const std::string& name)
         std::fputs(derive::manualTable(hall).c_str(), stdout);
         return 0;
     }
+    std::vector<std::string> names{"hall"};
     for (const auto& exhibit : allExhibits()) {
+        names.emplace_back(exhibit->name());
         if (exhibit->name() != name) continue;
         std::fputs(derive::manualTable(exhibit->parameters()).c_str(), stdout);
         return 0;
     }
-    throw Failure(Blame::usage, "list --manual: there is no exhibit \"" + name + "\"; `vitrine list` names them.");
+    throw Failure(ErrorKind::usage, "list --manual: there is no exhibit \"" + name + "\"" + didYouMean(name, names) +
+                                        " `vitrine list` names them.");
 }
 
 /// Returns the initial parameter tables. Reads no assets, so it is fast.
@@ -104,7 +108,7 @@ void addListCommand(CLI::App& parser, Action& chosen)
     command->add_option("--manual", *name, "Name of an exhibit whose parameters are printed as a table in Markdown");
     auto ofJobs = std::make_shared<bool>(false);
     command->add_flag("--jobs", *ofJobs,
-                      "List the jobs in place of the exhibits; with --json, a JSON Schema of each job's parameters");
+                      "List the jobs instead of the exhibits; with --json, a JSON Schema of each job's parameters");
     command->callback([&chosen, asJson, sets, name, ofJobs, command] {
         chosen = [asJson, sets, name, ofJobs, command] {
             for (const char* option : {"--manual", "--set"}) refuseOn(*command, option, *ofJobs, "the list of --jobs");

@@ -85,21 +85,21 @@ int parseAndRun(int argc, char** argv)
     vitrine::app::addServeCommand(parser, chosen);
     vitrine::app::addDoctorCommand(parser, chosen);
     takeLanguageEverywhere(parser, language);
-    const auto speak = [&language] {
-        if (!language.empty()) vitrine::ui::speak(QString::fromStdString(language));
+    const auto applyLanguage = [&language] {
+        if (!language.empty()) vitrine::ui::setLanguage(QString::fromStdString(language));
     };
     try {
         parser.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return parser.exit(error);  // Help, or the version.
-        speak();
-        throw vitrine::Failure(vitrine::Blame::usage, vitrine::app::usageError(parser, error));
+        applyLanguage();
+        throw vitrine::Failure(vitrine::ErrorKind::usage, vitrine::app::usageError(parser, error));
     } catch (const vitrine::Failure&) {
-        speak();
+        applyLanguage();
         vitrine::app::throwFirstTyped(parser, {argv + 1, argv + argc});
         throw;
     }
-    speak();
+    applyLanguage();
     // The window installs no handler: it has a journal, and starts other programs.
     if (!parser.get_subcommands().empty() && !parser.got_subcommand("open")) vitrine::app::endOnStopSignals();
     return chosen();
@@ -114,7 +114,7 @@ int parseAndRun(int argc, char** argv)
         throw;
     } catch (const std::bad_alloc&) {
         vitrine::app::sayInEnglish(vitrine::app::noMemory);
-        std::_Exit(static_cast<int>(vitrine::Blame::usage));
+        std::_Exit(static_cast<int>(vitrine::ErrorKind::usage));
     } catch (const std::exception& error) {
         vitrine::app::sayInEnglish(error.what());
         std::abort();
@@ -142,9 +142,9 @@ int main(int argc, char** argv)
         return failure.exitCode();
     } catch (const std::bad_alloc&) {
         vitrine::app::say(vitrine::app::noMemory);
-        return static_cast<int>(vitrine::Blame::usage);
+        return static_cast<int>(vitrine::ErrorKind::usage);
     } catch (const std::exception& error) {
         vitrine::app::say(error.what());
-        return static_cast<int>(vitrine::Blame::file);
+        return static_cast<int>(vitrine::ErrorKind::file);
     }
 }

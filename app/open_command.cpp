@@ -12,7 +12,7 @@ namespace vitrine::app {
 int openWindow(int& argc, char** argv, const std::vector<std::string>& files)
 {
     const int result = ui::runWindow(argc, argv, files);
-    return result == ui::noDisplay ? static_cast<int>(Blame::openGl) : result;
+    return result == ui::noDisplay ? static_cast<int>(ErrorKind::openGl) : result;
 }
 
 void addOpenCommand(CLI::App& parser, Action& chosen, int& argc, char** argv)
@@ -23,7 +23,7 @@ void addOpenCommand(CLI::App& parser, Action& chosen, int& argc, char** argv)
     command->callback([&chosen, &argc, argv, files] {
         for (const std::string& file : *files)
             if (std::error_code error; !std::filesystem::exists(file, error))
-                throw Failure(Blame::usage, "Cannot open " + file + ": there is no such file; check the name.");
+                throw Failure(ErrorKind::usage, "Cannot open " + file + ": there is no such file; check the name.");
         chosen = [&argc, argv, files] { return openWindow(argc, argv, *files); };
     });
 }

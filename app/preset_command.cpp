@@ -29,10 +29,10 @@ std::string tagsText(const PresetTags& tags)
 /// of a failed check if it is invalid, and that of a failed read if it cannot be read.
 int check(const std::string& file, const NamedValues& tables)
 {
-    Blame blame = Blame::file;
+    ErrorKind kind = ErrorKind::file;
     try {
         std::string text = presetTextOf(file);
-        blame = Blame::check;
+        kind = ErrorKind::check;
         const render::JsonDocument document = render::parseJson(std::move(text), file, presetLimits);
         const PresetHeader header = presetHeader(document);
         std::vector<std::string> notes;
@@ -53,7 +53,7 @@ int check(const std::string& file, const NamedValues& tables)
         return 0;
     } catch (const Failure& failure) {
         say(failure);
-        return static_cast<int>(blame);
+        return static_cast<int>(kind);
     }
 }
 

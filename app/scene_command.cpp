@@ -32,7 +32,7 @@ Json findingsJson(const std::vector<scenes::Finding>& findings)
 /// language.
 void printFinding(scenes::Finding finding)
 {
-    finding.sentence = ui::saidInLocale(finding.sentence);
+    finding.sentence = ui::translatedInLocale(finding.sentence);
     std::printf("%s\n", finding.text().c_str());
 }
 
@@ -55,7 +55,7 @@ int checkScene(const std::string& file, Json* report)
         for (const scenes::Finding& finding : read.findings) printFinding(finding);
     }
     if (read.scene) return 0;
-    return static_cast<int>(read.fileRead ? Blame::check : Blame::file);
+    return static_cast<int>(read.fileRead ? ErrorKind::check : ErrorKind::file);
 }
 
 int checkScenes(const std::vector<std::string>& files, bool asJson)
@@ -73,8 +73,7 @@ void addCheck(CLI::App& command, Action& chosen)
         command.add_subcommand("check", "Check scene files, and list their errors as file:line:column: key: ...");
     auto files = std::make_shared<std::vector<std::string>>();
     auto asJson = std::make_shared<bool>(false);
-    checking->add_option("files", *files, "Scene files, of this program, or scene objects of the reference as JSON")
-        ->required();
+    checking->add_option("files", *files, "Scene files (JSON) of this program, or of the reference")->required();
     checking->add_flag("--json", *asJson, "Print the findings as JSON");
     checking->callback([&chosen, files, asJson] { chosen = [files, asJson] { return checkScenes(*files, *asJson); }; });
 }

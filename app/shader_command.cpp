@@ -64,7 +64,7 @@ Json shaderJson(const std::string& file, const guest::CheckedShader& checked)
 void printFinding(const Finding& finding)
 {
     std::printf("%s:%d:%d: %s\n", finding.file.c_str(), finding.line, finding.column,
-                ui::saidInLocale(finding.sentence).c_str());
+                ui::translatedInLocale(finding.sentence).c_str());
 }
 
 /// Checks one file and prints the findings. Returns 0, or the exit code of a failed check or a failed read.
@@ -82,7 +82,7 @@ int checkShader(const std::string& file, guest::ShaderCompiler& compiler, Json* 
             for (const Finding& finding : checked.shader->notes) printFinding(finding);
     }
     if (checked.isGood()) return 0;
-    return static_cast<int>(checked.fileRead ? Blame::check : Blame::file);
+    return static_cast<int>(checked.fileRead ? ErrorKind::check : ErrorKind::file);
 }
 
 int checkShaders(const std::vector<std::string>& files, bool asJson)
@@ -102,12 +102,13 @@ void addShaderCommand(CLI::App& parser, Action& chosen)
 {
     CLI::App* command = parser.add_subcommand("shader", "Work with shaders of your own");
     command->require_subcommand(1);
-    CLI::App* checking = command->add_subcommand("check", "Say what is wrong in shaders: file:line:column: ...");
+    CLI::App* checking =
+        command->add_subcommand("check", "Check shader files, and list their errors as file:line:column: ...");
     auto files = std::make_shared<std::vector<std::string>>();
     auto asJson = std::make_shared<bool>(false);
     checking->add_option("files", *files, "Shaders: ISF, Shadertoy's code or JSON, or plain fragment shaders")
         ->required();
-    checking->add_flag("--json", *asJson, "The findings, inputs and passes as JSON");
+    checking->add_flag("--json", *asJson, "Print the errors, inputs and passes as JSON");
     checking->callback(
         [&chosen, files, asJson] { chosen = [files, asJson] { return checkShaders(*files, *asJson); }; });
 }

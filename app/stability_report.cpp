@@ -95,7 +95,7 @@ int stabilityReport(const StabilityOptions& options)
     else
         printTable(context.info(), results);
     const bool good = std::all_of(results.begin(), results.end(), [](const StabilityResult& r) { return r.passed; });
-    return good ? 0 : static_cast<int>(Blame::check);
+    return good ? 0 : static_cast<int>(ErrorKind::check);
 }
 
 }  // namespace vitrine::app

@@ -12,7 +12,7 @@ struct StabilityOptions {
 
 /// Runs the stability tests that need a GPU on this machine's driver and prints the results as a table or JSON.
 /// Progress goes to standard error if that is a terminal. Returns the exit code: 0 if all tests pass, else that of
-/// Blame::check. Throws Failure (Blame::openGl) without OpenGL 4.5.
+/// ErrorKind::check. Throws Failure (ErrorKind::openGl) without OpenGL 4.5.
 int stabilityReport(const StabilityOptions&);
 
 }  // namespace vitrine::app

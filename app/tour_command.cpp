@@ -26,9 +26,9 @@ int renderTour(const std::string& folder, const std::string& size, int samples)
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error)
-        throw Failure(Blame::file,
+        throw Failure(ErrorKind::file,
                       folder + ": the folder cannot be made (" + error.message() + "); choose another with --out.");
-    for (const Subject* subject : museum.subjects()) {
+    for (const SceneObject* subject : museum.subjects()) {
         PictureOptions options;
         options.subject = subject->name();
         options.size = size;

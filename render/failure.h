@@ -9,7 +9,7 @@
 namespace vitrine {
 
 /// Kind of failure, by who must act on it; the value is the program's exit code.
-enum class Blame : int { check = 1, usage = 2, openGl = 3, shader = 4, file = 5 };
+enum class ErrorKind : int { check = 1, usage = 2, openGl = 3, shader = 4, file = 5 };
 
 /// Error of the environment (file, preset, driver, shader, disk). A bug in the program is an assert instead.
 ///
@@ -17,18 +17,18 @@ enum class Blame : int { check = 1, usage = 2, openGl = 3, shader = 4, file = 5 
 /// next. A function that throws it leaves everything as it was.
 class Failure : public std::runtime_error {
 public:
-    Failure(Blame blame, Message message)
-        : std::runtime_error(message.english()), blame_(blame),
+    Failure(ErrorKind kind, Message message)
+        : std::runtime_error(message.english()), kind_(kind),
           message_(std::make_shared<const Message>(std::move(message)))
     {
     }
 
-    [[nodiscard]] Blame blame() const { return blame_; }
+    [[nodiscard]] ErrorKind kind() const { return kind_; }
     [[nodiscard]] const Message& message() const { return *message_; }
-    [[nodiscard]] int exitCode() const { return static_cast<int>(blame_); }
+    [[nodiscard]] int exitCode() const { return static_cast<int>(kind_); }
 
 private:
-    Blame blame_;
+    ErrorKind kind_;
     std::shared_ptr<const Message> message_;  ///< Shared, because copying an exception must not fail.
 };
 

@@ -10,11 +10,11 @@ find_package(rapidcheck QUIET)
 set(vitrine_unoptimized "$<$<CONFIG:Release>:-O0;-U_FORTIFY_SOURCE>")
 set(vitrine_little_optimized "$<$<CONFIG:Release>:-O1>")
 
-# Where tests that draw keep the programs that the driver compiled: for all of them, whoever draws them first.
+# Cache of compiled shader programs, shared by all tests that draw.
 set(vitrine_program_caches ${PROJECT_BINARY_DIR}/tests/exhibits/caches/llvmpipe)
 file(MAKE_DIRECTORY ${vitrine_program_caches})
 
-# What most tests include of other people's, compiled once for all programs, and once more for those with OPTIMIZED.
+# Precompiled headers of other libraries for most tests: one set for all programs, and one for those with OPTIMIZED.
 file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/headers.cpp "")
 foreach(headers vitrine_test_headers vitrine_optimized_test_headers)
     add_library(${headers} STATIC ${CMAKE_CURRENT_BINARY_DIR}/headers.cpp)

@@ -76,9 +76,9 @@ RequestedPicture requestedSide(const Museum& museum, const PictureOptions& pictu
 void readSubject(const Museum& museum, const CLI::App& command, SettingsOptions& options)
 {
     if (options.with.empty() == options.files[1].empty())
-        throw Failure(Blame::usage, options.with.empty()
-                                        ? "compare-settings: name a second setting, or what A is compared --with."
-                                        : "compare-settings: give either a second setting or --with, not both.");
+        throw Failure(ErrorKind::usage, options.with.empty()
+                                            ? "compare-settings: name a second setting, or what A is compared --with."
+                                            : "compare-settings: give either a second setting or --with, not both.");
     if (!museum.find(options.files[0])) return;
     refuseOn(command, "--exhibit", options.picture.subject != options.files[0], "an exhibit that is named as A");
     options.picture.subject = options.files[0];
@@ -91,7 +91,8 @@ std::size_t subjectOf(const Museum& museum, const RequestedPicture& job)
     if (job.subject != hallIndex) return job.subject;
     for (const DifferingRow& row : differingRows(job.sceneState, museum.initialSceneState()))
         if (row.subject != hallIndex) return row.subject;
-    throw Failure(Blame::usage, "--with: these settings change no exhibit; say with --exhibit which one is compared.");
+    throw Failure(ErrorKind::usage,
+                  "--with: these settings change no exhibit; say with --exhibit which one is compared.");
 }
 
 /// Replaces B by the comparison that the exhibit of A offers, and B's file name by its title.
@@ -174,8 +175,7 @@ void addCompareSettingsCommand(CLI::App& parser, Action& chosen)
     command->add_option("--with", options->with,
                         "Name of a comparison that the exhibit of A offers (see `list --json`), in place of B");
     command->add_option("--out", options->picture.out, "Output folder for the page")->required();
-    command->add_option("--exhibit", options->picture.subject,
-                        "Exhibit whose shipped presets A and B may be given by their names");
+    command->add_option("--exhibit", options->picture.subject, "Exhibit whose presets can be given by name as A and B");
     command->add_option("--size", options->picture.size, "Width x height in pixels")->capture_default_str();
     addNumber(*command, "--samples", options->picture.samples, {1, 4096},
               "Samples per pixel. Default: the supersamples of a setting that changes them, else 4");

@@ -24,9 +24,10 @@ ComparedFiles comparedFiles(const std::string& reference, const std::string& tes
     ComparedFiles files{comparedFile(reference, warnings), comparedFile(test, warnings)};
     const auto& [a, b] = files;
     if (a.width != b.width || a.height != b.height)
-        throw Failure(Blame::usage, reference + " is " + std::to_string(a.width) + " × " + std::to_string(a.height) +
-                                        " pixels and " + test + " " + std::to_string(b.width) + " × " +
-                                        std::to_string(b.height) + "; give two pictures of one size.");
+        throw Failure(ErrorKind::usage, reference + " is " + std::to_string(a.width) + " × " +
+                                            std::to_string(a.height) + " pixels and " + test + " " +
+                                            std::to_string(b.width) + " × " + std::to_string(b.height) +
+                                            "; give two pictures of one size.");
     return files;
 }
 

@@ -20,7 +20,7 @@ struct ComparisonText {
 /// Factors by which differences are multiplied. Each has pictures of its own.
 inline constexpr std::array<int, 7> comparisonGains{1, 2, 4, 8, 16, 32, 64};
 
-/// Throws Failure (Blame::usage) if the folder exists and contains anything but a comparison.
+/// Throws Failure (ErrorKind::usage) if the folder exists and contains anything but a comparison.
 void requireComparisonFolder(const std::filesystem::path&);
 
 /// Returns all results except the pictures.
@@ -28,7 +28,7 @@ void requireComparisonFolder(const std::filesystem::path&);
 
 /// Writes index.html, comparison.json and the pictures: a.png and b.png with their presets inside, and the differences
 /// flip-G.png and signed-G.png for each factor G. All files are written beside the folder first, which is then
-/// replaced; files of others stay in it. Throws Failure (Blame::file).
+/// replaced; files of others stay in it. Throws Failure (ErrorKind::file).
 void writeComparisonFolder(const std::filesystem::path&, Subjects, const Comparison&, const ComparisonText&);
 
 }  // namespace vitrine::app

@@ -1,5 +1,5 @@
-# What `cmake --install` puts where, and the Debian package that `cpack` makes of it, of a build tree that is built.
-# The program finds its assets in share/vitrine and its three modules in lib/vitrine/modules from where it lies itself.
+# Files of `cmake --install` and their folders, and the Debian package that `cpack` makes from a finished build tree.
+# The program finds its assets in share/vitrine and its three modules in lib/vitrine/modules, relative to its own folder.
 
 set(vitrine_generated ${PROJECT_BINARY_DIR}/app/install)
 set(vitrine_install ${PROJECT_SOURCE_DIR}/app/install)

@@ -28,7 +28,7 @@ std::string commandName(const jobs::Job& job)
 [[noreturn]] void refuseMissing(const jobs::Job& job, const std::string& option)
 {
     const std::string name = commandName(job);
-    throw Failure(Blame::usage, '`' + name + "` needs " + option + "; `" + name + " --help` says what it is.");
+    throw Failure(ErrorKind::usage, '`' + name + "` needs " + option + "; `" + name + " --help` says what it is.");
 }
 
 /// Returns the parameters that options set one by one, and all that a document has changed.
@@ -77,7 +77,7 @@ jobs::JobScene sceneOf(const CLI::App& command, const jobs::Job& job, const JobA
         scene.usual.depth = picture.taken->depth;
         // Plaques are in the language of the picture.
         if (picture.taken->language != language() && !ui::languageAsked())
-            ui::speak(QString::fromStdString(picture.taken->language));
+            ui::applyLanguage(QString::fromStdString(picture.taken->language));
     }
     if (needs.anySettings) scene.pinned = pinnedRows(scene, options.sets, like != nullptr);
     return scene;
@@ -99,7 +99,7 @@ void addJobArguments(CLI::App& command, const jobs::Job& job, JobArguments& type
 {
     const jobs::JobNeeds needs = job.needs();
     if (needs.anyScene) {
-        command.add_option("exhibit", typed.scene.subject, "An exhibit's name, or hall")
+        command.add_option("exhibit", typed.scene.subject, "Name of an exhibit, or hall")
             ->required(needs.carriesSettings);
         addSceneOptions(command, typed.scene);
         // What is a parameter of the job is no option of the scene.
@@ -108,7 +108,7 @@ void addJobArguments(CLI::App& command, const jobs::Job& job, JobArguments& type
         if (CLI::Option* samples = command.get_option_no_throw("--samples")) command.remove_option(samples);
     } else if (needs.hasScene()) {
         const std::string subject(needs.anySettings ? "the exhibit" : needs.subject);
-        if (needs.anySettings) command.add_option("exhibit", typed.scene.subject, "An exhibit's name, or hall");
+        if (needs.anySettings) command.add_option("exhibit", typed.scene.subject, "Name of an exhibit, or hall");
         command.add_option("--preset", typed.scene.preset,
                            "Preset of " + subject + ": the name of a shipped one, or a file");
         command.add_option("--set", typed.scene.sets, "Value of a parameter of " + subject + ", name=value")
@@ -144,7 +144,7 @@ OrderedJob orderedJob(const CLI::App& command, const jobs::Job& job, const JobAr
     if (order.out.empty() && !typed.dryRun && !start.answers) refuseMissing(job, "--out");
     if (const JobFolder* folder = folderOf(job); folder && !order.out.empty()) folder->require(order.out);
     if (const std::string refusal = jobs::refusedExtension(job, order.out); !order.out.empty() && !refusal.empty())
-        throw Failure(Blame::usage, refusal);
+        throw Failure(ErrorKind::usage, refusal);
     order.inputs = job.read(order.values);
     if (job.needs().hasScene()) {
         order.scene = sceneOf(command, job, typed, start, like ? &*like : nullptr, ordered.notes);

@@ -41,7 +41,7 @@ struct OrderedJob {
     jobs::JobPlan plan;
     std::vector<std::string> notes;  ///< Sentences on corrected values.
 };
-/// Returns the job. Throws Failure (Blame::usage) naming the option that is wrong, and the failures of reading the
+/// Returns the job. Throws Failure (ErrorKind::usage) naming the option that is wrong, and the failures of reading the
 /// job's files.
 [[nodiscard]] OrderedJob orderedJob(const CLI::App&, const jobs::Job&, const JobArguments&, const JobStart&);
 

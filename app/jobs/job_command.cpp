@@ -30,9 +30,9 @@ int runTyped(const CLI::App& command, const jobs::Job& job, const TypedJob& type
     for (const std::string& note : ordered.notes) say(note);
     const jobs::JobPlan& plan = ordered.plan;
     if (!typed.arguments.dryRun) return runJob(job, std::move(ordered.order), plan, typed.part, typed.asJson);
-    if (!plan.refusal.empty() && !typed.asJson) throw Failure(Blame::usage, plan.refusal);
+    if (!plan.refusal.empty() && !typed.asJson) throw Failure(ErrorKind::usage, plan.refusal);
     printPlan(job, plan, typed.asJson);
-    return plan.refusal.empty() ? 0 : static_cast<int>(Blame::usage);
+    return plan.refusal.empty() ? 0 : static_cast<int>(ErrorKind::usage);
 }
 
 }  // namespace

@@ -10,9 +10,9 @@ namespace vitrine::app {
 
 /// Output of a job whose folder has pages and charts.
 struct JobFolder {
-    /// Throws Failure (Blame::usage) if the folder exists and holds anything else.
+    /// Throws Failure (ErrorKind::usage) if the folder exists and holds anything else.
     void (*require)(const std::filesystem::path&);
-    /// Writes what the finished run made. Throws Failure (Blame::file).
+    /// Writes what the finished run made. Throws Failure (ErrorKind::file).
     void (*write)(const std::filesystem::path&, const jobs::JobRun&);
     /// Prints what it made, unless `quietly`, and what it did not reach. Returns the exit code.
     int (*tell)(const std::filesystem::path&, const jobs::JobRun&, bool quietly);

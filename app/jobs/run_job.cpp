@@ -155,7 +155,7 @@ std::unique_ptr<render::RenderBackend> sharedBackend(std::shared_ptr<render::gl:
 
 int runJob(const jobs::Job& job, jobs::JobOrder order, const jobs::JobPlan& plan, const PartOptions& part, bool asJson)
 {
-    if (!plan.refusal.empty()) throw Failure(Blame::usage, plan.refusal);
+    if (!plan.refusal.empty()) throw Failure(ErrorKind::usage, plan.refusal);
     for (const std::string& warning : plan.warnings) say(warning);
     const std::filesystem::path out = order.out;
     const std::string items = job.partItems(out);

@@ -11,13 +11,13 @@ struct ContextInfo;
 
 namespace vitrine::app {
 
-/// Creates a backend that draws without a window, and stores what draws in `info`. Throws Failure (Blame::openGl).
+/// Creates a backend that draws without a window, and stores what draws in `info`. Throws Failure (ErrorKind::openGl).
 [[nodiscard]] std::unique_ptr<render::RenderBackend> headlessBackend(render::gl::ContextInfo* info = nullptr);
 /// Creates a backend that draws with this renderer.
 [[nodiscard]] std::unique_ptr<render::RenderBackend> sharedBackend(std::shared_ptr<render::gl::Renderer>);
 
 /// Runs a job, or the part of it that the options name, to its end on this thread. Prints the outcome as text or JSON.
-/// A stop signal stops it in an orderly way. Returns the exit code. Throws Failure (Blame::usage) if the plan has a
+/// A stop signal stops it in an orderly way. Returns the exit code. Throws Failure (ErrorKind::usage) if the plan has a
 /// refusal, and the failures of the run.
 int runJob(const jobs::Job&, jobs::JobOrder, const jobs::JobPlan&, const PartOptions&, bool asJson);
 

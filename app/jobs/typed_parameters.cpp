@@ -18,7 +18,7 @@ void TypedParameters::addTo(CLI::App& command, const Parameters& table, const Wa
             // initial value.
             const bool on = std::get<double>(first.initial) != 0;
             command.add_flag(option.name, help)->group(on ? "" : "Options");
-            const std::string off = "Turn this off (it is on by default): " + help;
+            const std::string off = "Disable (on by default): " + help;
             command.add_flag(jobs::withoutFlag(option), off)->group(on ? "Options" : "");
             continue;
         }

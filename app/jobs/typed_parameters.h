@@ -21,7 +21,7 @@ public:
     /// command.
     void addTo(CLI::App&, const Parameters&, const Wanted& wanted = {});
     /// Passes the typed words on, option by option in the order of the table, so that a message names the first wrong
-    /// one. Throws Failure (Blame::usage).
+    /// one. Throws Failure (ErrorKind::usage).
     void read(const CLI::App&, jobs::GivenValues&) const;
 
 private:

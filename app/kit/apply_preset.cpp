@@ -30,10 +30,10 @@ std::string presetFile(const std::string& given, const std::string& subject)
         all.push_back(name);
     }
     if (all.empty())
-        throw Failure(Blame::file, "There is neither a file nor a preset of " + subject + " named " + given +
-                                       "; give a preset file.");
-    throw Failure(Blame::file, "There is neither a file nor a preset of " + subject + " named " + given +
-                                   didYouMean(given, all) + " its presets are " + joined(all) + '.');
+        throw Failure(ErrorKind::file, "There is neither a file nor a preset of " + subject + " named " + given +
+                                           "; give a preset file.");
+    throw Failure(ErrorKind::file, "There is neither a file nor a preset of " + subject + " named " + given +
+                                       didYouMean(given, all) + " its presets are " + joined(all) + '.');
 }
 
 void append(std::vector<std::string>& notes, const std::string& file, const std::vector<std::string>& more)
@@ -51,7 +51,7 @@ std::string presetTextOf(const std::string& file)
     }
     std::optional<std::string> text = render::carriedSettings(file);
     if (!text)
-        throw Failure(Blame::file,
+        throw Failure(ErrorKind::file,
                       file + ": this picture carries no preset; give a preset file, or a picture that Vitrine made.");
     return *text;
 }
@@ -83,7 +83,7 @@ std::string applyPreset(const Museum& museum, const std::string& given, Requeste
         job.subject == hallIndex ? header.exhibit : std::string(museum.subject(job.subject).name());
     const auto owner = museum.find(expected);
     if (!owner)
-        throw Failure(Blame::file,
+        throw Failure(ErrorKind::file,
                       file + ": it is a preset of \"" + header.exhibit + "\", which is not in this museum.");
     Preset preset = parsePreset(text, file, expected, museum.subject(*owner).parameters());
     job.sceneState.values[*owner] = preset.values;

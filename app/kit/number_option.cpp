@@ -15,7 +15,7 @@ CLI::Option* addChoice(CLI::App& command, const std::string& name, std::string& 
         name,
         [&value, name, names](const std::string& typed) {
             if (std::find(names.begin(), names.end(), typed) == names.end())
-                throw Failure(Blame::usage, noSuchChoice(name, typed, names));
+                throw Failure(ErrorKind::usage, noSuchChoice(name, typed, names));
             value = typed;
         },
         help);

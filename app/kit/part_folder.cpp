@@ -17,10 +17,10 @@ void requireFolderFor(const fs::path& folder, const std::string& mark, const std
     std::error_code error;
     if (!fs::exists(folder, error)) return;
     if (!fs::is_directory(folder, error))
-        throw Failure(Blame::usage, "--out " + folder.string() + ": this is a file; name a folder.");
+        throw Failure(ErrorKind::usage, "--out " + folder.string() + ": this is a file; name a folder.");
     if (!fs::is_empty(folder, error) && !fs::exists(folder / mark, error))
-        throw Failure(Blame::usage, "--out " + folder.string() + ": this folder holds something else than " + what +
-                                        "; name another.");
+        throw Failure(ErrorKind::usage, "--out " + folder.string() + ": this folder holds something else than " + what +
+                                            "; name another.");
 }
 
 namespace {
@@ -99,8 +99,8 @@ PartFolder::PartFolder(fs::path target) : target_(std::move(target))
     if (error) {
         std::error_code ignored;
         fs::remove_all(part_, ignored);
-        throw Failure(Blame::file, target_.string() + ": the folder cannot be made (" + error.message() +
-                                       "); choose another with --out.");
+        throw Failure(ErrorKind::file, target_.string() + ": the folder cannot be made (" + error.message() +
+                                           "); choose another with --out.");
     }
 }
 
@@ -128,8 +128,8 @@ void PartFolder::publish()
         if (error && fs::exists(old, ignored)) fs::rename(old, target_, ignored);
     }
     if (error)
-        throw Failure(Blame::file, target_.string() + ": the folder cannot be put in place (" + error.message() +
-                                       "); choose another with --out.");
+        throw Failure(ErrorKind::file, target_.string() + ": the folder cannot be put in place (" + error.message() +
+                                           "); choose another with --out.");
     unfinished_.reset();
     if (replaces) dissolve(old, target_);
 }

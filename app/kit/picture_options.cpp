@@ -49,8 +49,9 @@ glm::dmat4 exhibitTransform(const PictureOptions& options, const PictureRecord* 
     if (!options.scale.empty()) {
         const glm::dvec3 scale = parseTriple("--scale", options.scale);
         if (std::abs(scale.x) < 1e-6 || std::abs(scale.y) < 1e-6 || std::abs(scale.z) < 1e-6)
-            throw Failure(Blame::usage, "--scale " + options.scale +
-                                            ": a scale of 0 leaves nothing to draw; give three numbers away from 0.");
+            throw Failure(ErrorKind::usage,
+                          "--scale " + options.scale +
+                              ": a scale of 0 leaves nothing to draw; give three numbers away from 0.");
         m = glm::scale(m, scale);
     }
     return m;
@@ -59,7 +60,7 @@ glm::dmat4 exhibitTransform(const PictureOptions& options, const PictureRecord* 
 std::vector<std::string> namesOf(const Museum& museum)
 {
     std::vector<std::string> names;
-    for (const Subject* subject : museum.subjects()) names.emplace_back(subject->name());
+    for (const SceneObject* subject : museum.subjects()) names.emplace_back(subject->name());
     return names;
 }
 
@@ -74,16 +75,16 @@ Assignment assignmentOf(const Museum& museum, std::size_t subject, const std::st
 {
     const std::size_t equals = assignment.find('=');
     if (equals == std::string::npos || equals == 0)
-        throw Failure(Blame::usage,
+        throw Failure(ErrorKind::usage,
                       option + " \"" + assignment + "\": give name=value, such as " + option + ' ' + such + '.');
     const std::string name = assignment.substr(0, equals), text = assignment.substr(equals + 1);
     const std::size_t dot = name.find('.');
     if (dot == std::string::npos) return {subject, name, text};
     const auto owner = museum.find(name.substr(0, dot));
     if (!owner)
-        throw Failure(Blame::usage, option + ' ' + name + ": there is no exhibit \"" + name.substr(0, dot) + '"' +
-                                        didYouMean(name.substr(0, dot), namesOf(museum)) +
-                                        " `vitrine list` names them.");
+        throw Failure(ErrorKind::usage, option + ' ' + name + ": there is no exhibit \"" + name.substr(0, dot) + '"' +
+                                            didYouMean(name.substr(0, dot), namesOf(museum)) +
+                                            " `vitrine list` names them.");
     return {*owner, name.substr(dot + 1), text};
 }
 
@@ -107,7 +108,7 @@ glm::dvec3 parseTriple(const std::string& option, const std::string& text, Unit 
         result[i] = number.value_or(0);
     }
     if (!good)
-        throw Failure(Blame::usage,
+        throw Failure(ErrorKind::usage,
                       option + " \"" + text + "\": give three numbers, such as " + option + " 1.5,2,-0.5.");
     return result;
 }
@@ -123,8 +124,8 @@ glm::ivec2 parseSize(const std::string& option, const std::string& text, const s
             size[i] = static_cast<int>(*number);
     }
     if (size.x < 1 || size.y < 1)
-        throw Failure(Blame::usage, option + " \"" + text + "\": give " + what + ", each from 1 to 1000000, such as " +
-                                        option + ' ' + such + '.');
+        throw Failure(ErrorKind::usage, option + " \"" + text + "\": give " + what +
+                                            ", each from 1 to 1000000, such as " + option + ' ' + such + '.');
     return size;
 }
 
@@ -186,12 +187,12 @@ void addSceneOptions(CLI::App& command, PictureOptions& o, const std::string& he
 
 namespace {
 
-/// Reads the files that values name, which may add parameters, and updates the tables. Throws Failure (Blame::file) if
-/// one cannot be read.
+/// Reads the files that values name, which may add parameters, and updates the tables. Throws Failure (ErrorKind::file)
+/// if one cannot be read.
 void readTables(const Museum& museum, SceneState& sceneState, std::vector<std::string>& notes)
 {
     TabledSceneState read = museum.readTables(sceneState);
-    if (!read.unreadable.empty()) throw Failure(Blame::file, read.unreadable.front());
+    if (!read.unreadable.empty()) throw Failure(ErrorKind::file, read.unreadable.front());
     sceneState = std::move(read.sceneState);
     notes.insert(notes.end(), read.notes.begin(), read.notes.end());
 }
@@ -205,10 +206,10 @@ std::size_t rowNamed(const Museum& museum, const SceneState& sceneState, const A
     if (!row) {
         std::vector<std::string> names;
         for (const ParameterInfo& info : sceneState.values[assignment.owner].rows()) names.emplace_back(info.name);
-        throw Failure(Blame::usage, option + ' ' + assignment.name + ": " +
-                                        std::string(museum.subject(assignment.owner).name()) +
-                                        " has no parameter of that name" + didYouMean(assignment.name, names) +
-                                        " `vitrine list --json` names them.");
+        throw Failure(ErrorKind::usage, option + ' ' + assignment.name + ": " +
+                                            std::string(museum.subject(assignment.owner).name()) +
+                                            " has no parameter of that name" + didYouMean(assignment.name, names) +
+                                            " `vitrine list --json` names them.");
     }
     return *row;
 }
@@ -233,14 +234,14 @@ void assign(const Museum& museum, SceneState& sceneState, const Assignment& assi
     const std::optional<Value> value = optionValue(info, text);
     if (!value && info.isNumeric()) refuseDecimalComma("--set " + name, text);
     if (!value || !nearestLegal(info, *value))
-        throw Failure(Blame::usage, "--set " + name + ": \"" + text + "\" is no value for it" +
-                                        didYouMean(text, {info.choices.begin(), info.choices.end()}) + " give " +
-                                        whatItTakes(info, text) + '.');
+        throw Failure(ErrorKind::usage, "--set " + name + ": \"" + text + "\" is not a value for it" +
+                                            didYouMean(text, {info.choices.begin(), info.choices.end()}) + " give " +
+                                            whatItTakes(info, text) + '.');
     values.setMotion(row, std::nullopt);  // An explicit value ends an animation of the preset.
     if (!values.chooseFile(row, *value) && info.kind != Kind::direction)
         notes.push_back(
-            "--set " + name + ": " + text + " was brought to " + valueAsTyped(info, values.row(row), text) +
-            ", the nearest that is allowed (" + whatItTakes(info, text) +
+            "--set " + name + ": " + text + " was changed to " + valueAsTyped(info, values.row(row), text) +
+            ", the nearest allowed value (" + whatItTakes(info, text) +
             (info.unit == Unit::degree && evaluate(text, Unit::none) ? "; degrees are written " + text + "deg" : "") +
             ").");
 }
@@ -254,7 +255,7 @@ void applySets(const Museum& museum, SceneState& sceneState, std::size_t subject
     for (const std::string& text : assignments) {
         Assignment a = assignmentOf(museum, subject, text);
         const auto row = sceneState.values[a.owner].table().find(a.name);
-        if (row && sceneState.values[a.owner].rows()[*row].givesRows)
+        if (row && sceneState.values[a.owner].rows()[*row].addsParameters)
             assign(museum, sceneState, a, notes);
         else
             rest.push_back(std::move(a));
@@ -324,11 +325,12 @@ RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& op
 {
     const auto subject = museum.find(options.subject);
     if (!subject)
-        throw Failure(Blame::usage, "There is no exhibit \"" + options.subject + '"' +
-                                        didYouMean(options.subject, namesOf(museum)) + " `vitrine list` names them.");
+        throw Failure(ErrorKind::usage, "There is no exhibit \"" + options.subject + '"' +
+                                            didYouMean(options.subject, namesOf(museum)) +
+                                            " `vitrine list` names them.");
     const bool isHall = *subject == hallIndex;
     if (isHall && options.alone)
-        throw Failure(Blame::usage, "--alone: the hall cannot be shown without the hall; name an exhibit.");
+        throw Failure(ErrorKind::usage, "--alone: the hall cannot be shown without the hall; name an exhibit.");
 
     RequestedPicture job;
     job.subject = *subject;
@@ -362,7 +364,7 @@ RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& op
                         : taken               ? taken->size
                                               : parseSize("--size", usualPictureSize);
     frame.time = options.time.value_or(taken ? taken->time : 0);
-    if (!std::isfinite(frame.time)) throw Failure(Blame::usage, "--time: give a finite number of seconds.");
+    if (!std::isfinite(frame.time)) throw Failure(ErrorKind::usage, "--time: give a finite number of seconds.");
     frame.seed = options.seed.value_or(taken ? taken->seed : 1);
     frame.transparent = options.transparent || (taken && taken->transparent);
     if (frame.transparent && !alone && !isHall) frame.cutOut = *subject;

@@ -44,7 +44,7 @@ void addSceneOptions(CLI::App&, PictureOptions&, const std::string& heading = "O
 /// Adds the options time, seed, eye, target and fov.
 void addCameraOptions(CLI::App&, PictureOptions&, const std::string& heading = "Options");
 
-/// Applies the options about the camera. Throws Failure (Blame::usage) naming the option.
+/// Applies the options about the camera. Throws Failure (ErrorKind::usage) naming the option.
 void setCamera(const PictureOptions&, render::Camera&);
 
 /// Values, camera and request that the options describe.
@@ -76,15 +76,15 @@ void applySet(const Museum&, SceneState&, std::size_t subject, const std::string
 struct NamedRow {
     std::size_t owner, row;
 };
-/// Finds the parameter "name" of the subject, or "exhibit.name". Throws Failure (Blame::usage) naming `option`.
+/// Finds the parameter "name" of the subject, or "exhibit.name". Throws Failure (ErrorKind::usage) naming `option`.
 [[nodiscard]] NamedRow namedRow(const Museum&, const SceneState&, std::size_t subject, const std::string& name,
                                 const std::string& option);
 
-/// Animates one parameter: "name=motion", in the notation of `typedMotion`. Throws Failure (Blame::usage) naming the
-/// option.
+/// Animates one parameter: "name=motion", in the notation of `typedMotion`. Throws Failure (ErrorKind::usage) naming
+/// the option.
 void applyMotion(const Museum&, SceneState&, std::size_t subject, const std::string& assignment);
 
-/// Parses "1.5,2,0" as three finite numbers; plain ones are in `unit`. Throws Failure (Blame::usage) naming the option.
+/// Parses "1.5,2,0" as three finite numbers; plain ones are in `unit`. Throws Failure (ErrorKind::usage) naming the option.
 [[nodiscard]] glm::dvec3 parseTriple(const std::string& option, const std::string& text, Unit unit = Unit::none);
 /// Parses "640x360" as two positive numbers. `what` describes them and `such` is an example, for the message.
 [[nodiscard]] glm::ivec2 parseSize(const std::string& option, const std::string& text,

@@ -26,7 +26,7 @@ void put(std::string_view text) noexcept
 void say(std::string_view sentence) noexcept
 {
     try {
-        put("vitrine: " + ui::saidInLocale(sentence) + '\n');
+        put("vitrine: " + ui::translatedInLocale(sentence) + '\n');
     } catch (const std::exception&) {
         sayInEnglish(sentence);
     }
@@ -35,7 +35,7 @@ void say(std::string_view sentence) noexcept
 void say(const Failure& failure) noexcept
 {
     try {
-        put("vitrine: " + ui::saidInLocale(failure.message()) + '\n');
+        put("vitrine: " + ui::translatedInLocale(failure.message()) + '\n');
     } catch (const std::exception&) {
         sayInEnglish(failure.what());
     }

@@ -53,7 +53,7 @@ Json rowJson(const ParameterInfo& row, const Parameters& table)
 }
 
 /// Returns the comparisons that the subject offers, with the parameters that they change.
-Json comparisonsJson(const Subject& subject, const Parameters& table)
+Json comparisonsJson(const SceneObject& subject, const Parameters& table)
 {
     Json all = Json::array();
     for (const OfferedComparison& offered : offeredComparisons(subject)) {
@@ -69,7 +69,7 @@ Json comparisonsJson(const Subject& subject, const Parameters& table)
 }  // namespace
 
 Json exhibitJson(std::string_view name, std::string_view title, std::string_view summary, const Parameters& table,
-                 const Subject* subject)
+                 const SceneObject* subject)
 {
     Json rows = Json::array();
     for (const ParameterInfo& row : table.rows()) rows.push_back(rowJson(row, table));
@@ -84,7 +84,7 @@ Json exhibitsJson(const Museum& museum, const SceneState& sceneState)
 {
     Json all = Json::array();
     for (std::size_t i = 0; i < museum.subjects().size(); ++i) {
-        const Subject& subject = museum.subject(i);
+        const SceneObject& subject = museum.subject(i);
         all.push_back(
             exhibitJson(subject.name(), subject.title(), subject.summary(), sceneState.values[i].table(), &subject));
     }

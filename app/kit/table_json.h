@@ -11,7 +11,7 @@ namespace vitrine::app {
 /// Returns the entry of an exhibit or the hall in `list --json`: name, title, summary, all parameters, and the
 /// comparisons that `subject` offers (null: none). Numbers are in SI units, and a parameter's `unit` names that unit.
 [[nodiscard]] render::Json exhibitJson(std::string_view name, std::string_view title, std::string_view summary,
-                                       const Parameters&, const Subject* subject);
+                                       const Parameters&, const SceneObject* subject);
 /// Returns the entries of all subjects, with their parameters in this scene state.
 [[nodiscard]] render::Json exhibitsJson(const Museum&, const SceneState&);
 

@@ -154,10 +154,10 @@ void throwFirstTyped(const CLI::App& parser, const std::vector<std::string>& wor
         try {
             option->run_callback();
         } catch (const CLI::ParseError& error) {
-            throw Failure(Blame::usage, usageError(parser, error));
+            throw Failure(ErrorKind::usage, usageError(parser, error));
         }
     }
-    if (unknown) throw Failure(Blame::usage, unexpected(*unknown->command, unknown->word));
+    if (unknown) throw Failure(ErrorKind::usage, unexpected(*unknown->command, unknown->word));
 }
 
 }  // namespace vitrine::app

@@ -19,13 +19,14 @@ bool isGiven(const CLI::App& command, const std::string& name)
 void refuseWithout(const CLI::App& command, const std::string& option, bool acts, const std::string& other)
 {
     if (!acts && isGiven(command, option))
-        throw Failure(Blame::usage, option + " has no effect without " + other + "; leave it out, or give that too.");
+        throw Failure(ErrorKind::usage,
+                      option + " has no effect without " + other + "; leave it out, or give that too.");
 }
 
 void refuseOn(const CLI::App& command, const std::string& option, bool idle, const std::string& what)
 {
     if (idle && isGiven(command, option))
-        throw Failure(Blame::usage, option + " has no effect on " + what + "; leave it out.");
+        throw Failure(ErrorKind::usage, option + " has no effect on " + what + "; leave it out.");
 }
 
 void refuseUselessSceneOptions(const CLI::App& command, const PictureOptions& o)

@@ -11,7 +11,7 @@ namespace vitrine::app {
 struct PictureOptions;
 
 /// Refuses a given option that has no effect without `other` ("--method guard"). `acts`: it has an effect. Throws
-/// Failure (Blame::usage) naming both.
+/// Failure (ErrorKind::usage) naming both.
 void refuseWithout(const CLI::App&, const std::string& option, bool acts, const std::string& other);
 
 /// Refuses a given option that has no effect on `what`, if `idle`. `what` needs a German text that follows "bei".

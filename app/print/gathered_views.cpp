@@ -37,7 +37,7 @@ void addNotes(std::vector<std::string>& notes, const fs::path& file, const std::
     for (const std::string& sentence : sentences) notes.push_back(file.filename().string() + ": " + sentence);
 }
 
-/// Parses the values of `--place`. Throws Failure (Blame::usage) if one is malformed or names a missing picture.
+/// Parses the values of `--place`. Throws Failure (ErrorKind::usage) if one is malformed or names a missing picture.
 printing::ViewPlaces placesOf(const ViewOptions& options, std::size_t pictures)
 {
     std::string all;
@@ -70,7 +70,7 @@ GatheredViews viewsOfFiles(const ViewOptions& options)
     std::set<std::pair<int, int>> sizes;
     for (const fs::path& file : chosen) {
         if (!line.show(static_cast<double>(result.sources.names.size()) / static_cast<double>(chosen.size())))
-            throw Failure(Blame::usage, "Reading the views was stopped; nothing was written.");
+            throw Failure(ErrorKind::usage, "Reading the views was stopped; nothing was written.");
         std::vector<std::string> warnings;
         render::Image image =
             render::readColor(file, {.keepColors = colors.keep, .canceled = StopSignal::stopped}, &warnings);
@@ -86,13 +86,13 @@ GatheredViews viewsOfFiles(const ViewOptions& options)
     return result;
 }
 
-/// Parses the columns and rows of --quilt. Throws Failure (Blame::usage).
+/// Parses the columns and rows of --quilt. Throws Failure (ErrorKind::usage).
 glm::ivec2 gridOf(const std::string& text)
 {
     if (const std::optional<glm::ivec2> grid = printing::quiltGrid(text)) return *grid;
-    throw Failure(Blame::usage, "--quilt \"" + text +
-                                    "\": give columns x rows, each from 1 to 1000, and the picture, such as "
-                                    "--quilt 8x6 quilt.png.");
+    throw Failure(ErrorKind::usage, "--quilt \"" + text +
+                                        "\": give columns x rows, each from 1 to 1000, and the picture, such as "
+                                        "--quilt 8x6 quilt.png.");
 }
 
 GatheredViews viewsOfQuilt(const ViewOptions& options)
@@ -137,9 +137,10 @@ GatheredViews gatherViews(const ViewOptions& options)
     const int ways = static_cast<int>(!options.files.empty()) + static_cast<int>(!options.quilt.empty()) +
                      static_cast<int>(!options.scene.subject.empty());
     if (ways == 0)
-        throw Failure(Blame::usage, "There are no views; give pictures with --views or --quilt, or an --exhibit.");
+        throw Failure(ErrorKind::usage, "There are no views; give pictures with --views or --quilt, or an --exhibit.");
     if (ways > 1)
-        throw Failure(Blame::usage, "The views come from one place: give only one of --views, --quilt and --exhibit.");
+        throw Failure(ErrorKind::usage,
+                      "The views come from one place: give only one of --views, --quilt and --exhibit.");
     if (!options.scene.subject.empty()) return renderedViews(options);
     return options.quilt.empty() ? viewsOfFiles(options) : viewsOfQuilt(options);
 }

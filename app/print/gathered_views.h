@@ -15,12 +15,12 @@ namespace vitrine::app {
 /// Views of a print, and their origin.
 struct GatheredViews {
     printing::ViewSet views;
-    printing::PrintSources sources;      ///< For the print's description.
+    printing::PrintSources sources;      ///< Sources of the views, for the description of the print.
     std::string profile;                 ///< ICC profile of the pictures; empty when they have none.
-    std::vector<std::string> notes;      ///< For standard error.
-    std::vector<std::string> numbers;    ///< For standard output.
-    std::string renderer;                ///< That drew them; empty where none were drawn.
-    std::unique_ptr<ViewFolder> folder;  ///< Of --save-views, not yet published.
+    std::vector<std::string> notes;      ///< Messages for standard error.
+    std::vector<std::string> numbers;    ///< Lines for standard output.
+    std::string renderer;                ///< Name of the GPU that drew the views; empty if they were read from files.
+    std::unique_ptr<ViewFolder> folder;  ///< Folder of --save-views, not yet published.
 };
 
 /// Returns the layout of a print with this number of views. Throws Failure if it is impossible.

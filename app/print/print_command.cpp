@@ -75,11 +75,12 @@ void checkTarget(const PrintOptions& options)
     const std::string& out = options.out;
     const render::PictureFileFormat* format = render::formatNamed(out);
     if (!format || !format->isStreamed)
-        throw Failure(Blame::usage,
+        throw Failure(ErrorKind::usage,
                       "--out " + out + ": give a name that ends in " + render::streamedExtensions() + '.');
     const fs::path folder = render::PartFile(out).target().parent_path();
     if (::access(folder.empty() ? "." : folder.c_str(), W_OK) != 0)
-        throw Failure(Blame::file, "Cannot write " + out + ": " + std::strerror(errno) + "; choose another folder.");
+        throw Failure(ErrorKind::file,
+                      "Cannot write " + out + ": " + std::strerror(errno) + "; choose another folder.");
     printing::requireRoom(layoutOf(options.views, 1), target(options));
 }
 
@@ -99,7 +100,7 @@ int makeChart(const PrintOptions& options)
 int makePart(const PrintOptions& options)
 {
     if (options.views.scene.subject.empty() || options.out.empty())
-        throw Failure(Blame::usage,
+        throw Failure(ErrorKind::usage,
                       "--shard " + options.part.shard +
                           ": only views that are rendered are made in parts; give an --exhibit and --out.");
     checkTarget(options);
@@ -115,8 +116,8 @@ int makePart(const PrintOptions& options)
 int makePrint(const PrintOptions& options)
 {
     if (options.out.empty() && (options.views.saveViews.empty() || options.isChart))
-        throw Failure(Blame::usage, "--out is missing: say where the print goes, to a name that ends in " +
-                                        render::streamedExtensions() + '.');
+        throw Failure(ErrorKind::usage, "--out is missing: say where the print goes, to a name that ends in " +
+                                            render::streamedExtensions() + '.');
     if (!options.part.shard.empty()) return makePart(options);
     if (options.isChart) return makeChart(options);
     if (!options.out.empty()) checkTarget(options);

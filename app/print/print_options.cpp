@@ -32,7 +32,7 @@ void refuseUselessOptions(const CLI::App& command, const PrintOptions& o)
     for (const char* option : {"--radius-um", "--thickness-um", "--index", "--conic", "--lens", "--zone"})
         refuseOn(command, option, !o.sheet.empty(), "a --sheet, whose lenses are known");
     if (values[printTable().border] != 0 && o.isChart)
-        throw Failure(Blame::usage, "--border-mm: charts have a border of their own.");
+        throw Failure(ErrorKind::usage, "--border-mm: charts have a border of their own.");
     refuseUselessSceneOptions(command, o.views.scene);
 }
 
@@ -64,7 +64,7 @@ void readPrintOptions(const CLI::App& command, PrintOptions& o)
     refuseUselessOptions(command, o);
     const bool lpiGiven = command.get_option("--lpi")->count() > 0;
     if (!lpiGiven && o.sheet.empty())
-        throw Failure(Blame::usage, "--lpi is missing: give the sheet's lenses per inch, or a --sheet.");
+        throw Failure(ErrorKind::usage, "--lpi is missing: give the sheet's lenses per inch, or a --sheet.");
     if (o.sheet.empty()) return;
     printing::Sheet sheet = printing::knownSheet(o.sheet);
     if (lpiGiven) sheet.effectiveLpi = values[t.lensesPerInch];

@@ -24,7 +24,7 @@ struct PrintOptions {
 
 void addPrintOptions(CLI::App&, PrintOptions&);
 
-/// Reads the typed options. Throws Failure (Blame::usage) naming an option that is missing, impossible, or without
+/// Reads the typed options. Throws Failure (ErrorKind::usage) naming an option that is missing, impossible, or without
 /// effect together with the others. If a sheet is given, --lpi is its measured value.
 void readPrintOptions(const CLI::App&, PrintOptions&);
 

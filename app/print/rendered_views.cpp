@@ -27,9 +27,9 @@ using printing::PrintLayout;
 using printing::ViewRig;
 using printing::ViewShot;
 
-constexpr int longestSide = 1200;  ///< Where no size is asked for.
+constexpr int longestSide = 1200;  ///< Default of the longer side of a view, in pixels.
 constexpr int mostSide = 8192;     ///< A print of a meter at 40 LPI has 1600 lenses.
-constexpr int mostOfItself = 24;   ///< Views, where none are asked for: more cost time and show little.
+constexpr int mostOfItself = 24;   ///< Most views by default: more cost time and show little.
 
 template <typename... Args> std::string text(const char* format, Args... args)
 {
@@ -69,7 +69,7 @@ std::array<std::string, 2> endsOf(const std::string& sweep)
     const std::size_t equals = sweep.find('=');
     const std::size_t dots = equals == std::string::npos ? equals : sweep.find("..", equals);
     if (dots == std::string::npos || equals == 0 || dots == equals + 1 || dots + 2 == sweep.size())
-        throw Failure(Blame::usage, "--sweep \"" + sweep + "\": give name=from..to, such as --sweep morph=0..1.");
+        throw Failure(ErrorKind::usage, "--sweep \"" + sweep + "\": give name=from..to, such as --sweep morph=0..1.");
     const std::string name = sweep.substr(0, equals + 1);
     return {sweep.substr(0, dots), name + sweep.substr(dots + 2)};
 }
@@ -105,8 +105,9 @@ std::string depthText(double meters)
 void checkOptions(const ViewOptions& options)
 {
     if (options.every != 1 || options.pingPong)
-        throw Failure(Blame::usage, "--every and --ping-pong apply to pictures; leave them out, and give the number of "
-                                    "an exhibit's views with --count.");
+        throw Failure(ErrorKind::usage,
+                      "--every and --ping-pong apply to pictures; leave them out, and give the number of "
+                      "an exhibit's views with --count.");
 }
 
 /// Returns the options of the picture that all views have in common, with the size of a view.
@@ -116,8 +117,8 @@ PictureOptions sceneOptions(const ViewOptions& options, const PrintLayout& layou
     scene.size = options.viewSize.empty() ? sizeFor(layout) : options.viewSize;
     const glm::ivec2 size = parseSize("--view-size", scene.size);
     if (size.x > mostSide || size.y > mostSide)
-        throw Failure(Blame::usage, "--view-size " + scene.size + ": a view has at most " + std::to_string(mostSide) +
-                                        " pixels on a side.");
+        throw Failure(ErrorKind::usage, "--view-size " + scene.size + ": a view has at most " +
+                                            std::to_string(mostSide) + " pixels on a side.");
     return scene;
 }
 
@@ -164,7 +165,7 @@ std::string nameOfView(int k)
 render::Image viewMade(const Parts& parts, int k)
 {
     if (auto image = parts.kept(nameOfView(k))) return std::move(*image);
-    throw Failure(Blame::check, parts.file(nameOfView(k)).string() + " is missing; make all parts anew.");
+    throw Failure(ErrorKind::check, parts.file(nameOfView(k)).string() + " is missing; make all parts anew.");
 }
 
 /// Renders all views; or renders the views of one part into its folder; or reads the views that were rendered in parts.
@@ -191,7 +192,7 @@ void takeViews(const Museum& museum, render::RenderBackend& renderer, const std:
     });
     while (maker.step())
         if (!line.show(maker.progress()))
-            throw Failure(Blame::usage, "Rendering the views was stopped; nothing was written.");
+            throw Failure(ErrorKind::usage, "Rendering the views was stopped; nothing was written.");
 }
 
 }  // namespace

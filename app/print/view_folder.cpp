@@ -15,7 +15,7 @@ constexpr int viewBits = 8;  // Per channel.
 
 [[noreturn]] void refuse(const fs::path& folder, const std::string& why)
 {
-    throw Failure(Blame::file, "--save-views " + folder.string() + ": " + why + ".");
+    throw Failure(ErrorKind::file, "--save-views " + folder.string() + ": " + why + ".");
 }
 
 /// Removes unfinished views of processes that have ended.

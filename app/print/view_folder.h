@@ -18,8 +18,9 @@ namespace vitrine::app {
 class ViewFolder {
 public:
     /// `extension` is one of `viewFormats`; `count` is the number of views. Creates the folder if it is missing, but
-    /// not its parents. Removes unfinished views of killed processes of this machine. Throws Failure (Blame::file) if
-    /// the folder cannot be created, or contains other pictures with names of views, which would be mistaken for views.
+    /// not its parents. Removes unfinished views of killed processes of this machine. Throws Failure (ErrorKind::file)
+    /// if the folder cannot be created, or contains other pictures with names of views, which would be mistaken for
+    /// views.
     ViewFolder(std::filesystem::path, std::string extension, int count);
     /// Removes views that were not published.
     ~ViewFolder();

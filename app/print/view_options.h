@@ -26,7 +26,7 @@ struct ViewOptions {
     bool pingPong = false;
 
     ParameterValues values{printing::printTable()};  ///< Values of the print table, set by `readPrintOptions`.
-    PictureOptions scene;                            ///< Of --exhibit; `subject` is empty when there is none.
+    PictureOptions scene;                            ///< Options of --exhibit; `subject` is empty without it.
     std::string viewSize;                            ///< Empty: of the print's shape.
     std::string baselineScale;                       ///< A number or "fit"; empty: 1, or 0 where something else moves.
     double turnDegrees = 0;

@@ -12,7 +12,7 @@ void addMergeCommand(CLI::App& parser, Action& chosen, const std::function<int(c
 {
     CLI::App* command = parser.add_subcommand("merge", "Join the parts that --shard made");
     auto out = std::make_shared<std::string>();
-    command->add_option("out", *out, "Value of --out with which the parts were made")->required();
+    command->add_option("out", *out, "Output file or folder that --out named when the parts were made")->required();
     command->callback([&chosen, out, run] {
         chosen = [out, run] {
             std::vector<std::string> words = Parts::commandFor(*out);

@@ -64,17 +64,17 @@ struct Job {
     int parts = 1;
 };
 
-/// Reads the job of the folder. Throws Failure (Blame::check) if there is none of this version of the program.
+/// Reads the job of the folder. Throws Failure (ErrorKind::check) if there is none of this version of the program.
 Job jobIn(const fs::path& folder)
 {
     const std::optional<Json> job = readReport(folder / jobFile);
     if (!job || job->value("format", "") != jobFormat || !job->contains("command") || !(*job)["command"].is_array() ||
         (*job)["command"].empty())
-        throw Failure(Blame::check,
+        throw Failure(ErrorKind::check,
                       folder.string() + ": here are no parts; make them with --shard 1/N to N/N and the same --out.");
     if (job->value("version", 0) != partsVersion || job->value("app", "") != render::programVersion())
-        throw Failure(Blame::check, folder.string() + ": the parts are of another version of the program (" +
-                                        job->value("app", "unknown") + "); merge them with that one.");
+        throw Failure(ErrorKind::check, folder.string() + ": the parts are of another version of the program (" +
+                                            job->value("app", "unknown") + "); merge them with that one.");
     Job found;
     for (const Json& word : (*job)["command"]) found.command.push_back(word.is_string() ? word.get<std::string>() : "");
     found.parts = std::clamp(job->value("parts", 1), 1, mostParts);
@@ -83,7 +83,7 @@ Job jobIn(const fs::path& folder)
 
 [[noreturn]] void another(const fs::path& folder, const std::string& why)
 {
-    throw Failure(Blame::usage, folder.string() + ": " + why + "; remove the folder, or give another --out.");
+    throw Failure(ErrorKind::usage, folder.string() + ": " + why + "; remove the folder, or give another --out.");
 }
 
 /// Makes the folder with the job in one step. If several parts start at once, on any machines, each finds the whole
@@ -103,8 +103,8 @@ void makeFolder(const fs::path& folder, const std::string& job)
     if (!error) return;
     fs::remove_all(made, ignored);
     if (!fs::exists(folder, ignored))
-        throw Failure(Blame::file, "Cannot make the folder " + folder.string() + ": " + error.message() +
-                                       "; check your permissions, or give another --out.");
+        throw Failure(ErrorKind::file, "Cannot make the folder " + folder.string() + ": " + error.message() +
+                                           "; check your permissions, or give another --out.");
 }
 
 }  // namespace
@@ -140,14 +140,14 @@ Parts::Parts(const fs::path& out) : folder_(folderOf(out))
         if (const std::string why = problemOf(part, renderers); !why.empty())
             problems += "\n  part " + std::to_string(part) + " " + why + "; make it by: " + commandOf(part);
     if (!problems.empty())
-        throw Failure(Blame::check, folder_.string() + ": nothing was merged. Of " + std::to_string(shard_.of) +
-                                        " parts," + problems);
+        throw Failure(ErrorKind::check, folder_.string() + ": nothing was merged. Of " + std::to_string(shard_.of) +
+                                            " parts," + problems);
     if (renderers.size() > 1)
-        throw Failure(Blame::check, folder_.string() + ": nothing was merged, because part " +
-                                        std::to_string(renderers.begin()->second) + " was drawn by " +
-                                        renderers.begin()->first + " and part " +
-                                        std::to_string(renderers.rbegin()->second) + " by " +
-                                        renderers.rbegin()->first + "; make all on machines of one kind.");
+        throw Failure(ErrorKind::check, folder_.string() + ": nothing was merged, because part " +
+                                            std::to_string(renderers.begin()->second) + " was drawn by " +
+                                            renderers.begin()->first + " and part " +
+                                            std::to_string(renderers.rbegin()->second) + " by " +
+                                            renderers.rbegin()->first + "; make all on machines of one kind.");
 }
 
 fs::path Parts::reportOf(int part) const
@@ -228,7 +228,7 @@ std::optional<render::Image> Parts::kept(const std::string& name, Json* about) c
         if (count > 0) std::memcpy(image.pixels.data(), bytes.data() + text + 1, count * sizeof(float));
         return image;
     } catch (const std::exception&) {
-        throw Failure(Blame::check, file(name).string() + ": this is damaged; make its part again.");
+        throw Failure(ErrorKind::check, file(name).string() + ": this is damaged; make its part again.");
     }
 }
 

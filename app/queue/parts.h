@@ -18,15 +18,15 @@ namespace vitrine::app {
 /// the reason of a failure.
 class Parts {
 public:
-    /// For making one part: makes the folder and removes an earlier report of this part. Throws Failure: Blame::usage
-    /// if the folder belongs to another job, Blame::file if it cannot be made.
+    /// For making one part: makes the folder and removes an earlier report of this part. Throws Failure:
+    /// ErrorKind::usage if the folder belongs to another job, ErrorKind::file if it cannot be made.
     Parts(const std::filesystem::path& out, const Shard&);
-    /// For merging the parts. Throws Failure (Blame::check) with a line for each part that is missing, failed, damaged
-    /// or drawn by another renderer, and the command that makes it.
+    /// For merging the parts. Throws Failure (ErrorKind::check) with a line for each part that is missing, failed,
+    /// damaged or drawn by another renderer, and the command that makes it.
     explicit Parts(const std::filesystem::path& out);
 
-    /// Returns the command of all parts, without --shard. Throws Failure (Blame::check) if there are no parts, or those
-    /// of another version of the program.
+    /// Returns the command of all parts, without --shard. Throws Failure (ErrorKind::check) if there are no parts, or
+    /// those of another version of the program.
     [[nodiscard]] static std::vector<std::string> commandFor(const std::filesystem::path& out);
 
     [[nodiscard]] const Shard& shard() const { return shard_; }
@@ -38,7 +38,8 @@ public:
     void wrote(const std::string& name);
     /// Writes a picture exactly, with data about it.
     void keep(const std::string& name, const render::Image&, const render::Json& about = nullptr);
-    /// Reads what `keep` wrote; nullopt if there is none of this name. Throws Failure (Blame::check) if it is damaged.
+    /// Reads what `keep` wrote; nullopt if there is none of this name. Throws Failure (ErrorKind::check) if it is
+    /// damaged.
     [[nodiscard]] std::optional<render::Image> kept(const std::string& name, render::Json* about = nullptr) const;
 
     /// Marks this part as complete. `renderer`: name of the renderer that drew it.

@@ -24,9 +24,9 @@ Shard parseShard(const std::string& typed)
     const Shard shard{countOf(typed.substr(0, slash)),
                       slash == std::string::npos ? 0 : countOf(typed.substr(slash + 1))};
     if (shard.part < 1 || shard.of < shard.part || shard.of > mostParts)
-        throw Failure(Blame::usage, "--shard " + typed + ": give the part and how many there are, from 1/1 to " +
-                                        std::to_string(mostParts) + "/" + std::to_string(mostParts) +
-                                        ", such as --shard 2/8.");
+        throw Failure(ErrorKind::usage, "--shard " + typed + ": give the part and how many there are, from 1/1 to " +
+                                            std::to_string(mostParts) + "/" + std::to_string(mostParts) +
+                                            ", such as --shard 2/8.");
     return shard;
 }
 

@@ -23,7 +23,7 @@ struct Shard {
 
 constexpr int mostParts = 10000;
 
-/// Parses "2/8". Throws Failure (Blame::usage) saying what to give.
+/// Parses "2/8". Throws Failure (ErrorKind::usage) saying what to give.
 [[nodiscard]] Shard parseShard(const std::string& typed);
 
 /// Options of a command that can be split into parts.

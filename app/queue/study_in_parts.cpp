@@ -27,7 +27,8 @@ std::optional<StudyMeasure> StudyInParts::find(const std::string& key) const
                             about.at("trusted").get<bool>(),
                             about.at("overhead").get<double>()};
     } catch (const render::Json::exception&) {
-        throw Failure(Blame::check, parts_.file(key + ".picture").string() + ": this is damaged; make its part again.");
+        throw Failure(ErrorKind::check,
+                      parts_.file(key + ".picture").string() + ": this is damaged; make its part again.");
     }
 }
 

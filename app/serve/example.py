@@ -3,7 +3,7 @@
 import base64, json, pathlib, socket, sys
 
 stream = socket.socket(socket.AF_UNIX)
-stream.connect(sys.argv[1])  # Where `vitrine serve --socket SOCKET` listens.
+stream.connect(sys.argv[1])  # Socket on which `vitrine serve --socket SOCKET` listens.
 lines = stream.makefile("rw", encoding="utf-8", newline="\n")
 folder = pathlib.Path(sys.argv[2])
 

@@ -20,14 +20,14 @@ std::string errorLine(const Json& id, int code, const std::string& message, cons
     return lineOf(Json{{"jsonrpc", "2.0"}, {"id", id}, {"error", error}});
 }
 
-std::string blameName(Blame blame)
+std::string kindName(ErrorKind kind)
 {
-    switch (blame) {
-    case Blame::check: return "check";
-    case Blame::usage: return "usage";
-    case Blame::openGl: return "openGl";
-    case Blame::shader: return "shader";
-    case Blame::file: break;
+    switch (kind) {
+    case ErrorKind::check: return "check";
+    case ErrorKind::usage: return "usage";
+    case ErrorKind::openGl: return "openGl";
+    case ErrorKind::shader: return "shader";
+    case ErrorKind::file: break;
     }
     return "file";
 }
@@ -139,10 +139,11 @@ std::string errorLine(const Json& id, const std::exception& error)
     if (const auto* refused = dynamic_cast<const RpcFailure*>(&error))
         return errorLine(id, refused->code(), refused->what());
     if (const auto* failure = dynamic_cast<const Failure*>(&error)) {
-        const int code = failure->blame() == Blame::usage ? static_cast<int>(RpcCode::params)
-                                                          : static_cast<int>(RpcCode::ofFailure) - failure->exitCode();
+        const int code = failure->kind() == ErrorKind::usage
+                             ? static_cast<int>(RpcCode::params)
+                             : static_cast<int>(RpcCode::ofFailure) - failure->exitCode();
         return errorLine(id, code, withoutDashes(failure->what()),
-                         Json{{"blame", blameName(failure->blame())}, {"exitCode", failure->exitCode()}});
+                         Json{{"kind", kindName(failure->kind())}, {"exitCode", failure->exitCode()}});
     }
     if (dynamic_cast<const std::bad_alloc*>(&error))
         return errorLine(id, RpcCode::params,

@@ -9,7 +9,7 @@
 
 namespace vitrine::app {
 
-/// Error codes of JSON-RPC 2.0 and of this service. A Failure with Blame::usage is `params`. Any other Failure is
+/// Error codes of JSON-RPC 2.0 and of this service. A Failure with ErrorKind::usage is `params`. Any other Failure is
 /// `ofFailure` minus its exit code: -32005 for a file that was not read or written.
 enum class RpcCode : int {
     parse = -32700,

@@ -21,7 +21,7 @@ using render::Descriptor;
 
 Failure fileFailure(const std::string& path, const std::string& problem)
 {
-    return {Blame::file, "--socket " + path + ": " + problem};
+    return {ErrorKind::file, "--socket " + path + ": " + problem};
 }
 
 sockaddr_un addressOf(const std::string& path)
@@ -29,9 +29,9 @@ sockaddr_un addressOf(const std::string& path)
     sockaddr_un address{};
     address.sun_family = AF_UNIX;
     if (path.empty() || path.size() >= sizeof address.sun_path)
-        throw Failure(Blame::usage, "--socket " + path + ": a socket's path has 1 to " +
-                                        std::to_string(sizeof address.sun_path - 1) + " bytes, and this one has " +
-                                        std::to_string(path.size()) + "; choose a shorter one.");
+        throw Failure(ErrorKind::usage, "--socket " + path + ": a socket's path has 1 to " +
+                                            std::to_string(sizeof address.sun_path - 1) + " bytes, and this one has " +
+                                            std::to_string(path.size()) + "; choose a shorter one.");
     std::memcpy(address.sun_path, path.data(), path.size());
     return address;
 }
@@ -56,14 +56,14 @@ void removeStale(const std::string& path, const sockaddr_un& address)
     struct stat found {};
     if (::lstat(path.c_str(), &found) != 0) return;  // Nothing is there, or `bind` will report the error.
     if (!S_ISSOCK(found.st_mode))
-        throw fileFailure(path, "something else than a socket lies there; it was left alone, choose another path.");
+        throw fileFailure(path, "there is a file that is not a socket; it was left alone. Choose another path.");
     const Descriptor trial(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
     if (::connect(trial.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 || errno == EAGAIN)
-        throw Failure(Blame::usage,
+        throw Failure(ErrorKind::usage,
                       "--socket " + path + ": another server answers there; stop it first, or choose another path.");
     if (errno != ECONNREFUSED)
-        throw fileFailure(path, "whether a server answers there cannot be told (" + std::string(std::strerror(errno)) +
-                                    "); choose another path.");
+        throw fileFailure(path, "it cannot be found out whether a server answers there (" +
+                                    std::string(std::strerror(errno)) + "); choose another path.");
     if (::unlink(path.c_str()) != 0)
         throw fileFailure(path, "what a server left there cannot be removed (" + std::string(std::strerror(errno)) +
                                     "); choose another path.");

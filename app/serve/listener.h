@@ -13,8 +13,8 @@ namespace vitrine::app {
 /// (SO_PEERCRED) are closed.
 class Listener {
 public:
-    /// Listens at `path`. Replaces the socket of a server that has ended. Throws Failure: Blame::usage if a server is
-    /// running there or the path is too long, Blame::file if anything else is there or it cannot be made.
+    /// Listens at `path`. Replaces the socket of a server that has ended. Throws Failure: ErrorKind::usage if a server
+    /// is running there or the path is too long, ErrorKind::file if anything else is there or it cannot be made.
     explicit Listener(std::string path);
     /// Removes the socket, unless something else has taken its place.
     ~Listener();

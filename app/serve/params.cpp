@@ -38,13 +38,14 @@ std::string typed(const std::string& key, const Json& value, char separator)
         std::string text;
         for (const Json& element : value) {
             if (!element.is_number() && !element.is_string())
-                throw Failure(Blame::usage, key + ": a list is of numbers, or of names.");
+                throw Failure(ErrorKind::usage, key + ": a list is of numbers, or of names.");
             text += (text.empty() ? "" : std::string(1, separator)) + typed(key, element, separator);
         }
         return text;
     }
-    throw Failure(Blame::usage, key + ": give a text, a number, true or false, or a list of numbers; to leave it as it "
-                                      "is, leave it out.");
+    throw Failure(ErrorKind::usage,
+                  key + ": give a text, a number, true or false, or a list of numbers; to leave it as it "
+                        "is, leave it out.");
 }
 
 /// Converts an object to a list of "name=value"; a list is taken as it is.
@@ -54,7 +55,7 @@ std::vector<std::string> typedList(const std::string& key, const Json& value)
     if (value.is_object()) {
         for (const auto& [name, member] : value.items()) {
             if (name.empty() || name.find('=') != std::string::npos)
-                throw Failure(Blame::usage, key + ": \"" + name + "\" is no parameter's name.");
+                throw Failure(ErrorKind::usage, key + ": \"" + name + "\" is no parameter's name.");
             texts.push_back(name + '=' + typed(key + '.' + name, member, ','));
         }
     } else if (value.is_array()) {
@@ -68,12 +69,12 @@ std::vector<std::string> typedList(const std::string& key, const Json& value)
 void take(CLI::Option& option, const std::string& key, const Json& value)
 {
     if (option.get_items_expected_max() == 0) {
-        if (!value.is_boolean()) throw Failure(Blame::usage, key + ": give true or false.");
+        if (!value.is_boolean()) throw Failure(ErrorKind::usage, key + ": give true or false.");
         if (value.get<bool>()) option.add_result("true");
     } else if (option.get_items_expected_max() > 1) {
         for (std::string& text : typedList(key, value)) option.add_result(std::move(text));
     } else {
-        if (value.is_boolean()) throw Failure(Blame::usage, key + ": this takes a value, not true or false.");
+        if (value.is_boolean()) throw Failure(ErrorKind::usage, key + ": this takes a value, not true or false.");
         option.add_result(typed(key, value, key == "size" ? 'x' : ','));
     }
     if (option.count() > 0) option.run_callback();
@@ -83,11 +84,12 @@ void requireWhole(const CLI::App& options, const std::string& method)
 {
     for (const CLI::Option* option : options.get_options()) {
         if (option->get_required() && option->count() == 0)
-            throw Failure(Blame::usage, method + ": " + keyOf(*option) + " is missing.");
+            throw Failure(ErrorKind::usage, method + ": " + keyOf(*option) + " is missing.");
         if (option->count() == 0) continue;
         for (const CLI::Option* other : option->get_excludes())
             if (other->count() > 0)
-                throw Failure(Blame::usage, method + ": give either " + keyOf(*option) + " or " + keyOf(*other) + '.');
+                throw Failure(ErrorKind::usage,
+                              method + ": give either " + keyOf(*option) + " or " + keyOf(*other) + '.');
     }
 }
 
@@ -136,13 +138,13 @@ void readParams(CLI::App& options, const std::string& method, const Json& params
             std::find_if(all.begin(), all.end(), [&name = key](const CLI::Option* o) { return keyOf(*o) == name; });
         if (found == all.end()) {
             const std::string keys = keysOf(options);
-            throw Failure(Blame::usage,
+            throw Failure(ErrorKind::usage,
                           method + " knows no \"" + key + "\"; it takes " + (keys.empty() ? "nothing" : keys) + '.');
         }
         try {
             take(**found, key, value);
         } catch (const CLI::ParseError& error) {
-            throw Failure(Blame::usage, withoutDashes(error.what()) + '.');
+            throw Failure(ErrorKind::usage, withoutDashes(error.what()) + '.');
         }
     }
     requireWhole(options, method);

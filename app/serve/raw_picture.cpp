@@ -32,7 +32,7 @@ void addRawOption(CLI::App& options, std::string& raw)
 void requireRawChannels(const std::string& raw, const std::string& channels)
 {
     if (raw.empty() || raw == rawLinear || channels.empty() || channels == "color") return;
-    throw Failure(Blame::usage,
+    throw Failure(ErrorKind::usage,
                   "channels: raw " + raw + " has color only; give raw " + rawLinear + " for \"" + channels + "\".");
 }
 
@@ -40,11 +40,11 @@ render::Json rawJson(const render::Image& picture)
 {
     const std::size_t bytes = sizeOf(picture);
     if (bytes > mostRawBytes)
-        throw Failure(Blame::usage, "raw: a picture of " + std::to_string(picture.width) + " x " +
-                                        std::to_string(picture.height) + " pixels and " +
-                                        std::to_string(picture.channels) + " channels has " + std::to_string(bytes) +
-                                        " bytes, and at most " + std::to_string(mostRawBytes) +
-                                        " follow an answer; let out name a file.");
+        throw Failure(ErrorKind::usage, "raw: a picture of " + std::to_string(picture.width) + " x " +
+                                            std::to_string(picture.height) + " pixels and " +
+                                            std::to_string(picture.channels) + " channels has " +
+                                            std::to_string(bytes) + " bytes, and at most " +
+                                            std::to_string(mostRawBytes) + " follow an answer; let out name a file.");
     std::vector<std::string> names = picture.channelNames;
     if (names.empty()) names = {"R", "G", "B", "A"};
     names.resize(static_cast<std::size_t>(picture.channels));

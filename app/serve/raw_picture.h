@@ -20,11 +20,11 @@ inline constexpr std::size_t mostRawBytes = 128U << 20U;
 /// Adds the option "--raw", which asks for the values of a picture in place of a file. The command must have "--out".
 void addRawOption(CLI::App&, std::string& raw);
 
-/// Throws Failure (Blame::usage) for more channels than color where the values are those of a PNG.
+/// Throws Failure (ErrorKind::usage) for more channels than color where the values are those of a PNG.
 void requireRawChannels(const std::string& raw, const std::string& channels);
 
 /// Describes the bytes of a raw picture: {"bytes", "type", "shape": [height, width, channels], "channels"}. Throws
-/// Failure (Blame::usage) if they are more than `mostRawBytes`.
+/// Failure (ErrorKind::usage) if they are more than `mostRawBytes`.
 [[nodiscard]] render::Json rawJson(const render::Image&);
 
 /// Returns the pixels as little-endian floats, row 0 at the top, channels interleaved. Colors are sRGB-encoded unless

@@ -205,7 +205,7 @@ void Server::cancel(Client& client, const RpcRequest& request)
 {
     const Json* id = request.params.contains("id") ? &request.params["id"] : nullptr;
     if (request.params.size() != (id ? 1U : 0U))
-        throw Failure(Blame::usage, "cancel takes id, of a request of this connection, or nothing: all of them.");
+        throw Failure(ErrorKind::usage, "cancel takes id, of a request of this connection, or nothing: all of them.");
     int count = 0;
     if (current_ && &current_->client == &client && !current_->canceled && (!id || current_->request.id == *id)) {
         current_->canceled = true;

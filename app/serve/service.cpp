@@ -150,8 +150,8 @@ std::size_t Service::subjectNamed(const std::string& name) const
 {
     if (const auto subject = museum_.find(name)) return *subject;
     std::vector<std::string> names;
-    for (const Subject* subject : museum_.subjects()) names.emplace_back(subject->name());
-    throw Failure(Blame::usage,
+    for (const SceneObject* subject : museum_.subjects()) names.emplace_back(subject->name());
+    throw Failure(ErrorKind::usage,
                   "There is no exhibit \"" + name + '"' + didYouMean(name, names) + " the method list names them.");
 }
 
@@ -324,7 +324,7 @@ std::string pictureInBase64(const PictureRequest& request, const PictureMaker& m
 {
     const std::string bytes = render::encodedPicture("The picture", maker.picture(), format, metadata);
     if (bytes.size() > mostAnswerBytes)
-        throw Failure(Blame::usage, "render: a picture of " + sizeJson(request).dump() + " pixels has " +
+        throw Failure(ErrorKind::usage, "render: a picture of " + sizeJson(request).dump() + " pixels has " +
                                         std::to_string(bytes.size()) + " bytes, and an answer takes " +
                                         std::to_string(mostAnswerBytes) + "; let out name a file.");
     return base64(bytes);
@@ -346,7 +346,7 @@ Json Service::planPicture(const Json& params, const Watch&)
     options.remove_option(options.get_option("--out"));
     readParams(options, "plan", params);
     const OrderedJob ordered = orderedJob(options, pictureJob(), arguments, start(true));
-    if (!ordered.plan.refusal.empty()) throw Failure(Blame::usage, ordered.plan.refusal);
+    if (!ordered.plan.refusal.empty()) throw Failure(ErrorKind::usage, ordered.plan.refusal);
     const jobs::JobScene& scene = ordered.order.scene;
     const PictureRequest request = jobs::pictureRequest(ordered.order.values, scene, {});
     PictureMaker maker(museum_, renderer_, scene.state, request);
@@ -373,7 +373,7 @@ Json Service::renderPicture(const Json& params, const Watch& watch)
     const OrderedJob ordered = orderedJob(options, pictureJob(), arguments, start(true));
     const jobs::JobOrder& order = ordered.order;
     requireRawChannels(raw, order.values[pictureTable().channels]);
-    if (!ordered.plan.refusal.empty()) throw Failure(Blame::usage, ordered.plan.refusal);
+    if (!ordered.plan.refusal.empty()) throw Failure(ErrorKind::usage, ordered.plan.refusal);
     const render::PictureFormat format = jobs::pictureFormat(order.values, order.out);
     const RequestedPicture job{order.scene.subject, order.scene.state,
                                jobs::pictureRequest(order.values, order.scene, order.out)};
@@ -430,7 +430,7 @@ Json Service::runJob(const jobs::Job& job, const Json& params, const Watch& watc
     if (arguments.dryRun) {
         answer = planJson(job, ordered.plan);
     } else {
-        if (!ordered.plan.refusal.empty()) throw Failure(Blame::usage, ordered.plan.refusal);
+        if (!ordered.plan.refusal.empty()) throw Failure(ErrorKind::usage, ordered.plan.refusal);
         ordered.order.backend = [this] { return sharedBackend({std::shared_ptr<void>(), &renderer_}); };
         ordered.order.machine = [this] { return machineJson(gl_); };
         const std::unique_ptr<jobs::JobRun> run = job.start(std::move(ordered.order));

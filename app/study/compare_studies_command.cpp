@@ -37,8 +37,8 @@ std::vector<KeptStudy> readAll(const std::vector<std::string>& files)
         }
     }
     if (studies.size() < 2 || studies.size() > mostStudies)
-        throw Failure(Blame::usage, "compare-studies: give files of two to " + std::to_string(mostStudies) +
-                                        " studies; there are " + std::to_string(studies.size()) + '.');
+        throw Failure(ErrorKind::usage, "compare-studies: give files of two to " + std::to_string(mostStudies) +
+                                            " studies; there are " + std::to_string(studies.size()) + '.');
     return studies;
 }
 
@@ -47,7 +47,7 @@ std::string costOf(const std::vector<KeptStudy>& studies, const std::string& wan
     const std::vector<std::string> costs = sharedCosts(studies);
     if (costs.empty())
         throw Failure(
-            Blame::check,
+            ErrorKind::check,
             "These studies share no count of work that tells their settings apart" +
                 std::string(timesDiffer(studies) == TimesDiffer::no ? "" : ", and their times cannot be compared") +
                 "; measure them by the same counter.");
@@ -56,13 +56,13 @@ std::string costOf(const std::vector<KeptStudy>& studies, const std::string& wan
         const auto work =
             std::find_if(costs.begin(), costs.end(), [](const std::string& cost) { return cost != "ms"; });
         if (work == costs.end())
-            throw Failure(Blame::check, "--cost work: these studies share no count of work; give ms.");
+            throw Failure(ErrorKind::check, "--cost work: these studies share no count of work; give ms.");
         return *work;
     }
     if (std::find(costs.begin(), costs.end(), wanted) != costs.end()) return wanted;
     const std::string why = wanted == "ms" ? ui::timesDifferText(timesDiffer(studies)).toStdString() + " Give"
                                            : "these studies do not share it; give";
-    throw Failure(wanted == "ms" ? Blame::check : Blame::usage,
+    throw Failure(wanted == "ms" ? ErrorKind::check : ErrorKind::usage,
                   "--cost " + wanted + ": " + why + " one of " + joined(costs) + '.');
 }
 

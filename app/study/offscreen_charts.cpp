@@ -27,7 +27,7 @@ void requireChart(const QByteArray& png, const std::filesystem::path& folder)
 {
     if (png.isEmpty())
         throw Failure(
-            Blame::file,
+            ErrorKind::file,
             folder.string() +
                 ": the chart could not be drawn; check that Qt's offscreen platform and a font are installed.");
 }

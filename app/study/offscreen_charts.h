@@ -14,7 +14,7 @@ inline constexpr double studyChartScale = 1.5;  ///< Scale of the PNG, for high-
 /// Prepares Qt for drawing charts without a display, in light colors. An application may already exist.
 void prepareOffscreenCharts();
 
-/// Throws Failure (Blame::file) if a chart for this folder could not be drawn.
+/// Throws Failure (ErrorKind::file) if a chart for this folder could not be drawn.
 void requireChart(const QByteArray& png, const std::filesystem::path& folder);
 
 }  // namespace vitrine::app

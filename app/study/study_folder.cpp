@@ -185,7 +185,7 @@ int tellStudy(const fs::path& folder, const jobs::JobRun& run, bool quietly)
     }
     say(choiceSentence(subjects, request, study.result()) +
         " Nothing was chosen; allow more, or study other parameters.");
-    return static_cast<int>(Blame::check);
+    return static_cast<int>(ErrorKind::check);
 }
 
 }  // namespace vitrine::app

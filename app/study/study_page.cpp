@@ -134,7 +134,7 @@ std::string studyPage(Subjects subjects, const StudyRequest& request, const Stud
                       const std::vector<StudyPageChart>& charts, glm::ivec2 chartSize,
                       const std::vector<StudyPagePoint>& points)
 {
-    const Subject& subject = *subjects[request.subject];
+    const SceneObject& subject = *subjects[request.subject];
     const std::string title = std::string(subject.title()) + ": what " +
                               (request.axes.size() > 2 ? std::string("accuracy") : axisLabels(subjects, request)) +
                               " costs";

@@ -104,7 +104,7 @@ def direct_in_air(rays, lamps, rng):
 def traced(rays, lamps, triangles, place, normal, rng):
     """Irradiance over pi at places (n, 3) that face `normal`, by paths that end where they happen to meet a lamp."""
     gray = triangles.albedo.mean(axis=1)
-    start = np.repeat(place + 0.025 * normal, PATHS, axis=0)      # Of a curved surface they are given on a flat square.
+    start = np.repeat(place + 0.025 * normal, PATHS, axis=0)      # The places of a curved surface are given on a flat square.
     way = around(np.broadcast_to(normal, place.shape), PATHS, rng).reshape(-1, 3)
     through, light = np.ones(len(start)), 0.0
     for _ in range(BOUNCES + 1):

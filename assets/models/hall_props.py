@@ -130,8 +130,8 @@ def _pit(m, nodes):
         rows.append([(x + pr * math.cos(a), py, z + pr * math.sin(a)) for pr, py in prof])
     start = len(m.verts)
     grid(m, rows, "leather", density=0.9, uv_shift=(0, 0))
-    # Where pads meet, too, the leather ends on the bronze ring, or the floor would be seen between them. Moved only now:
-    # what is baked lies where it lay.
+    # The leather also ends on the bronze ring where pads meet, or the floor would be visible between them. The points are
+    # moved after baking, which uses their old places.
     for k in range(start, len(m.verts)):
         px, py, pz = m.verts[k]
         if abs(py) < 1e-9:

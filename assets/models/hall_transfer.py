@@ -136,7 +136,7 @@ class Sources:
             (place[:, 1] < P.OUT_HIGH - 0.05) | (np.hypot(place[:, 0], place[:, 2]) < P.OCULUS + 0.05))
         lit = np.flatnonzero((usual > 0) & near)
         dark = patches.albedo.mean(axis=1) < 0.3        # Dado, wood and leather next to plaster.
-        # Of the window's reveal and the oculus' drum it matters how deep the sun reaches.
+        # The reveal of the window and the drum of the oculus get finer cells: the depth that the sun reaches matters there.
         fine = (place[:, 2] < -P.Z) | (place[:, 1] > P.SPRING + P.RISE)
         cell = np.floor(place[lit] * np.where(fine[lit], 3, 1)[:, None] / SOURCE + 0.25).astype(int)
         key = np.column_stack((cell, side[lit], dark[lit], fine[lit]))
@@ -144,7 +144,7 @@ class Sources:
         of = of.ravel()
         flux = np.bincount(of, usual[lit] * patches.area[lit])
         keep = flux > 3e-4 * flux.sum()
-        # Those with little light join the next one of their kind.
+        # Cells with little light join the nearest cell of their kind.
         far = np.abs(cells[:, None, :3] - cells[None, keep, :3]).sum(axis=2) + 1e3 * (
             cells[:, None, 3:] != cells[None, keep, 3:]).sum(axis=2)
         number = far.argmin(axis=1)[of]

@@ -11,7 +11,7 @@ import struct
 ROWS = 14
 COLUMNS = 24
 
-# Where each ball is, and its half axes: trunk, head, ears, snout, arms, legs.
+# Center and half axes of each ball: trunk, head, ears, snout, arms, legs.
 BALLS = [
     ((0.0, 0.0, 0.0), (0.42, 0.48, 0.38)),
     ((0.0, 0.68, 0.06), (0.34, 0.31, 0.31)),

@@ -173,7 +173,7 @@ def literal_of(all_tokens, first, last):
     return None
 
 
-MOST_FORMS = 12  # Of one sentence whose parts are chosen by conditions.
+MOST_FORMS = 12  # Most forms of one sentence whose parts are chosen by conditions.
 
 
 def forms(all_tokens, first, last, done):

@@ -16,7 +16,7 @@ from cpp_texts import messages, sentences, tokens, translated_calls  # noqa: E40
 TS = 'assets/translations/vitrine_de.ts'
 PROGRAM = os.environ.get('VITRINE_PROGRAM', 'build/release/vitrine')
 
-# What looks like a text and is none: shader source, formats, what only the command line's help and tests say.
+# Strings that look like texts but are not: shader source, formats, texts of the command line's help and of tests.
 NO_TEXT = re.compile(r'[;{}]\s*\n|\bvec[234]\b|\bfloat \w|^\s*#|</?\w+>|\bvoid \w|^\w+ = |^  +\w|\bsampler|^[.:#*@]|^\{\d\}$|'
                      r'^[\w{}]+/[\w{}]|^[A-Z_]+ \{|^glb |^fs frag |^hdr exr|^tif tiff|^png jpg|^SceneStage|\buniform \w|\bconst \w+ \w+|^<|^--(?!.* .* )|&nbsp;|\\u00|^%|^[^A-Za-z{]*$')
 # Files of which nothing is shown to people in the window or as an error, or only in English by purpose.
@@ -25,9 +25,9 @@ NOT_SHOWN = re.compile(r'/stability/|stability_|doctor_command|html_text|_page\.
                        r'install|framework/table/derive|museum/render_command|coat_mesh|card_mesh|png_chunks|table_json|passes_json|text/message\.h')
 # Rooms in which every text for people is made by message(): no sentence is looked for there, and none may be left.
 CONVERTED = ('render/files/', 'render/gl/', 'render/scene/', 'exhibits/jobs/sprite/palette_file', 'exhibits/jobs/sprite/sprite_description')
-# What looks like a sentence in them and is shown to nobody: keys, names, messages of asserts.
+# Strings that look like sentences but are shown to nobody: keys, names, messages of asserts.
 UNSHOWN = {'framebuffers made', 'constant buffers', 'the picture was abandoned', 'unknown error',
-           '{1} (better)'}
+           '{1} (specialized)'}
 # Callees whose argument is no text for people.
 SILENT = {'shader', 'at', 'value', 'find', 'contains', 'define', 'getenv', 'uniform', 'is_member_of', 'compare', 'starts_with',
           'ends_with', 'add_option', 'add_flag', 'add_subcommand', 'add_option_function', 'add_flag_function', 'type_name',
@@ -128,7 +128,7 @@ def engine_texts(texts):
             if name.startswith('ui/') and 'Failure' not in before[-8:]:
                 continue  # The window's own texts are marked by tr; what it throws is told as the engine's are.
             if command and 'Failure' not in before[-8:] and (not text.endswith('.') or text.endswith('...')) or text.startswith(('{"', '{1}"child')) or 'Exit codes' in text or text.startswith('\n'):
-                continue  # Of the command line, errors are translated and help is not.
+                continue  # The errors of the command line are translated; its help is not.
             texts.add(text, name)
     with open('assets/translations/more_texts.txt', encoding='utf-8') as file:
         for line in file:
@@ -167,7 +167,7 @@ def table_texts(texts, known):
             for text in row.findall(source):
                 texts.add(spelled_out(text), name)
         if '_table' in name or '_rows' in name:
-            for text in re.findall(r'\b(?:group|called)\("([^"]+)"', source):
+            for text in re.findall(r'\b(?:group|labeled)\("([^"]+)"', source):
                 texts.add(text, name)
             for choices in re.findall(r'\bchoice\([^{;]*\{(\s*"[^}]*)\}', source):
                 for text in re.findall(r'"([^"]+)"', choices):

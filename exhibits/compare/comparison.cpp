@@ -94,7 +94,7 @@ void Comparison::takePicture(std::size_t side)
 void Comparison::drawTimed(std::size_t side)
 {
     FrameRequest frame = request_.frame;
-    frame.cut = frame.finished = true;  // The same as for the picture.
+    frame.resetHistory = frame.finished = true;  // The same as for the picture.
     const glm::ivec2 size = frame.raster.size;
     const int largest = std::max(std::min(request_.largestTile, backend_.largestSide()), 1);
     std::optional<render::FrameReport> whole;

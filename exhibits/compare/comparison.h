@@ -49,8 +49,8 @@ struct ComparisonResult {
 /// between steps.
 class Comparison {
 public:
-    /// Museum and backend must outlive it. Each pass is timed if the backend supports it. Throws Failure (Blame::usage)
-    /// like PictureMaker.
+    /// Museum and backend must outlive it. Each pass is timed if the backend supports it. Throws Failure
+    /// (ErrorKind::usage) like PictureMaker.
     Comparison(const Museum&, render::RenderBackend&, ComparisonRequest);
 
     /// Draws one sample of one tile, or times one frame. Returns false if everything is done.

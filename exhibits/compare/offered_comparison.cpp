@@ -1,27 +1,30 @@
 #include "exhibits/compare/offered_comparison.h"
 
-#include "exhibits/framework/scene/subject.h"
+#include "exhibits/framework/scene/scene_object.h"
 #include "render/failure.h"
 #include "render/text/joined.h"
+#include "render/text/nearest_word.h"
 
 namespace vitrine {
 
-std::vector<OfferedComparison> offeredComparisons(const Subject& subject)
+std::vector<OfferedComparison> offeredComparisons(const SceneObject& subject)
 {
     const auto* offers = capability<OffersComparisons>(subject);
     return offers ? offers->comparisons() : std::vector<OfferedComparison>();
 }
 
-OfferedComparison offeredComparison(const Subject& subject, std::string_view name)
+OfferedComparison offeredComparison(const SceneObject& subject, std::string_view name)
 {
     const std::vector<OfferedComparison> all = offeredComparisons(subject);
     for (const OfferedComparison& offered : all)
         if (offered.name == name) return offered;
-    const std::string names = joined(all, ", ", &OfferedComparison::name);
+    std::vector<std::string> names;
+    for (const OfferedComparison& offered : all) names.push_back(offered.name);
     const std::string who(subject.name());
-    throw Failure(Blame::usage, names.empty() ? who + " offers no comparisons; name two settings."
-                                              : who + " offers no comparison \"" + std::string(name) +
-                                                    "\"; choose one of " + names + ".");
+    throw Failure(ErrorKind::usage, names.empty()
+                                        ? who + " offers no comparisons; name two settings."
+                                        : who + " offers no comparison \"" + std::string(name) + "\"" +
+                                              didYouMean(name, names) + " choose one of " + joined(names, ", ") + ".");
 }
 
 SceneState otherSide(const SceneState& a, std::size_t subject, const OfferedComparison& offered)

@@ -9,10 +9,10 @@
 namespace vitrine {
 
 /// Returns the comparisons that the subject offers; empty if none.
-[[nodiscard]] std::vector<OfferedComparison> offeredComparisons(const Subject&);
+[[nodiscard]] std::vector<OfferedComparison> offeredComparisons(const SceneObject&);
 
-/// Returns the comparison of that name. Throws Failure (Blame::usage) that lists the names.
-[[nodiscard]] OfferedComparison offeredComparison(const Subject&, std::string_view name);
+/// Returns the comparison of that name. Throws Failure (ErrorKind::usage) that lists the names.
+[[nodiscard]] OfferedComparison offeredComparison(const SceneObject&, std::string_view name);
 
 /// Returns B of the comparison: A with the offered values of that subject, without their motions.
 [[nodiscard]] SceneState otherSide(const SceneState& a, std::size_t subject, const OfferedComparison&);

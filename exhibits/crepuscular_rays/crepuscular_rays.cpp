@@ -122,18 +122,20 @@ std::vector<StudyView> CrepuscularRays::studyViews(const ParameterValues& values
 std::vector<OfferedComparison> CrepuscularRays::comparisons() const
 {
     const auto technique = [](RayTechnique t) { return std::pair<std::string_view, Value>("technique", double(t)); };
-    return {{"without",
-             "No beams",
-             "The hall in clear air: all else is what beams and dust make of it.",
-             {technique(RayTechnique::none)}},
-            {"screen",
-             "Gathered in screen space",
-             "Walk until the sun leaves the picture: these beams fade, because what is not seen cannot shine.",
-             {technique(RayTechnique::screen)}},
-            {"air",
-             "Marched through the air",
-             "Beams of the light itself, wherever one looks, with the shadows of what hangs in them.",
-             {technique(RayTechnique::volume)}}};
+    return {
+        {"without",
+         "No beams",
+         "The hall in clear air, without beams and dust: compare what they add.",
+         {technique(RayTechnique::none)}},
+        {"screen",
+         "Gathered in screen space",
+         "Walk until the sun leaves the picture: these beams fade, because the method only knows what is in the "
+         "picture.",
+         {technique(RayTechnique::screen)}},
+        {"air",
+         "Marched through the air",
+         "Sunlight scattered by the dusty air, in every direction of view, with the shadows of the hanging objects.",
+         {technique(RayTechnique::volume)}}};
 }
 
 void CrepuscularRays::planOverFrame(const PlanContext& context, render::FramePlan& plan) const

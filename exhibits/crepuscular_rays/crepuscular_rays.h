@@ -21,7 +21,7 @@ public:
     [[nodiscard]] std::string_view title() const override { return "Crepuscular Rays"; }
     [[nodiscard]] std::string_view summary() const override
     {
-        return "Sunbeams: smeared across the picture, or marched through the dust.";
+        return "Sunbeams: the sky blurred across the picture, or rays marched through dusty air.";
     }
     [[nodiscard]] std::string_view tryThis() const override { return "walk until the banner breaks the beam."; }
     [[nodiscard]] std::string_view buttonText() const override { return "let the mobile turn"; }

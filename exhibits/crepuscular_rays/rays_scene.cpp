@@ -89,8 +89,8 @@ render::Factor RaysScene::anyBeam() const
 {
     const SceneLighting& around = context.lighting;
     if (around.sunIrradiance == glm::dvec3(0)) return {0, around.sunShadow.whyNone};
-    return {beams.empty() ? 0.0 : 1.0, context.alone ? "no sunbeam wider than 30 cm comes in by the window"
-                                                     : "no sunbeam wider than 30 cm comes in by window or oculus"};
+    return {beams.empty() ? 0.0 : 1.0, context.alone ? "no sunbeam wider than 30 cm comes in through the window"
+                                                     : "no sunbeam wider than 30 cm comes in through window or oculus"};
 }
 
 RaysScene raysScene(const CrepuscularRaysTable& table, const PlanContext& context, const render::FramePlan& plan)

@@ -2,7 +2,7 @@
 #include "exhibits/crepuscular_rays/rays_scene.h"
 #include "exhibits/kit/backdrop.h"
 #include "exhibits/kit/blue_noise.h"
-#include "render/plan/elsewhere.h"
+#include "render/plan/secondary_view.h"
 #include "shaders/lib/bindings.glsl"
 
 #include <algorithm>
@@ -29,8 +29,8 @@ std::string planOccluders(const RaysScene& s, render::FramePlan& plan)
 {
     const char* reason =
         s.tile ? "the picture is a tile and does not show the whole sky" : "the mask is made of the occluders";
-    const std::map<std::string, std::string> images = render::addElsewhere(
-        plan, s.context.seenFrom(s.wholeView),
+    const std::map<std::string, std::string> images = render::addSecondaryView(
+        plan, s.context.planOfView(s.wholeView),
         {.name = "crepuscular_rays/occluders", .reason = reason, .view = s.wholeView, .depthOnly = true});
     return images.at(depthImage);
 }

@@ -33,7 +33,8 @@ struct PolarGrid {
 };
 [[nodiscard]] PolarGrid polarGrid(glm::dvec2 source, glm::dvec2 size, int samples);
 
-/// Beam of sunlight through an opening, limited to the inside of the room; read by shaders/crepuscular_rays/air.glsl.
+/// Beam of sunlight through an opening, limited to the inside of the room; read by
+/// shaders/crepuscular_rays/participating_media.glsl.
 struct Beam {
     render::Box opening;  ///< Flat along `axis`.
     int axis = 2;

@@ -25,8 +25,8 @@ namespace vitrine {
 /// their angles (Thürmer and Wüthrich 1998); the curvature follows from them. Mirrored parts are turned the right way
 /// round.
 ///
-/// Everything dropped or repaired is added to `notes`, one sentence each. Throws Failure (Blame::file) naming `file` if
-/// nothing is left.
+/// Everything dropped or repaired is added to `notes`, one sentence each. Throws Failure (ErrorKind::file) naming
+/// `file` if nothing is left.
 [[nodiscard]] std::shared_ptr<const render::Mesh> modelSkin(const render::Model&, const std::string& file,
                                                             double radius, std::vector<std::string>& notes);
 

@@ -23,11 +23,11 @@ public:
     [[nodiscard]] std::string_view title() const override { return "Fur with Physics"; }
     [[nodiscard]] std::string_view summary() const override
     {
-        return "No hair is stored anywhere: a skin drawn again and again, a little further out each time.";
+        return "Fur of many layers: the skin is drawn again and again, a little further out. No hair is stored.";
     }
     [[nodiscard]] std::string_view tryThis() const override
     {
-        return "press the button, then look along the backs towards the window.";
+        return "press the button, then look across the fur towards the window.";
     }
     [[nodiscard]] std::string_view buttonText() const override { return "make them jump"; }
     [[nodiscard]] int place() const override { return 3; }

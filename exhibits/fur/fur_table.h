@@ -33,7 +33,7 @@ struct FurTable final : Parameters {
     File ringModel =
         file("ringModel",
              "Path of a glTF object that wears the ring's coat in place of the ring; models/teddy.glb is supplied.",
-             endings("glb gltf"));
+             extensions("glb gltf"));
 
     Group strands = group("Strands");
     Real strandRoundness = real(
@@ -200,7 +200,7 @@ struct FurTable final : Parameters {
     StudiedRows studied{
         *this,
         {{.name = "shellCount", .lifted = {"levelOfDetail"}},
-         {.name = "samplesBetween", .settles = "No ray grazes a shell along so many cells."},
+         {.name = "samplesBetween", .settles = "No ray grazes a shell along this many cells."},
          {.name = "levelOfDetail", .with = {{"shellCount", 256}}},
          {.name = "drawOrder",
           .same = "What lies behind a shell is covered in either order, so that the picture is the same."},

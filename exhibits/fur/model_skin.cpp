@@ -125,7 +125,7 @@ std::shared_ptr<const Mesh> modelSkin(const render::Model& model, const std::str
     const glm::dvec3 center = model.bounds.empty() ? glm::dvec3(0) : model.bounds.center();
     const double extent = model.bounds.empty() ? 0 : glm::length(model.bounds.halfSize());
     if (!(extent > 0))
-        throw Failure(Blame::file, file + " has no surface that could wear a coat. Give a model with triangles.");
+        throw Failure(ErrorKind::file, file + " has no surface that could wear a coat. Give a model with triangles.");
     Sewing sewing(radius);
     for (const render::MeshInstance& part : model.parts) {
         const bool mirrored = isMirrored(part.modelFromPart);
@@ -140,7 +140,7 @@ std::shared_ptr<const Mesh> modelSkin(const render::Model& model, const std::str
         }
     }
     if (sewing.empty())
-        throw Failure(Blame::file,
+        throw Failure(ErrorKind::file,
                       file + " has no triangle with an area that could wear a coat. Give a model with triangles.");
     return sewing.finished(notes);
 }

@@ -31,7 +31,7 @@ Pass keptPass(const char* name, const SceneLighting& light, const render::Hash& 
     pass.reason = "the sun has moved";
     pass.phase = render::PassPhase::shadow;
     pass.bound = light.bouncedLight;
-    pass.key = key.value();
+    pass.contentHash = key.value();
     return pass;
 }
 
@@ -81,7 +81,7 @@ render::ContributionBound boundOfBounce(const HallScene& scene, double most)
     return render::boundOf(0, sun.strength * scene.model.sunTransfer().surfaceScale(),
                            {{scene.alone ? 0.0 : 1.0, "there is no hall to bounce it"},
                             {sun.strength, sun.elevation > 0 ? "the sun's strength is 0" : "the sun has set"},
-                            {most, "too little of the sun comes in by window and oculus"}});
+                            {most, "too little sunlight comes in through window and oculus"}});
 }
 
 void planBouncedLight(const HallScene& scene, const SceneLighting& light, render::FramePlan& plan)
@@ -154,7 +154,7 @@ void planAirLight(const HallScene& scene, const SceneLighting& light, render::Fr
     pass.name = "hall/light in the air";
     pass.reason = "sun, sky or lamps have changed";
     pass.phase = render::PassPhase::shadow;
-    pass.key = key.value();
+    pass.contentHash = key.value();
     fillAir(airImage, "hall/air_light.comp", transfer, pass, plan);
     pass.blocks[BLOCK_EXHIBIT] = render::std140Bytes(block);
     if (light.hasBouncedLight) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/scene/subject.h"
+#include "exhibits/framework/scene/scene_object.h"
 #include "exhibits/hall/hall_scene.h"
 #include "exhibits/hall/hall_table.h"
 
@@ -9,10 +9,10 @@
 namespace vitrine {
 
 /// The building: light, walls, shadows, reflections and tone mapping.
-class Hall final : public Subject {
+class Hall final : public SceneObject {
 public:
-    /// Creates the hall with these exhibits in it. Throws Failure (Blame::file) if the font of the plaques cannot be
-    /// read.
+    /// Creates the hall with these exhibits in it. Throws Failure (ErrorKind::file) if the font of the plaques cannot
+    /// be read.
     Hall(std::shared_ptr<const HallModel>, std::vector<ExhibitSlot>);
 
     [[nodiscard]] std::string_view name() const override { return "hall"; }

@@ -65,7 +65,7 @@ void planAntialiasing(const FrameRequest& request, const FrameHistory& history, 
     if (request.samples == 1 || request.sample + 1 < request.samples) return;
     const int frames = std::min(history.frames, request.samples);
     render::Pass pass = historyPass("antialias/begin", "hall/keep_history.frag", "frame", {static_cast<float>(frames)});
-    pass.reason = "the next motion starts from the idle picture";
+    pass.reason = "the next motion starts from the finished picture";
     plan.add(std::move(pass));
 }
 

@@ -178,7 +178,7 @@ void planContactShadows(const HallScene& scene, render::FramePlan& plan)
         for (const std::byte byte : draw.object) key.addValue(byte);
         pass.draws.push_back(std::move(draw));
     }
-    pass.key = key.value();
+    pass.contentHash = key.value();
     plan.add(std::move(pass));
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/scene/standing.h"
+#include "exhibits/framework/scene/standing_shape.h"
 #include "render/scene/mesh.h"
 
 #include <glm/glm.hpp>

@@ -91,7 +91,7 @@ HallModel::HallModel()
         addFrames();
     } catch (const Json::exception& error) {
         throw Failure(
-            Blame::file,
+            ErrorKind::file,
             "assets/models/materials.json, frames.json, hall_light.json, hall_bounce.json or hall_lamps.json: " +
                 std::string(error.what()) +
                 "; reinstall the program, or write them anew with the scripts beside them.");
@@ -218,7 +218,7 @@ void HallModel::sortMarkers(const render::Model& model)
     for (auto& [number, place] : places_) place.number = number;
     if (openings_.empty() || room_.empty() || !probe_ || probeRoom_.empty())
         throw Failure(
-            Blame::file,
+            ErrorKind::file,
             "assets/models/hall.glb: it has no nodes \"opening_...\", \"room\", \"probe\" and \"probe_room\"; "
             "reinstall the program, or make it anew with assets/models/hall.py.");
 }

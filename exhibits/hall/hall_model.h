@@ -55,7 +55,7 @@ struct HallMaterial {
 /// assets/models/frames.json, so they need neither a new model nor a new bake.
 class HallModel {
 public:
-    /// Reads the assets. Throws Failure (Blame::file) if one is missing or broken.
+    /// Reads the assets. Throws Failure (ErrorKind::file) if one is missing or broken.
     HallModel();
 
     [[nodiscard]] const std::vector<render::MeshInstance>& walls() const { return walls_; }

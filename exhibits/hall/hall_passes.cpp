@@ -94,7 +94,7 @@ void planTurningShadow(const HallScene& scene, const Pass& still, const std::vec
         pass.state = {
             .depthTest = render::DepthTest::none, .depthWrite = true, .cull = render::Cull::front, .depthClamp = true};
         pass.inputs = {{UNIT_SOURCE, std::string("shadow.hall.still")}};
-        pass.key = still.key;
+        pass.contentHash = still.contentHash;
         pass.bound = still.bound;
         return pass;
     };
@@ -104,12 +104,12 @@ void planTurningShadow(const HallScene& scene, const Pass& still, const std::vec
     copy.draws = {Draw{}};
 
     render::Hash key;
-    key.addValue(*still.key);
+    key.addValue(*still.contentHash);
     for (const ExhibitPose& pose : scene.poses) key.addValue(pose.rotation);
-    Pass restore = follow("hall/shadow/restore", "what hangs here has turned", Attachment::whole("shadow.hall"));
-    restore.key = key.value();
-    Pass hangings = follow("hall/shadow/hangings", "what hangs here has turned", Attachment::whole("shadow.hall"));
-    hangings.key = key.value();
+    Pass restore = follow("hall/shadow/restore", "the hanging objects have turned", Attachment::whole("shadow.hall"));
+    restore.contentHash = key.value();
+    Pass hangings = follow("hall/shadow/hangings", "the hanging objects have turned", Attachment::whole("shadow.hall"));
+    hangings.contentHash = key.value();
     // The probe is kept when they rotate, so they must not be in its shadows: it is captured before they are drawn.
     restore.phase = hangings.phase = render::PassPhase::prepare;
     hangings.shader.fragment = "kit/depth.frag";
@@ -212,7 +212,7 @@ void planHallShadow(const HallScene& scene, const SceneLighting& light, render::
                   .cull = render::Cull::none,
                   .depthBias = {1.5F, 2},
                   .depthClamp = true};
-    pass.key = lightKey(scene);
+    pass.contentHash = lightKey(scene);
     pass.bound = light.sunShadow;
     for (const MeshInstance& part : scene.model.walls()) pass.draws.push_back(partDraw(scene, part));
     for (const MeshInstance& part : standingParts(scene)) pass.draws.push_back(partDraw(scene, part));

@@ -26,7 +26,7 @@ Pass capturePass(const char* what, int face, const glm::dvec3& eye, int size, st
     pass.reason = "what the probe sees has changed";
     pass.phase = render::PassPhase::probe;
     pass.view = render::cubeFaceView(eye, face, size);
-    pass.key = key;
+    pass.contentHash = key;
     return pass;
 }
 
@@ -167,7 +167,7 @@ void planLevel(int level, int levels, int size, int samples, const render::Contr
         render::std140Bytes(ProbeLevel{.roughness = t * t, .samples = level == 0 ? 1 : samples, .capturedSize = size});
     pass.groups = {(side + 7) / 8, (side + 7) / 8, 6};
     pass.bound = bound;
-    pass.key = key;
+    pass.contentHash = key;
     plan.add(std::move(pass));
 }
 
@@ -258,7 +258,7 @@ void planProbe(const HallScene& scene, const SceneLighting& light, render::Frame
     sum.inputs = {{UNIT_SOURCE, std::string("probe.captured")}};
     sum.blocks[BLOCK_OBJECT] =
         render::std140Bytes(ProbeLevel{.capturedLevel = level, .capturedSize = std::max(size >> level, 1)});
-    sum.key = key;
+    sum.contentHash = key;
     sum.bound = light.probeLight;
     plan.add(std::move(sum));
 }

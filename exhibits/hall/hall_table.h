@@ -74,7 +74,7 @@ struct HallTable final : Parameters {
     Choice<SunBy> sunBy = choice(
         "sunBy", SunBy::angles, {"angles", "time of day"},
         "Way to set the sun: by its angles and color, or by the time of day, with which it moves, reddens and sets.",
-        called("Set sun by"));
+        labeled("Set sun by"));
     Real timeOfDay = real(
         "timeOfDay", 16.1, hour, Range{0, 24}.soft(6, 18.5),
         "Hour of a day at the equinox: sunlight comes through the window from three o'clock, and the sun sets at six.",
@@ -129,10 +129,10 @@ struct HallTable final : Parameters {
     File environment =
         file("environment",
              "Path of a panorama that replaces the sky: HDR, EXR, or an ordinary picture twice as wide as high.",
-             endings(render::readEndings()));
+             extensions(render::readEndings()));
     Real environmentRotation =
         real("environmentRotation", 0.0, degree, {degrees(-180), degrees(180)},
-             "Rotation of the panorama about the vertical axis.", whenGiven(environment), called("Rotation"));
+             "Rotation of the panorama about the vertical axis.", whenGiven(environment), labeled("Rotation"));
 
     Group vaultLamps = group("Lamps");
     Choice<LampsLit> lamps = choice("lamps", LampsLit::automatic, {"automatic", "on", "off"},
@@ -190,7 +190,7 @@ private:
             file("model",
                  first ? "Path of a glTF object (.glb or .gltf) to show, at first on the free plinth."
                        : "Path of one more glTF object (.glb or .gltf) to show, at first on a plinth of its own.",
-                 endings("glb gltf"));
+                 extensions("glb gltf"));
         const Real modelSize = real("modelSize", 0.8, meter, Range{0.01, 100, logarithmic}.soft(0.1, 3),
                                     "Length of the object's largest side.", whenGiven(model));
         const Real modelRotation = real("modelRotation", 0.0, degree, {degrees(-180), degrees(180)},

@@ -31,7 +31,7 @@ render::AssetStore::Made<render::Model> readModel(const std::string& path)
     if (!file.animations().empty())
         model->warnings.push_back(message("Animations are not played in the hall; the model stands still."));
     if (const Message why = render::whyNothingIsSeen(path, model->bounds); !why.empty())
-        throw Failure(Blame::file, why);
+        throw Failure(ErrorKind::file, why);
     const std::uint64_t bytes = heldBytes(*model);
     return {std::move(model), bytes};
 }
@@ -164,7 +164,7 @@ void planOwnObject(const HallScene& scene, const OwnObject& object, const SceneL
 std::string whyNone(const HallScene& scene, std::size_t which)
 {
     const OwnObjectRows& rows = scene.table.objects[which];
-    if (!scene.values[rows.model].empty()) return "its file is not read";
+    if (!scene.values[rows.model].empty()) return "its file has not been read";
     return which == 0 ? "the free plinth is empty" : "no file is chosen for it";
 }
 

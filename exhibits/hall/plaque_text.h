@@ -21,7 +21,7 @@ public:
     };
 
     /// Reads assets/fonts and sets the texts of all plaques, in the language of the program: number, title, summary and
-    /// what to try. A place without a slot says "In preparation". Throws Failure (Blame::file).
+    /// what to try. A place without a slot says "In preparation". Throws Failure (ErrorKind::file).
     PlaqueText(const HallModel&, const std::vector<ExhibitSlot>&);
 
     [[nodiscard]] const std::vector<Plaque>& plaques() const { return plaques_; }

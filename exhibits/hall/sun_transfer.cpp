@@ -19,8 +19,9 @@ constexpr double degreesToRadians = std::numbers::pi / 180;
 void demand(bool holds, const char* what)
 {
     if (!holds)
-        throw Failure(Blame::file, std::string("assets/models/hall_bounce.json: ") + what +
-                                       "; reinstall the program, or make it anew with assets/models/hall_transfer.py.");
+        throw Failure(ErrorKind::file,
+                      std::string("assets/models/hall_bounce.json: ") + what +
+                          "; reinstall the program, or make it anew with assets/models/hall_transfer.py.");
 }
 
 glm::dvec3 vectorOf(const Json& numbers)

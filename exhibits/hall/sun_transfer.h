@@ -32,7 +32,7 @@ public:
 
     SunTransfer() = default;
     /// Reads the light from the contents of hall_bounce.json and from the pictures that it names. Throws
-    /// Json::exception or Failure (Blame::file) if they cannot be read or do not match.
+    /// Json::exception or Failure (ErrorKind::file) if they cannot be read or do not match.
     explicit SunTransfer(const render::Json&);
 
     /// Returns the sources lit by the sun from a direction in radians: an azimuth as in Sun (any finite angle), and an

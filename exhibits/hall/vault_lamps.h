@@ -31,7 +31,7 @@ class LampLight {
 public:
     LampLight() = default;
     /// Reads the light from the contents of hall_lamps.json and from the picture that it names. Throws Json::exception
-    /// or Failure (Blame::file) if they cannot be read.
+    /// or Failure (ErrorKind::file) if they cannot be read.
     explicit LampLight(const render::Json&);
 
     /// Returns the irradiance over pi where the square of the lightmap's alpha is 1.

@@ -24,11 +24,11 @@ public:
     [[nodiscard]] std::string_view title() const override { return "Soft Serve"; }
     [[nodiscard]] std::string_view summary() const override
     {
-        return "Thirty-five solids make one ice cream; each point asks the few that decide.";
+        return "A distance field of 35 solids; each point evaluates only the few that matter there.";
     }
     [[nodiscard]] std::string_view tryThis() const override
     {
-        return "build it up stage by stage, then strew sprinkles.";
+        return "build it up stage by stage, then add sprinkles.";
     }
     [[nodiscard]] std::string_view buttonText() const override { return "let it turn"; }
     [[nodiscard]] int place() const override { return 8; }

@@ -270,9 +270,9 @@ private:
         rows.corner = real("corner", 0.03, meter, Range{0, 0.2}.soft(0, 0.08),
                            "Radius of the rounded edges of a cone; limited so that a cone is left.");
         rows.offsetX = real("offsetX", initial.offsetX, meter, Range{-0.5, 0.5},
-                            "Position of the cones' bases across, from the axis.");
+                            "Sideways position of the cones' bases, measured from the axis.");
         rows.offsetZ = real("offsetZ", initial.offsetZ, meter, Range{-0.5, 0.5},
-                            "Position of the cones' bases towards the front, from the axis.");
+                            "Position of the cones' bases towards the front, measured from the axis.");
         rows.raise = real("raise", initial.raise, meter, Range{-0.5, 1}.soft(-0.2, 0.5),
                           "Height of the cones' bases above the rim of the bowl.");
         rows.tilt =
@@ -290,12 +290,12 @@ private:
     CandyRows candy(const CandyInitial& initial)
     {
         CandyRows rows{};
-        rows.x =
-            real("x", initial.x, meter, Range{-20, 20}.soft(-1, 1), "Position of the candy across, from the axis.");
+        rows.x = real("x", initial.x, meter, Range{-20, 20}.soft(-1, 1),
+                      "Sideways position of the candy, measured from the axis.");
         rows.y = real("y", initial.y, meter, Range{-20, 20}.soft(0, 1.5),
                       "Height of the candy above the foot of the wafer.");
         rows.z = real("z", initial.z, meter, Range{-20, 20}.soft(-1, 1),
-                      "Position of the candy towards the front, from the axis.");
+                      "Position of the candy towards the front, measured from the axis.");
         rows.halfX = real("halfX", 0.02, meter, Range{0.001, 0.5}.soft(0.005, 0.08), "Half the width of the candy.");
         rows.halfY = real("halfY", 0.03, meter, Range{0.001, 0.5}.soft(0.005, 0.08), "Half the height of the candy.");
         rows.halfZ = real("halfZ", 0.01, meter, Range{0.001, 0.5}.soft(0.005, 0.08), "Half the depth of the candy.");

@@ -66,7 +66,7 @@ void seenBySun(render::Pass& pass, const SceneLighting& around)
 {
     pass.phase = render::PassPhase::shadow;
     pass.view = around.exhibitShadowView;
-    pass.key = around.exhibitShadowKey;
+    pass.contentHash = around.exhibitShadowKey;
     pass.bound = around.sunShadow;
 }
 

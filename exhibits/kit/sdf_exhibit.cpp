@@ -82,7 +82,7 @@ double SdfExhibit::firstHit(const ExhibitState& state, const render::Ray& ray) c
     const SdfBody now = body(state.values, state.time);
     const render::Ray own = ray.transformed(glm::affineInverse(now.exhibitFromBody));
     const double length = glm::length(own.direction);
-    const render::Stretch inside = render::insideBox(own, now.box);
+    const render::RayInterval inside = render::insideBox(own, now.box);
     if (!(inside.enter <= inside.exit) || !(length > 0)) return never;
     double t = inside.enter;
     for (int step = 0; step < 1000 && t <= inside.exit; ++step) {
@@ -110,11 +110,12 @@ std::vector<OfferedComparison> SdfExhibit::comparisons() const
     const auto number = [](auto value) { return static_cast<double>(value); };
     return {{"mesh",
              "The rasterized mesh",
-             "Its outline is nearly good, its reflections break at every edge: “Tessellation” says how many there are.",
+             "A mesh of the object: its outline is nearly right, but reflections break at every edge. “Tessellation” "
+             "sets the number of cells.",
              {{"shownAs", number(SdfShown::mesh)}}},
             {"field",
              "The marched field",
-             "The object itself, ray by ray, beside what stands in its place.",
+             "The ray-marched field, beside the mesh that is shown in its place.",
              {{"shownAs", number(SdfShown::field)}, {"heatMap", number(SdfHeatMap::none)}}},
             {"cost",
              "What each ray costs",

@@ -118,7 +118,7 @@ struct SdfPlanner {
                                             {{around.sunShadow.absolute + own, around.sunShadow.whyNone}})}))
             needed.set(table.shadowMethod, SdfShadow::none);
 
-        // Each surface after the first adds its own light, and the last one the room's.
+        // Each surface after the first adds the light that it reflects, and the last one adds the light of the room.
         const double shaded = bounces > 0 ? bounces * (around.sunShadow.absolute + own) : 0;
         const double reflected = around.probeLight.absolute + shaded;
         (void)plan.includeIfEffective(
@@ -161,7 +161,7 @@ struct SdfPlanner {
         made.state.depthClamp = true;
         made.depthOnly = {made.shader};
         made.depthOnly->shader.defines.emplace_back("DEPTH_ONLY");
-        if (scene.body.sources) made.depthOnly->shader.slot += " depth";
+        if (scene.body.sources) made.depthOnly->shader.programFamily += " depth";
         for (const render::SampledTexture& input : made.inputs)
             if (input.unit == UNIT_EXHIBIT_A) made.depthOnly->inputs.push_back(input);
         if (scene.glass && values[table.heatMap] == SdfHeatMap::none) seeThrough(made, plan, scene.rough);
@@ -200,7 +200,7 @@ struct SdfPlanner {
         made.draws = {draw(found->value)};
         made.depthOnly = {made.shader};
         made.depthOnly->shader.defines.emplace_back("DEPTH_ONLY");
-        if (scene.body.sources) made.depthOnly->shader.slot += " depth";
+        if (scene.body.sources) made.depthOnly->shader.programFamily += " depth";
         plan.add(std::move(made));
         return true;
     }
@@ -248,7 +248,7 @@ render::Pass sdfPass(const SdfScene& scene, const char* step, std::string reason
     Pass pass = exhibitPass(std::string(scene.exhibit) + '/' + step, std::move(reason), scene.body.values,
                             std::move(vertex), std::move(fragment));
     pass.shader.sources = scene.sources;
-    if (scene.body.sources) pass.shader.slot = std::string(scene.exhibit) + '/' + step;
+    if (scene.body.sources) pass.shader.programFamily = std::string(scene.exhibit) + '/' + step;
     pass.shader.defines = scene.body.defines;
     pass.blocks[BLOCK_EXHIBIT] = scene.body.block;
     pass.buffers = scene.body.buffers;

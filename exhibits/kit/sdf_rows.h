@@ -135,9 +135,9 @@ public:
 private:
     StudiedRows studiedMarch_{*this,
                               {{.name = "hitTolerance", .lifted = {"stepLimit"}},
-                               {.name = "stepLimit", .settles = "Rays end before they have taken so many steps."},
+                               {.name = "stepLimit", .settles = "Rays end before they have taken this many steps."},
                                {.name = "normalStep", .settles = "A quarter of a pixel is wider, and is used instead."},
-                               {.name = "bounces", .settles = "No ray meets the object so often."}}};
+                               {.name = "bounces", .settles = "No ray meets the object this many times."}}};
 
     /// Returns the condition that rays are marched for the picture.
     [[nodiscard]] static Condition whenMarched() { return whenLater("shownAs", static_cast<double>(SdfShown::field)); }

@@ -105,7 +105,7 @@ bool isPlainPicture(const fs::path& file)
 
 [[noreturn]] void refuse(const fs::path& file, const std::string& why)
 {
-    throw Failure(Blame::file, "The card cannot show " + file.string() + ": " + why);
+    throw Failure(ErrorKind::file, "The card cannot show " + file.string() + ": " + why);
 }
 
 /// Returns the raster as the shader reads it: columns across the lenses, rows along them. Below it are its smaller
@@ -169,8 +169,8 @@ void readRaster(CardSource& source, const fs::path& file)
     const render::Image raster = print.image();
     const int acrossPixels = source.lying ? raster.height : raster.width;
     if (acrossPixels > mostAcross)
-        refuse(file, "it is " + std::to_string(acrossPixels) + " pixels wide across its lenses, and " +
-                         std::to_string(mostAcross) + " is the most.");
+        refuse(file, "it is " + std::to_string(acrossPixels) + " pixels wide across its lenses, and at most " +
+                         std::to_string(mostAcross) + " are possible.");
     source.rasterSize = {acrossPixels, std::min(source.lying ? raster.width : raster.height, mostRows)};
     source.lenses = acrossPixels / (source.lying ? source.print.dpiY : source.print.dpiX) * printing::mmPerInch /
                     source.print.sheet.pitch();

@@ -17,7 +17,7 @@ public:
     [[nodiscard]] std::string_view title() const override { return "Lenticular Card"; }
     [[nodiscard]] std::string_view summary() const override
     {
-        return "Sixteen pictures in one print: the lenses choose, by where you stand.";
+        return "Sixteen pictures in one print: which one the lenses show depends on where you stand.";
     }
     [[nodiscard]] std::string_view tryThis() const override
     {

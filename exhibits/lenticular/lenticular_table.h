@@ -18,11 +18,11 @@ struct LenticularTable final : Parameters {
     File frontPrint = file("frontPrint",
                            "Path of the views of the first print: a folder of pictures, or a file written by “vitrine "
                            "print”. Empty: the turning mug.",
-                           endings(render::readEndings()));
+                           extensions(render::readEndings()));
     File backPrint = file("backPrint",
                           "Path of the views of the second print: a folder of pictures, or a file written by “vitrine "
                           "print”. Empty: the melting torus.",
-                          endings(render::readEndings()));
+                          extensions(render::readEndings()));
     Choice<CardFace> face =
         choice("face", CardFace::front, {"front", "back"}, "Print that the card shows while it does not scroll.");
     Count views = count(

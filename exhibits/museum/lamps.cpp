@@ -3,7 +3,7 @@
 #include "exhibits/framework/scene/capabilities.h"
 #include "exhibits/framework/scene/exhibit.h"
 #include "render/hash.h"
-#include "render/plan/elsewhere.h"
+#include "render/plan/secondary_view.h"
 #include "render/scene/cube_views.h"
 #include "shaders/lib/bindings.glsl"
 
@@ -26,9 +26,9 @@ void planLampFace(const Lamps& lamps, const render::LocalLight& light, int map, 
     layer.phase = render::PassPhase::prepare;
     layer.view = view;
     layer.depth = render::Attachment::clearedSlice(localShadowImage, 6 * map + face);
-    layer.key = render::Hash().addValue(lamps.castersKey).addValue(view.clipFromWorld).value();
-    const auto images = render::addElsewhere(plan, lamps.seenFrom(view),
-                                             {.name = name, .reason = lampReason, .view = view, .depthOnly = true});
+    layer.contentHash = render::Hash().addValue(lamps.castersKey).addValue(view.clipFromWorld).value();
+    const auto images = render::addSecondaryView(plan, lamps.planOfView(view),
+                                                 {.name = name, .reason = lampReason, .view = view, .depthOnly = true});
     if (const auto depth = images.find(depthImage); depth != images.end()) {
         layer.shader = {.vertex = "lib/fullscreen.vert", .fragment = "hall/restore.frag"};
         layer.state.depthWrite = true;
@@ -40,8 +40,8 @@ void planLampFace(const Lamps& lamps, const render::LocalLight& light, int map, 
 
 }  // namespace
 
-void takeLamps(const Subject& subject, const ExhibitState& state, const glm::dmat4& worldFromSubject, bool steadyOnly,
-               std::vector<render::LocalLight>& lamps)
+void takeLamps(const SceneObject& subject, const ExhibitState& state, const glm::dmat4& worldFromSubject,
+               bool steadyOnly, std::vector<render::LocalLight>& lamps)
 {
     const auto* carrier = capability<HasLocalLights>(subject);
     if (!carrier || (steadyOnly && carrier->lightsChange(state))) return;

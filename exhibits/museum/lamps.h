@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exhibits/framework/scene/prepare.h"
-#include "exhibits/framework/scene/subject.h"
+#include "exhibits/framework/scene/scene_object.h"
 #include "render/plan/frame_plan.h"
 #include "render/plan/local_lights.h"
 
@@ -20,12 +20,12 @@ struct Lamps {
     double radius = 0;             ///< ... and the radius around it in which surfaces may be visible, meters.
     std::uint64_t castersKey = 0;  ///< Hash of everything that casts a shadow.
     /// Returns the plan of all surfaces for another view of the frame, not pruned, in the images that exhibits share.
-    std::function<render::FramePlan(const render::View&)> seenFrom;
+    std::function<render::FramePlan(const render::View&)> planOfView;
 };
 
 /// Appends the lamps of an exhibit, in world space. With `steadyOnly`, skips lamps whose light changes by itself.
-void takeLamps(const Subject& subject, const ExhibitState& state, const glm::dmat4& worldFromSubject, bool steadyOnly,
-               std::vector<render::LocalLight>& lamps);
+void takeLamps(const SceneObject& subject, const ExhibitState& state, const glm::dmat4& worldFromSubject,
+               bool steadyOnly, std::vector<render::LocalLight>& lamps);
 
 /// Returns whether any of the lights casts shadows.
 [[nodiscard]] bool throwShadows(std::span<const render::LocalLight>);

@@ -37,7 +37,7 @@ Museum::Museum(std::vector<std::unique_ptr<Exhibit>> exhibits)
 
 Museum::~Museum() = default;
 
-const Subject& Museum::hall() const
+const SceneObject& Museum::hall() const
 {
     return *hall_;
 }
@@ -58,7 +58,7 @@ std::optional<std::size_t> Museum::find(std::string_view name) const
 SceneState Museum::initialSceneState() const
 {
     SceneState sceneState;
-    for (const Subject* each : subjects_) sceneState.values.push_back(each->parameters().initial());
+    for (const SceneObject* each : subjects_) sceneState.values.push_back(each->parameters().initial());
     sceneState.camera = hall_->bestView(sceneState.hall());
     return sceneState;
 }
@@ -135,10 +135,10 @@ std::vector<int> Museum::emptyPlaces() const
 
 namespace {
 
-constexpr double reachOfButton = 2.0;  ///< Meters at which a button can be pressed .
+constexpr double reachOfButton = 2.0;  ///< Meters at which a button can be pressed.
 constexpr double radiusOfAim = 0.09;   ///< Meters around a button that still count as looking at it.
 constexpr double radiusOfPress =
-    0.05;  ///< Meters around a button's middle that count as clicking it: it is 0.035 wide.
+    0.05;  ///< Meters around the center of a button that count as a click on it; its own radius is 0.035.
 constexpr double never = std::numeric_limits<double>::infinity();
 
 std::string buttonLine(const HasButton& button)
@@ -146,15 +146,15 @@ std::string buttonLine(const HasButton& button)
     return "E – " + std::string(button.buttonText());
 }
 
-/// "Your object: teddy.glb"
+/// Returns the shown name of a visitor's object: "Your object: teddy.glb".
 std::string nameOf(const OwnObject& object, const HallScene& scene)
 {
     const std::string path = scene.values[scene.table.objects[object.which].model];
     return "Your object: " + std::filesystem::path(path).filename().string();
 }
 
-/// The visitor's own object, all of it in the picture: on the free plinth from where its plaque is read, elsewhere from
-/// the hall's middle, where no wall is in the way.
+/// Returns a camera that shows the whole object of a visitor: an object on the free plinth from the place where its
+/// plaque is read, any other from the middle of the hall, where no wall is in the way.
 render::Camera viewOf(const OwnObject& object, const HallScene& scene)
 {
     const double radius = std::max(glm::length(object.box.halfSize()), 0.05);
@@ -169,13 +169,13 @@ render::Camera viewOf(const OwnObject& object, const HallScene& scene)
 
 }  // namespace
 
-/// The nearest thing along a ray.
+/// Nearest hit along a ray.
 struct Museum::Seen {
     enum class What : std::uint8_t { nothing, building, guest, button, visitorsObject };
     What what = What::nothing;
     std::size_t exhibit = 0;
-    double distance = never;  ///< As the ray counts.
-    std::size_t own = 0;      ///< Which of the visitor's objects, among those that stand here.
+    double distance = never;  ///< Distance in lengths of the ray's direction.
+    std::size_t own = 0;      ///< Index of the visitor's object, among those that are in the hall.
 
     void take(What w, std::size_t i, double d)
     {
@@ -273,7 +273,7 @@ std::optional<LookedAt> Museum::lookedAt(const Prepared& prepared) const
         const glm::dvec3 toButton = glm::dvec3((*place->worldFromButton)[3]) - sceneState.camera.eye;
         const double along = glm::dot(toButton, forward);
         if (along <= 0 || along > reachOfButton || glm::length(toButton - forward * along) > radiusOfAim) continue;
-        // Straight to the button, which the look itself may miss by a little.
+        // A ray straight to the button, because the viewing direction may miss it by a little.
         const Seen seen = firstSeen(prepared, sceneOf(prepared, false), {sceneState.camera.eye, toButton});
         if (seen.what != Seen::What::button || seen.exhibit != i) continue;
         return LookedAt{i, buttonLine(*button)};

@@ -67,12 +67,12 @@ public:
     ~Museum();
 
     /// The building.
-    [[nodiscard]] const Subject& hall() const;
+    [[nodiscard]] const SceneObject& hall() const;
     /// The exhibits, in the order in which a visitor meets them.
     [[nodiscard]] std::span<const MuseumExhibit> exhibits() const { return exhibits_; }
     /// The hall and the exhibits: everything that has parameters. Functions that take an index refer to this list.
     [[nodiscard]] Subjects subjects() const { return subjects_; }
-    [[nodiscard]] const Subject& subject(std::size_t i) const { return *subjects_[i]; }
+    [[nodiscard]] const SceneObject& subject(std::size_t i) const { return *subjects_[i]; }
     /// Returns subject `i` as an exhibit; it must not be the hall.
     [[nodiscard]] const Exhibit& exhibit(std::size_t i) const;
     /// Cache of the assets that prepared pictures use, with the number of builds.
@@ -93,7 +93,7 @@ public:
 
     /// Returns the inputs of subject `i`'s animations at the time of the request: the clock, and the distance of its
     /// camera from the center of the subject's bounds (or the hall's bounds, for the hall).
-    [[nodiscard]] MotionMoment motionMoment(const SceneState&, std::size_t i, const FrameRequest&) const;
+    [[nodiscard]] AnimationTime animationTime(const SceneState&, std::size_t i, const FrameRequest&) const;
     /// Returns the scene state at the time of the request, with animated parameters evaluated. Deterministic.
     [[nodiscard]] SceneState atMoment(const SceneState&, const FrameRequest&) const;
 
@@ -166,7 +166,7 @@ private:
     Obstacles building_;
     std::vector<std::unique_ptr<Exhibit>> owned_;
     std::unique_ptr<const Hall> hall_;
-    std::vector<const Subject*> subjects_;
+    std::vector<const SceneObject*> subjects_;
     std::vector<MuseumExhibit> exhibits_;
     std::unique_ptr<render::AssetStore> assets_;
 };

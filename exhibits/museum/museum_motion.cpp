@@ -68,7 +68,7 @@ render::View wholeView(const FrameRequest& request)
     return render::makeView(request.camera, whole);
 }
 
-MotionMoment Museum::motionMoment(const SceneState& sceneState, std::size_t i, const FrameRequest& request) const
+AnimationTime Museum::animationTime(const SceneState& sceneState, std::size_t i, const FrameRequest& request) const
 {
     render::Box box = subjects_[i]->bounds(sceneState.values[i]);
     if (i != hallIndex && !request.alone) box = box.transformed(worldFromExhibit(i));
@@ -80,7 +80,7 @@ SceneState Museum::atMoment(const SceneState& sceneState, const FrameRequest& re
     SceneState now = sceneState;
     for (std::size_t i = 0; i < subjects_.size() && i < now.values.size(); ++i)
         if (!now.values[i].motions().empty())
-            now.values[i] = valuesAt(now.values[i], motionMoment(sceneState, i, request));
+            now.values[i] = valuesAt(now.values[i], animationTime(sceneState, i, request));
     return now;
 }
 

@@ -83,7 +83,7 @@ struct Museum::Frame {
     void clearPicture(render::FramePlan&) const;
     void addState(render::Hash&, const Present&) const;
     [[nodiscard]] std::uint64_t castersKey() const;
-    [[nodiscard]] render::FramePlan seenFrom(const render::View&) const;
+    [[nodiscard]] render::FramePlan planOfView(const render::View&) const;
 };
 
 std::string Museum::whyHidden(const render::Box& box, const render::View& view, bool alone) const
@@ -170,10 +170,10 @@ Prepared Museum::prepare(const SceneState& sceneState, const FrameRequest& reque
                   {},
                   std::vector<PreparedExhibit>(subjects_.size()),
                   {}};
-    render::AssetStore assets = request.waitless ? assets_->waitless() : *assets_;
+    render::AssetStore assets = request.nonBlocking ? assets_->nonBlocking() : *assets_;
     const auto complainOf = [&](const PreparedPart* part) {
         if (request.needsFiles && part && !part->unreadable.empty())
-            throw Failure(Blame::file, part->unreadable.front().why);
+            throw Failure(ErrorKind::file, part->unreadable.front().why);
     };
     made.hall = hall_->prepare(made.sceneState.hall(), assets);
     complainOf(made.hall.get());
@@ -194,7 +194,7 @@ Prepared Museum::prepare(const SceneState& sceneState, const FrameRequest& reque
         PreparedExhibit& part = made.exhibits[i];
         if (!part.seen && !part.shadowSeen) continue;
         part.part = exhibit.prepare({made.sceneState.values[i], made.time, made.sincePress(i), part.seen,
-                                     part.shadowSeen, request.rests, assets});
+                                     part.shadowSeen, request.idle, assets});
         complainOf(part.part.get());
     }
     made.pending = assets.pending();
@@ -250,8 +250,8 @@ void Museum::Frame::begin()
     plan.seed = request.seed;
     plan.sample = sample;
     plan.runEverything = request.runEverything;
-    plan.cut = request.cut;
-    plan.allParts = request.finished;
+    plan.resetHistory = request.resetHistory;
+    plan.allSlices = request.finished;
     declareImages(plan);
     light = sceneLighting(scene, request.runEverything);
     light.light.sampleIndex = sample;
@@ -352,7 +352,7 @@ void Museum::Frame::castShadows()
     clear.shader = meshDepth().shader;
     clear.view = light.exhibitShadowView;
     clear.depth = render::Attachment::cleared(exhibitShadowImage);
-    clear.key = light.exhibitShadowKey;
+    clear.contentHash = light.exhibitShadowKey;
     clear.bound = light.sunShadow;
     if (glass) clearGlassShadow(clear);
     plan.add(std::move(clear));
@@ -442,13 +442,13 @@ void Museum::Frame::planExhibits(const render::PersistentState& kept)
         const auto* over = capability<OverFrame>(present[i].exhibit);
         if (!over) continue;
         PlanContext context = contexts[i];
-        context.seenFrom = [this](const render::View& view) { return seenFrom(view); };
+        context.planOfView = [this](const render::View& view) { return planOfView(view); };
         over->planOverFrame(context, plan);
     }
 }
 
 /// Plans hall and exhibits for another view of the same frame, without shadow maps and exhibits over the frame.
-render::FramePlan Museum::Frame::seenFrom(const render::View& view) const
+render::FramePlan Museum::Frame::planOfView(const render::View& view) const
 {
     render::FramePlan other;
     other.view = view;
@@ -486,7 +486,7 @@ void Museum::Frame::lightLamps()
                                    .center = request.camera.target,
                                    .radius = 2 * glm::length(size),
                                    .castersKey = lamps.empty() ? 0 : castersKey(),
-                                   .seenFrom = [this](const render::View& view) { return seenFrom(view); }},
+                                   .planOfView = [this](const render::View& view) { return planOfView(view); }},
                                   plan);
     if (light.localLights) light.brightest += mostRadianceBy(*light.localLights);
 }

@@ -31,7 +31,7 @@ void requireMemory(const glm::ivec2& size, std::size_t channels)
          << " GB of memory while it is made and written, and this machine has " << machine / 1e9
          << " GB; ask for no more than " << std::max(1, static_cast<int>(size.x * shrink)) << " × "
          << std::max(1, static_cast<int>(size.y * shrink)) << '.';
-    throw Failure(Blame::usage, text.str());
+    throw Failure(ErrorKind::usage, text.str());
 }
 
 constexpr int halosSide = 1024;  ///< Most pixels per side of the picture of which the halos of a larger one are made.
@@ -45,8 +45,8 @@ PictureMaker::PictureMaker(const Museum& museum, render::RenderBackend& backend,
 {
     const glm::ivec2 size = request_.frame.raster.size;
     if (size.x < 1 || size.y < 1)
-        throw Failure(Blame::usage, "A picture needs at least 1 × 1 pixels; " + std::to_string(size.x) + " × " +
-                                        std::to_string(size.y) + " were asked for.");
+        throw Failure(ErrorKind::usage, "A picture needs at least 1 × 1 pixels; " + std::to_string(size.x) + " × " +
+                                            std::to_string(size.y) + " were asked for.");
     std::vector<std::string> names{"R", "G", "B", "A"};
     if (request_.depth) names.emplace_back("depth.Z");
     if (request_.frame.channels.normal) names.insert(names.end(), {"normal.X", "normal.Y", "normal.Z"});
@@ -102,7 +102,7 @@ FrameRequest PictureMaker::frameOf(const Tile& tile, int step) const
     frame.raster.offset = tile.drawnOffset;
     frame.raster.tile = tile.drawnSize;
     // A finished picture depends only on its request, not on frames or tiles drawn before.
-    frame.cut = !moves || step == 0;
+    frame.resetHistory = !moves || step == 0;
     frame.finished = true;
     return frame;
 }
@@ -125,7 +125,7 @@ void PictureMaker::drawHalos()
     frame.channels = {};
     frame.sample = frame.movingFrame = 0;
     frame.samples = 1;
-    frame.cut = frame.finished = true;
+    frame.resetHistory = frame.finished = true;
     const render::FramePlan plan = museum_.plan(museum_.prepare(sceneState_, frame), frame, backend_.persistentState());
     if (!plan.find(glareSpreadPass)) return;
     (void)backend_.draw(plan);

@@ -12,19 +12,19 @@
 namespace vitrine {
 
 /// Camera and time of one frame.
-struct Moment {
+struct MotionSample {
     render::Camera camera;
     double time = 0;  ///< Seconds.
 };
 
 /// Request for a finished picture: any size, any number of samples, drawn by tiles if the size requires it.
 struct PictureRequest {
-    FrameRequest frame;  ///< `raster.tile`, `raster.jitter`, `sample`, `movingFrame`, `cut` and `finished` are set
-                         ///< here, not by the caller.
+    FrameRequest frame;  ///< `raster.tile`, `raster.jitter`, `sample`, `movingFrame`, `resetHistory` and `finished` are
+                         ///< set here, not by the caller.
     int samples = 1;     ///< Supersamples per pixel, averaged.
     /// Earlier frames of a picture in motion, the first one first; such a picture has one sample. Empty: the picture is
     /// static.
-    std::vector<Moment> motion = {};
+    std::vector<MotionSample> motion = {};
     /// Adds the channel "depth.Z". Channels other than color hold the value at the pixel's center.
     bool depth = false;
     /// Largest side of a tile in pixels, rounded down to a multiple of 8 and limited to RenderBackend::largestSide().
@@ -34,7 +34,7 @@ struct PictureRequest {
 /// Makes a picture step by step, so that a window can show progress and cancel between steps.
 class PictureMaker {
 public:
-    /// Copies scene state and request; museum and backend must outlive it. Throws Failure (Blame::usage) for a size
+    /// Copies scene state and request; museum and backend must outlive it. Throws Failure (ErrorKind::usage) for a size
     /// without pixels, or if the pixels do not fit into half of the machine's memory.
     PictureMaker(const Museum&, render::RenderBackend&, SceneState, PictureRequest);
 

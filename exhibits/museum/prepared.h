@@ -24,7 +24,7 @@ struct Prepared {
     std::vector<double> sincePressed;  ///< See FrameRequest.
     std::shared_ptr<const PreparedHall> hall;
     std::vector<PreparedExhibit> exhibits;  ///< By subject; the hall's entry is empty.
-    /// Assets still loading, which are left out. Filled only if `FrameRequest::waitless`.
+    /// Assets still loading, which are left out. Filled only if `FrameRequest::nonBlocking`.
     std::vector<render::PendingAsset> pending;
 
     /// Returns the errors of files that it needs and cannot read: full sentences.

@@ -11,7 +11,7 @@ TabledSceneState readTables(Subjects subjects, render::AssetStore& assets, const
         ParameterValues& values = read.sceneState.values[i];
         const auto* made = capability<TableFromFiles>(*subjects[i]);
         if (!made || values.tableFiles().empty()) continue;
-        const CalledTable called = made->tableFor(values, assets);
+        const DynamicParameters called = made->dynamicParameters(values, assets);
         if (!called.why.empty()) read.unreadable.push_back(called.why);
         if (!called.table || called.table == values.sharedTable()) continue;
         values = underTable(values, called.table, read.notes);

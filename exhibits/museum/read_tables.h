@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exhibits/framework/scene/capabilities.h"
-#include "exhibits/framework/scene/subject.h"
+#include "exhibits/framework/scene/scene_object.h"
 #include "exhibits/museum/scene_state.h"
 
 #include <string>

@@ -51,7 +51,7 @@ render::ResourceId planCloudBake(const NoiseTable& t, const ParameterValues& val
     render::Pass pass = exhibitPass("noise/bake", "the clouds use baked noise", values, "", "");
     pass.shader.compute = "noise/cloud_bake.comp";
     render::Hash key;
-    pass.key = key.addValue(size).addValue(values[t.seed]).addValue(values[t.cloudOctaves]).value();
+    pass.contentHash = key.addValue(size).addValue(values[t.seed]).addValue(values[t.cloudOctaves]).value();
     return planVolume("noise.clouds", render::Format::rg16f, size, std::move(pass), plan);
 }
 
@@ -66,7 +66,7 @@ render::ResourceId planFieldBake(const NoiseTable& t, const ParameterValues& val
     pass.shader.compute = "noise/field_bake.comp";
     pass.shader.defines = {kindDefine(t, values)};
     render::Hash key;
-    pass.key = key.addValue(values[t.seed]).addValue(values[t.kind]).value();
+    pass.contentHash = key.addValue(values[t.seed]).addValue(values[t.kind]).value();
     return planVolume("noise.field", render::Format::r16f, FIELD_REPEAT * FIELD_TEXELS, std::move(pass), plan);
 }
 

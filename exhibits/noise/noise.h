@@ -16,9 +16,12 @@ public:
     [[nodiscard]] std::string_view title() const override { return "Noise"; }
     [[nodiscard]] std::string_view summary() const override
     {
-        return "A field, its octaves, a sea and a sky: all of them random numbers.";
+        return "Four works made of noise: a field, its octaves, a sea and a sky of clouds.";
     }
-    [[nodiscard]] std::string_view tryThis() const override { return "let the sea roll, then look at the clouds."; }
+    [[nodiscard]] std::string_view tryThis() const override
+    {
+        return "choose the sea and press the button, then choose the clouds.";
+    }
     [[nodiscard]] std::string_view buttonText() const override { return "let time run"; }
     [[nodiscard]] int place() const override { return 6; }
     [[nodiscard]] bool isComplete() const override { return true; }

@@ -128,8 +128,8 @@ struct NoiseTable final : Parameters {
                          "Share of the light that the clouds scatter backward, in a second lobe of the phase function.",
                          inClouds and physical);
     Count scatterings = count("scatterings", 6, {1, 8},
-                              "Number of orders of scattering that are summed: 1 leaves clouds dark inside, each "
-                              "further one makes them whiter.",
+                              "Number of orders of scattering that are summed (how often light is scattered on its "
+                              "way): 1 leaves clouds dark inside, each further one makes them whiter.",
                               quality(8), inClouds and physical);
 
     Group accuracy = group("Accuracy");
@@ -186,9 +186,9 @@ struct NoiseTable final : Parameters {
 
     StudiedRows studied{*this,
                         {{.name = "march", .lifted = {"boundShare"}},
-                         {.name = "stepLimit", .settles = "Rays end before they have taken so many steps."},
+                         {.name = "stepLimit", .settles = "Rays end before they have taken this many steps."},
                          {.name = "hitTolerance", .lifted = {"stepLimit", "seaSteps"}},
-                         {.name = "seaSteps", .settles = "Rays have found the water in fewer steps."},
+                         {.name = "seaSteps", .settles = "Rays find the water in fewer steps."},
                          {.name = "jitter", .exactInReference = {"cloudSteps"}}}};
 };
 

@@ -108,7 +108,7 @@ render::ResourceId planFloat(const ParameterValues& values, const LakeBlock& blo
     pass.inputs.push_back({UNIT_EXHIBIT_B, blueNoise()});
     pass.storage = {render::Attachment::whole(afloat)};
     pass.groups = glm::ivec3((cells + 7) / 8, 1);
-    pass.key = render::Hash().add({reinterpret_cast<const char*>(bytes.data()), bytes.size()}).value();
+    pass.contentHash = render::Hash().add({reinterpret_cast<const char*>(bytes.data()), bytes.size()}).value();
     plan.add(std::move(pass));
     return afloat;
 }

@@ -7,7 +7,7 @@ namespace vitrine {
 
 /// A lake at night behind a deep frame, with paper lanterns up to the horizon. Start reading with the parameters, then
 /// lake_scene.h (positions and motion) and shaders/paper_lanterns: water.glsl and lantern.glsl (geometry), walk.glsl
-/// (ray traversal), surfaces.glsl and paper.glsl (lighting).
+/// (ray traversal), water_and_paper.glsl and paper.glsl (lighting).
 class PaperLanterns final : public Exhibit, public HasButton, public HasSurroundings, public HasLocalLights {
 public:
     using Table = PaperLanternsTable;
@@ -16,9 +16,12 @@ public:
     [[nodiscard]] std::string_view title() const override { return "Paper Lanterns"; }
     [[nodiscard]] std::string_view summary() const override
     {
-        return "A lake at night, and lanterns on it to the horizon: each looked for only where it can be.";
+        return "A lake at night with lanterns to the horizon; a ray tests only those that it passes.";
     }
-    [[nodiscard]] std::string_view tryThis() const override { return "set one free, then let the moon rise higher."; }
+    [[nodiscard]] std::string_view tryThis() const override
+    {
+        return "release a lantern with the button, then raise the moon.";
+    }
     [[nodiscard]] std::string_view buttonText() const override { return "set a lantern free"; }
     [[nodiscard]] int place() const override { return 9; }
     [[nodiscard]] bool isComplete() const override { return true; }

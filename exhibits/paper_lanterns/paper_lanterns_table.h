@@ -47,8 +47,9 @@ struct PaperLanternsTable final : Parameters {
     Real crowding = real("crowding", 0.8, none, {0, 1},
                          "Share of the cells that hold a lantern: 0 is an empty lake, 1 fills every cell.");
     const Condition afloat = whenAbove(crowding, 0);
-    Real spacing = real("spacing", 7.5, meter, Range{1, 100, logarithmic}.soft(4, 20),
-                        "Width of a cell; never less than a lantern needs.", afloat);
+    Real spacing =
+        real("spacing", 7.5, meter, Range{1, 100, logarithmic}.soft(4, 20),
+             "Width of the cells, each of which contains one lantern; a wide lantern may need more.", afloat);
     Real irregularity =
         real("irregularity", 1, none, {0, 1},
              "Random shift of the lanterns from the middle of their cells: 0 is a regular grid.", afloat);
@@ -142,7 +143,7 @@ struct PaperLanternsTable final : Parameters {
         real("moonSize", degrees(2.4), degree, Range{degrees(0.1), degrees(20)}.soft(degrees(0.5), degrees(6)),
              "Angular diameter of the moon; the real one has half a degree.", physical and moonlit);
     File panorama = file("panorama", "Path of a panorama, twice as wide as high, that replaces the night sky.",
-                         endings(render::readEndings()));
+                         extensions(render::readEndings()));
     Real stars = real("stars", 0.7, none, Range{0, 10}.soft(0, 2), "Brightness of the stars: 0 shows none.", physical);
     Real dusk = real("dusk", 0.12, none, Range{0, 10}.soft(0, 2),
                      "Strength of the daylight left in the sky: 0 is deep night.", physical);
@@ -197,13 +198,15 @@ struct PaperLanternsTable final : Parameters {
         // Excludes lanterns so far away that they are points of light, which the methods by cells leave out.
         {{.name = "repetition", .with = {{"lanterns", 16}, {"pointSize", 0.5}}},
          {.name = "bounces", .settles = "Mirrored rays lead upwards and seldom meet the water again."},
-         {.name = "waterSteps", .settles = "Rays have found the water in fewer steps."},
+         {.name = "waterSteps", .settles = "Rays find the water in fewer steps."},
          {.name = "rows",
           .lifted = {"meanSize"},
-          .settles = "Rays of a small picture meet the water before they have passed so many rows."},
+          .settles = "Rays of a small picture meet the water before they have passed this many rows."},
          {.name = "pointSize", .lifted = {"meanSize", "rows"}},
-         {.name = "meanSize", .lifted = {"rows"}, .settles = "The rows end before lanterns look so narrow."},
-         {.name = "stepLimit", .settles = "Rays end before they have taken so many steps."}}};
+         {.name = "meanSize",
+          .lifted = {"rows"},
+          .settles = "The rows of lanterns end before lanterns look this narrow."},
+         {.name = "stepLimit", .settles = "Rays end before they have taken this many steps."}}};
 };
 
 }  // namespace vitrine

@@ -57,7 +57,7 @@ NormalErrors measureNormals(render::RenderBackend& backend, const ParameterValue
         shot.keepsLit = shot.seenSmaller = false;
         render::FramePlan plan;
         plan.view.raster.size = shot.camera.size;
-        plan.allParts = true;
+        plan.allSlices = true;
         planPixelPicture(shot, plan);
         plan.prune({pixelTruthImage, pixelSurfaceImage, pixelShownImage});
         for (const render::StepReport& step : backend.draw(plan).ran)

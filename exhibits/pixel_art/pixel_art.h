@@ -23,7 +23,7 @@ public:
     [[nodiscard]] std::string_view title() const override { return "Pixel Art"; }
     [[nodiscard]] std::string_view summary() const override
     {
-        return "Normals from depth, lines of one pixel, and few colors.";
+        return "Pixel art from 3D: normals from depth, lines one pixel wide, few colors.";
     }
     [[nodiscard]] std::string_view tryThis() const override { return "step aside, then change the palette."; }
     [[nodiscard]] std::string_view buttonText() const override { return "let time run"; }

@@ -25,7 +25,7 @@ struct PixelArtTable final : Parameters {
         choice("world", PixelWorld::isle, {"isle", "test scene", "thin bars"},
                "World to show: a small isle, the test scene of the reference, or bars of one and two pixels.");
     File model =
-        file("model", "Path of a glTF 2.0 file (.glb or .gltf) that replaces the small world.", endings("glb gltf"));
+        file("model", "Path of a glTF 2.0 file (.glb or .gltf) that replaces the small world.", extensions("glb gltf"));
     Toggle turn = toggle("turn", true, "Whether the model turns about the vertical axis, once per round of 4 s.",
                          whenGiven(model));
     Count animation = count("animation", 1, Range{0, 1000}.soft(0, 8),
@@ -180,7 +180,7 @@ struct PixelArtTable final : Parameters {
         "(golden hour).",
         finished, essential());
     File palettePicture = file("palettePicture", "Path of a picture whose main colors replace the palette.",
-                               endings(render::readEndings()));
+                               extensions(render::readEndings()));
     const Condition ofPicture = when(palette, PaletteName::goldenHour) or whenGiven(palettePicture);
     const Condition limited = finished and (whenNot(palette, PaletteName::none) or whenGiven(palettePicture));
     Count paletteColors =

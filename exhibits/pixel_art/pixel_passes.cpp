@@ -214,7 +214,7 @@ void Picture::planShadow()
     pass.shader = {.vertex = "pixel_art/shadow.vert", .fragment = masked ? "pixel_art/shadow.frag" : "kit/depth.frag"};
     if (masked) pass.shader.defines = {"MASKED", "BASE_COLOR_MAP", "VERTEX_COLOR"};
     pass.view = sunView_;
-    pass.key = shadowKey_;
+    pass.contentHash = shadowKey_;
     pass.depth = Attachment::cleared(shadowImage);
     pass.state.depthTest = render::DepthTest::nearer;
     pass.state.depthWrite = true;
@@ -235,7 +235,7 @@ void Picture::planWorld()
     pass.phase = render::PassPhase::prepare;
     pass.shader = {.vertex = "pixel_art/world.vert", .fragment = "pixel_art/world.frag", .defines = materialDefines()};
     pass.view = eye_.view;
-    pass.key = worldKey_;
+    pass.contentHash = worldKey_;
     pass.blocks[BLOCK_EXHIBIT] = render::std140Bytes(eye_.block);
     pass.colors = {Attachment::cleared(colorImage), Attachment::cleared(pixelTruthImage)};
     pass.depth = Attachment::cleared(pixelDrawnDepthImage);
@@ -280,7 +280,7 @@ render::Pass Picture::over(std::string name, std::string reason, const char* fra
 {
     render::Pass pass = exhibitPass(std::move(name), std::move(reason), values_, "lib/fullscreen.vert", fragment);
     pass.phase = render::PassPhase::prepare;
-    pass.key = key_;
+    pass.contentHash = key_;
     pass.blocks[BLOCK_EXHIBIT] = render::std140Bytes(eye_.block);
     pass.draws = {render::Draw{}};
     if (shot_.camera.orthographic) pass.shader.defines.emplace_back("ORTHOGRAPHIC");

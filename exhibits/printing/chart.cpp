@@ -102,11 +102,11 @@ Chart::Chart(const PrintLayout& layout, ChartKind kind, double span) : layout_(l
     along_ = upright_ ? s.height + 2 * s.bleed : s.width + 2 * s.bleed;
     across_ = upright_ ? s.width + 2 * s.bleed : s.height + 2 * s.bleed;
     if (!(span > 0 && span < 0.5))
-        throw Failure(Blame::usage, "The span of a pitch chart must lie between 0 and 50 %.");
+        throw Failure(ErrorKind::usage, "The span of a pitch chart must lie between 0 and 50 %.");
     const double room = along_ - 2 * margin;
     const int fit = static_cast<int>(room / bandHeight);
     if (fit < 3 || across_ < 4 * margin)
-        throw Failure(Blame::usage, "A chart needs at least 40 mm across the lenses and 44 mm along them.");
+        throw Failure(ErrorKind::usage, "A chart needs at least 40 mm across the lenses and 44 mm along them.");
     const auto add = [&](double from, double to, PrintLayout own, std::vector<double> levels, std::string label) {
         bands_.push_back({margin + from, margin + to, std::move(own), std::move(levels), std::move(label)});
     };
@@ -161,7 +161,7 @@ bool Chart::inked(double along, double across) const
     return false;
 }
 
-double Chart::level(double x, double y, std::vector<Tap>& taps) const
+double Chart::level(double x, double y, std::vector<ViewWeight>& taps) const
 {
     const PrintSettings& s = layout_.settings();
     const double mmX = x / s.dpiX * mmPerInch;
@@ -172,9 +172,9 @@ double Chart::level(double x, double y, std::vector<Tap>& taps) const
     if (across >= margin && across < across_ - margin) {
         for (const Band& band : bands_) {
             if (along < band.from || along >= band.to) continue;
-            tapsAt(band.layout, x, y, taps);
+            viewWeightsAt(band.layout, x, y, taps);
             double sum = 0;
-            for (const Tap& tap : taps) sum += tap.weight * band.views[static_cast<std::size_t>(tap.view)];
+            for (const ViewWeight& tap : taps) sum += tap.weight * band.views[static_cast<std::size_t>(tap.view)];
             return sum;
         }
     }
@@ -183,7 +183,7 @@ double Chart::level(double x, double y, std::vector<Tap>& taps) const
 
 template <typename Code> void Chart::fillCodes(const Region& region, Code* out) const
 {
-    std::vector<Tap> taps;
+    std::vector<ViewWeight> taps;
     for (std::int64_t y = region.y0; y < region.y1; ++y) {
         for (std::int64_t x = region.x0; x < region.x1; ++x, out += 3) {
             const std::int64_t front = layout_.settings().mirror ? layout_.width() - 1 - x : x;

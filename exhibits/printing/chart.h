@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exhibits/printing/interlace.h"
-#include "exhibits/printing/taps.h"
+#include "exhibits/printing/view_weights.h"
 
 #include <string>
 #include <vector>
@@ -25,8 +25,8 @@ enum class ChartKind : std::uint8_t {
 class Chart {
 public:
     /// Makes a chart of the layout's size, sheet, direction and (for views and rotation) number of views. `span` is the
-    /// range of LPI of a pitch chart in each direction, 0.01 for 1 %. Throws Failure (Blame::usage) if the print is too
-    /// small.
+    /// range of LPI of a pitch chart in each direction, 0.01 for 1 %. Throws Failure (ErrorKind::usage) if the print is
+    /// too small.
     Chart(const PrintLayout&, ChartKind, double span);
 
     void fill(const Region&, std::uint8_t* out) const;
@@ -41,7 +41,7 @@ public:
     [[nodiscard]] const std::vector<Band>& bands() const { return bands_; }
 
 private:
-    [[nodiscard]] double level(double x, double y, std::vector<Tap>& taps) const;
+    [[nodiscard]] double level(double x, double y, std::vector<ViewWeight>& taps) const;
     [[nodiscard]] bool inked(double along, double across) const;
     template <typename Code> void fillCodes(const Region&, Code* out) const;
 

@@ -3,7 +3,7 @@
 #include "exhibits/printing/optics.h"
 #include "exhibits/printing/proof.h"
 #include "exhibits/printing/sheet.h"
-#include "exhibits/printing/taps.h"
+#include "exhibits/printing/view_weights.h"
 
 #include <algorithm>
 #include <array>
@@ -61,7 +61,7 @@ ViewMatrix viewMixing(const PrintLayout& layout)
     const double pixelsX = layout.printPitch() * s.dpiX / mmPerInch * layout.cosine();  // Pixels between lenses.
     const double pixelsY = layout.printPitch() * s.dpiY / mmPerInch * layout.sine();
     ViewMatrix mixing = zeros(s.views);
-    std::vector<Tap> taps;
+    std::vector<ViewWeight> taps;
     for (int i = 0; i < s.views; ++i) {
         const Aperture seen = aperture(s.sheet, angleOfView(layout, i), 0, partsOfAperture);
         double sum = 0;
@@ -77,8 +77,8 @@ ViewMatrix viewMixing(const PrintLayout& layout)
                                    std::cos(2 * pi * spread(4, index));
                 const double at =
                     toAxis + (part.from + (part.to - part.from) * spread(2, index) + ink) / s.sheet.pitch();
-                tapsAt(layout, std::floor(x + at * pixelsX) + 0.5, std::floor(y + at * pixelsY) + 0.5, taps);
-                for (const Tap& tap : taps) mixing.at(i, tap.view) += part.share * tap.weight;
+                viewWeightsAt(layout, std::floor(x + at * pixelsX) + 0.5, std::floor(y + at * pixelsY) + 0.5, taps);
+                for (const ViewWeight& tap : taps) mixing.at(i, tap.view) += part.share * tap.weight;
                 sum += part.share;
             }
         }

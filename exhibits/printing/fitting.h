@@ -9,7 +9,7 @@
 
 namespace vitrine::printing {
 
-/// How a picture of another shape is fitted into a print.
+/// Fitting of a picture into a print of another aspect ratio.
 enum class Fitting : std::uint8_t {
     crop,     ///< Fills the print; the rest is cropped equally at two sides.
     fit,      ///< Is completely visible, between white margins at two sides.

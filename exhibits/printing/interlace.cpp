@@ -1,7 +1,7 @@
 #include "exhibits/printing/interlace.h"
 
 #include "exhibits/printing/sheet.h"
-#include "exhibits/printing/taps.h"
+#include "exhibits/printing/view_weights.h"
 #include "render/failure.h"
 #include "render/parallel.h"
 
@@ -128,8 +128,8 @@ Interlacer::Interlacer(const PrintLayout& layout, const ViewSet& views, Instruct
       kernels_(kernels::kernelsFor(instructions))
 {
     if (views.count() != layout.settings().views) {
-        throw Failure(Blame::usage, "The print is laid out for " + std::to_string(layout.settings().views) +
-                                        " views, and there are " + std::to_string(views.count()) + ".");
+        throw Failure(ErrorKind::usage, "The print is laid out for " + std::to_string(layout.settings().views) +
+                                            " views, and there are " + std::to_string(views.count()) + ".");
     }
     if (layout.settings().compensate) compensation_ = compensation(viewMixing(layout_));
     if (layout_.vertical()) plan_.emplace(layout_, views);
@@ -223,17 +223,17 @@ template <typename Code> void Interlacer::fillSlanted(const Region& region, Code
     const double pixelsY = layout_.printPitch() * settings.dpiY / mmPerInch * layout_.sine();
     const std::size_t samples = static_cast<std::size_t>(region.x1 - region.x0) * 3;
     std::vector<std::uint16_t> linear(samples);
-    std::vector<Tap> taps;
+    std::vector<ViewWeight> taps;
     SlantedSampler sampler(layout_, views_);
     for (std::int64_t y = region.y0; y < region.y1; ++y, out += samples) {
         std::uint16_t* pixel = linear.data();
         for (std::int64_t x = region.x0; x < region.x1; ++x, pixel += 3) {
             const double px = static_cast<double>(settings.mirror ? layout_.width() - 1 - x : x) + 0.5;
             const double py = static_cast<double>(y) + 0.5;
-            tapsAt(layout_, px, py, taps);
+            viewWeightsAt(layout_, px, py, taps);
             const double u = layout_.lensAt(px, py);
             std::array<float, 3> sum{0.5F, 0.5F, 0.5F};
-            for (const Tap& tap : taps) {
+            for (const ViewWeight& tap : taps) {
                 // The nearest point to the pixel on the lens's axis.
                 const double off = static_cast<double>(tap.lens) + 0.5 - u;
                 const double footX = px + off * pixelsX;

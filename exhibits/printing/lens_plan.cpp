@@ -1,6 +1,6 @@
 #include "exhibits/printing/lens_plan.h"
 
-#include "exhibits/printing/taps.h"
+#include "exhibits/printing/view_weights.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,12 +20,14 @@ void LensPlan::planColumns(const PrintLayout& layout)
     const std::int64_t width = layout.width();
     const bool reverse = layout.settings().reverse;
     const auto count = static_cast<std::int64_t>(views);
-    const auto stripOf = [&](const Tap& tap) { return tap.lens * count + (reverse ? tap.view : count - 1 - tap.view); };
+    const auto stripOf = [&](const ViewWeight& tap) {
+        return tap.lens * count + (reverse ? tap.view : count - 1 - tap.view);
+    };
     // Two passes: first the strips and their number, then the weights, which depend on the number.
-    std::vector<Tap> row;
+    std::vector<ViewWeight> row;
     const auto tapsOf = [&](std::int64_t x) {
         const std::int64_t front = layout.settings().mirror ? width - 1 - x : x;
-        tapsAt(layout, static_cast<double>(front) + 0.5, 0, row);
+        viewWeightsAt(layout, static_cast<double>(front) + 0.5, 0, row);
     };
     std::vector<std::int64_t> firstStrip;
     std::int64_t least = 0;
@@ -48,7 +50,7 @@ void LensPlan::planColumns(const PrintLayout& layout)
         const std::int64_t first = firstStrip[static_cast<std::size_t>(x)];
         firstSlot.push_back(static_cast<std::uint32_t>(first - firstLens_ * count));
         tapsOf(x);
-        for (const Tap& tap : row) {
+        for (const ViewWeight& tap : row) {
             const auto weight = static_cast<float>(tap.weight);
             tapWeights[static_cast<std::size_t>(x) * taps + static_cast<std::size_t>(stripOf(tap) - first)] = weight;
             single = single && weight == 1;

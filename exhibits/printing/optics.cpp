@@ -21,11 +21,11 @@ double sag(const Sheet& sheet, double x0)
     return glsl::lensSag(shapeOf(sheet), x0);
 }
 
-std::optional<Landing> trace(const Sheet& sheet, double x0, double theta)
+std::optional<LensHit> trace(const Sheet& sheet, double x0, double theta)
 {
     const glsl::LensRay ray = glsl::lensTrace(shapeOf(sheet), x0, std::sin(theta), std::cos(theta));
     if (!(ray.weight > 0)) return std::nullopt;
-    return Landing{ray.x, ray.weight, ray.depth, std::atan(ray.tanPsi)};
+    return LensHit{ray.x, ray.weight, ray.depth, std::atan(ray.tanPsi)};
 }
 
 double paraxial(const Sheet& sheet, double x0, double theta)
@@ -46,11 +46,11 @@ Aperture aperture(const Sheet& sheet, double theta, double beta, int parts)
     result.parts.reserve(static_cast<std::size_t>(parts));
     const double pitch = sheet.pitch();
     double total = 0;
-    std::optional<Landing> left = trace(skewed, -pitch / 2, theta);
+    std::optional<LensHit> left = trace(skewed, -pitch / 2, theta);
     for (int i = 0; i < parts; ++i) {
         const double middle = pitch * ((i + 0.5) / parts - 0.5);
-        const std::optional<Landing> at = trace(skewed, middle, theta);
-        const std::optional<Landing> right = trace(skewed, pitch * ((i + 1.0) / parts - 0.5), theta);
+        const std::optional<LensHit> at = trace(skewed, middle, theta);
+        const std::optional<LensHit> right = trace(skewed, pitch * ((i + 1.0) / parts - 0.5), theta);
         if (at) {
             const double from = left ? left->x : at->x;
             const double to = right ? right->x : at->x;

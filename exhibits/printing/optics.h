@@ -9,7 +9,7 @@
 namespace vitrine::printing {
 
 /// Point where a ray, from the eye through a lens, meets the print. Lengths are in millimeters.
-struct Landing {
+struct LensHit {
     double x = 0;       ///< Position on the print, across the lens, from the lens's axis.
     double weight = 0;  ///< Area of this part of the lens visible to the eye, per length of x0.
     double depth = 0;   ///< Distance from the surface down to the print.
@@ -22,7 +22,7 @@ struct Landing {
 /// Traces the ray that meets the lens at `x0` with exact refraction (Snell's law on a conic). `theta` is the eye's
 /// angle from the normal in radians, positive if the eye is on the side of positive x. Returns nothing if the surface
 /// does not exist there, faces away from the eye, or is hidden by the next lens.
-[[nodiscard]] std::optional<Landing> trace(const Sheet&, double x0, double theta);
+[[nodiscard]] std::optional<LensHit> trace(const Sheet&, double x0, double theta);
 
 /// Returns the landing to first order in x0 and theta: x0 (1 - t/f) - t/n theta, with f = n r / (n-1).
 [[nodiscard]] double paraxial(const Sheet&, double x0, double theta);
@@ -48,6 +48,7 @@ struct Aperture {
 
 /// Return the full angle in which all views are seen once, in radians, by two definitions.
 [[nodiscard]] double zoneByChiefRay(const Sheet&);
-[[nodiscard]] double zoneByAperture(const Sheet&);  ///< From the angle at which the mean over the lens is half a pitch.
+[[nodiscard]] double
+zoneByAperture(const Sheet&);  ///< Viewing zone, from the angle at which the mean over the lens is half a pitch.
 
 }  // namespace vitrine::printing

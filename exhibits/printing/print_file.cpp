@@ -44,7 +44,7 @@ void writeColumns(const PrintLayout& layout, const std::function<void(const Regi
                               static_cast<double>(x1 - x0) * static_cast<double>(end) / static_cast<double>(height)) /
                              static_cast<double>(layout.width());
         if (file.progress && !file.progress(share))
-            throw Failure(Blame::usage, "Writing " + file.path.string() + " was stopped; nothing was changed.");
+            throw Failure(ErrorKind::usage, "Writing " + file.path.string() + " was stopped; nothing was changed.");
     }
     out.finish();
 }
@@ -81,11 +81,11 @@ int interlacingThreads()
 std::vector<std::int64_t> tileCuts(const PrintLayout& layout, double tileWidth)
 {
     if (tileWidth == 0) return {0, layout.width()};
-    if (!layout.vertical()) throw Failure(Blame::usage, "Only prints with vertical lenses can be cut into tiles.");
+    if (!layout.vertical()) throw Failure(ErrorKind::usage, "Only prints with vertical lenses can be cut into tiles.");
     const double lenses = tileWidth / layout.printPitch();
     if (!(lenses >= 1) || !std::isfinite(lenses)) {
-        throw Failure(Blame::usage, "Tiles of " + shortText(tileWidth) + " mm are narrower than a lens, " +
-                                        shortText(layout.printPitch()) + " mm.");
+        throw Failure(ErrorKind::usage, "Tiles of " + shortText(tileWidth) + " mm are narrower than a lens, " +
+                                            shortText(layout.printPitch()) + " mm.");
     }
     std::vector<std::int64_t> cuts{0};
     const double tile = tileWidth / mmPerInch * layout.settings().dpiX;

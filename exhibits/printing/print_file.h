@@ -50,7 +50,7 @@ std::vector<std::filesystem::path> writePrint(const PrintLayout&, const ViewSet&
 std::vector<std::filesystem::path> writeChart(const PrintLayout&, const Chart&, const PrintFile&);
 
 /// Returns the columns at which a print is cut: 0, the cusps nearest to multiples of `tileWidth`, the width. Throws
-/// Failure (Blame::usage) for lenses that are not vertical, and for tiles narrower than a lens.
+/// Failure (ErrorKind::usage) for lenses that are not vertical, and for tiles narrower than a lens.
 [[nodiscard]] std::vector<std::int64_t> tileCuts(const PrintLayout&, double tileWidth);
 
 }  // namespace vitrine::printing

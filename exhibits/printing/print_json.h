@@ -12,8 +12,8 @@ namespace vitrine::printing {
 
 /// Origin of a print's views, for its description.
 struct PrintSources {
-    std::vector<std::string> names = {};  ///< For people, one for each view.
-    std::vector<std::string> files = {};  ///< From which the window reads the views again.
+    std::vector<std::string> names = {};  ///< Shown names, one for each view.
+    std::vector<std::string> files = {};  ///< Files from which the window reads the views again.
     render::Json scene = nullptr;         ///< Preset that renders the views again; null for pictures.
     render::Json rig = nullptr;           ///< Numbers of the cameras of rendered views; null for pictures.
 };

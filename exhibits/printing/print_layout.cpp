@@ -15,7 +15,7 @@ constexpr double mostPixels = 2147483647;  // Per side; PNG and TIFF end there.
 
 [[noreturn]] void refuse(const std::string& why)
 {
-    throw Failure(Blame::usage, "This print cannot be made: " + why + ".");
+    throw Failure(ErrorKind::usage, "This print cannot be made: " + why + ".");
 }
 
 void requirePositive(double value, const char* what)
@@ -37,7 +37,8 @@ void checkSettings(const PrintSettings& s)
 {
     if (s.views < 1) refuse("there are no views");
     if (s.views > mostViews)
-        refuse("there are " + std::to_string(s.views) + " views, and " + std::to_string(mostViews) + " is the most");
+        refuse("there are " + std::to_string(s.views) + " views, and at most " + std::to_string(mostViews) +
+               " are possible");
     check(s.sheet);
     requirePositive(s.dpiX, "dpi");
     requirePositive(s.dpiY, "dpi-y");

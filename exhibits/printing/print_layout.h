@@ -9,7 +9,7 @@
 
 namespace vitrine::printing {
 
-/// How a printed pixel selects among the views under it.
+/// Selection of a printed pixel among the views under it.
 enum class Method : std::uint8_t {
     nearest,  ///< The view under its center; strip edges jump by up to half a pixel.
     area,     ///< All views, weighted by the covered share of the pixel, in linear light.
@@ -29,7 +29,7 @@ struct PrintSettings {
     double phase = 0;      ///< Shift of the strips under the lenses, in lenses.
     double direction = 0;  ///< Direction of the lenses in degrees: 0 vertical, 90 horizontal, others slanted.
     bool reverse = false;  ///< The first view is on the left under each lens instead of on the right.
-    bool mirror = false;   ///< For printing on the sheet's back.
+    bool mirror = false;   ///< Mirrored, for printing on the back of the sheet.
     int views = 1;
     Method method = Method::area;
     double guard = 0.25;      ///< Share of a strip for its two blended edges (method guard).
@@ -47,7 +47,7 @@ constexpr int mostViews = 256;
 /// count per lens is rounded, so the last column is as exact as the first.
 class PrintLayout {
 public:
-    /// Throws Failure (Blame::usage) that names an impossible setting with its limit.
+    /// Throws Failure (ErrorKind::usage) that names an impossible setting with its limit.
     explicit PrintLayout(const PrintSettings&);
 
     [[nodiscard]] const PrintSettings& settings() const { return settings_; }

@@ -17,7 +17,7 @@ struct PrintPlan {
     std::string refusal{};                ///< A full sentence with the limit; empty if the print is possible.
     std::vector<std::string> warnings{};  ///< Full sentences on expected defects.
     std::optional<PrintLayout> layout{};  ///< Unset if the print is impossible.
-    PrintNumbers numbers{};               ///< With the dpi stored in the file.
+    PrintNumbers numbers{};               ///< Numbers of the print, with the resolution stored in the file.
     double bytes = 0;                     ///< Size of the file, uncompressed.
 };
 /// Returns the plan. The file's name determines the format. Impossible settings do not throw, they become `refusal`.

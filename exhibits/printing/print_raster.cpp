@@ -49,10 +49,10 @@ PrintRaster::PrintRaster(const PrintLayout& layout, const std::vector<fs::path>&
         if (height != layout.height()) break;
     }
     if (width != layout.width() || height != layout.height()) {
-        throw Failure(Blame::file, "The print " + tiles.front().string() + " has " + std::to_string(width) + " x " +
-                                       std::to_string(height) + " pixels, and its description says " +
-                                       std::to_string(layout.width()) + " x " + std::to_string(layout.height()) +
-                                       "; look at the unscaled, uncut file, or at all its tiles.");
+        throw Failure(ErrorKind::file, "The print " + tiles.front().string() + " has " + std::to_string(width) + " x " +
+                                           std::to_string(height) + " pixels, and its description says " +
+                                           std::to_string(layout.width()) + " x " + std::to_string(layout.height()) +
+                                           "; look at the unscaled, uncut file, or at all its tiles.");
     }
     // The window initially covers three lenses.
     const double lens = layout.printPitch() * layout.settings().dpiY / 25.4;
@@ -88,7 +88,7 @@ const std::uint16_t* PrintRaster::row(std::int64_t y)
 render::Image PrintRaster::image()
 {
     if (layout_.width() * layout_.height() > mostImagePixels) {
-        throw Failure(Blame::file,
+        throw Failure(ErrorKind::file,
                       "A print of " + std::to_string(layout_.width()) + " x " + std::to_string(layout_.height()) +
                           " pixels is too large to be held at once; choose one of up to 67 million pixels.");
     }
@@ -142,9 +142,9 @@ PrintDescription printDescription(const fs::path& print)
                                         "was used; make the print anew, or remove " +
                                         beside + "."};
     if (hasBeside) return {render::readJson(beside), {}};
-    throw Failure(Blame::file, "Cannot look at " + print.string() +
-                                   ": it carries no description of its sheet, and there is no " + beside +
-                                   " beside it; choose a file that vitrine print wrote.");
+    throw Failure(ErrorKind::file, "Cannot look at " + print.string() +
+                                       ": it carries no description of its sheet, and there is no " + beside +
+                                       " beside it; choose a file that vitrine print wrote.");
 }
 
 PrintRaster readPrint(const fs::path& path)

@@ -40,8 +40,9 @@ struct PrintTable final : Parameters {
         "convergence", 0, meter, Range{0, 1000}.soft(0, 20),
         "Distance from the camera to the objects that appear in the plane of the print. Auto: the camera's target.",
         reads(0, "auto"));
-    Count quiltColumns = count("quiltColumns", 4, {1, 64}, "Views side by side in a quilt.");
-    Count quiltRows = count("quiltRows", 4, {1, 64}, "Rows of views in a quilt, the first at the bottom.");
+    Count quiltColumns = count("quiltColumns", 4, {1, 64}, "Number of columns of views in a quilt.");
+    Count quiltRows =
+        count("quiltRows", 4, {1, 64}, "Number of rows of views in a quilt; the first row is at the bottom.");
 
     Choice<Fitting> fitting = choice("fitting", Fitting::crop, {"crop", "fit", "stretch"},
                                      "Fitting of pictures whose aspect ratio is not the print's: cropped at two sides "
@@ -56,8 +57,8 @@ struct PrintTable final : Parameters {
     Group chartGroup = group("Chart");
     Choice<ChartKind> chart =
         choice("chart", ChartKind::pitch, {"pitch", "phase", "views", "rotation"},
-               "Pitch finds the LPI at which printer and sheet match; phase, the shift of the strips; views, how many "
-               "views are distinguishable; rotation, whether the sheet is straight.");
+               "Kind of calibration chart: pitch finds the LPI at which printer and sheet match, phase the shift of "
+               "the strips, views the number of distinguishable views, rotation whether the sheet is straight.");
     Real chartSpan = real("chartSpan", 0.01, percent, Range{0.0001, 0.2, logarithmic}.soft(0.001, 0.05),
                           "Range of a pitch chart to either side of the LPI: 1 % is coarse, 0.1 % fine.",
                           typedIn(percent), when(chart, ChartKind::pitch));
@@ -88,10 +89,10 @@ struct PrintTable final : Parameters {
                       "Conic constant of the lenses: 0 is a circle, -1/n² the ellipse without spherical aberration.");
 
     Group printGroup = group("Print");
-    Real width = real("width", 0.148, millimeter, Range{0.0001, 100, logarithmic}.soft(0.02, 2), "Trimmed width.",
-                      option("width-mm", millimeter), mustBeGiven());
-    Real height = real("height", 0.105, millimeter, Range{0.0001, 100, logarithmic}.soft(0.02, 2), "Trimmed height.",
-                       option("height-mm", millimeter), mustBeGiven());
+    Real width = real("width", 0.148, millimeter, Range{0.0001, 100, logarithmic}.soft(0.02, 2),
+                      "Width of the print after trimming.", option("width-mm", millimeter), mustBeGiven());
+    Real height = real("height", 0.105, millimeter, Range{0.0001, 100, logarithmic}.soft(0.02, 2),
+                       "Height of the print after trimming.", option("height-mm", millimeter), mustBeGiven());
     Real bleed = real("bleed", 0, millimeter, Range{0, 1}.soft(0, 0.02),
                       "Margin beyond the trim on every side, into which lenses and views continue.",
                       option("bleed-mm", millimeter));
@@ -102,7 +103,7 @@ struct PrintTable final : Parameters {
              "Printed dots per inch: the native resolution of the printer or a whole fraction of it.", option("dpi"));
     Real dotsDown = real("dotsDown", 0, none, Range{0, 100000}.soft(0, 2880),
                          "Printed dots per inch in vertical direction. Auto: as in horizontal direction.",
-                         reads(0, "auto"), option("dpi-y"), called("Dots per inch, vertical"));
+                         reads(0, "auto"), option("dpi-y"), labeled("Dots per inch, vertical"));
     Real distance = real(
         "distance", std::numeric_limits<double>::infinity(), centimeter, Range{0.0001, 1000, logarithmic}.soft(0.1, 10),
         "Viewing distance that determines the pitch of the strips. Inf: strips have exactly the pitch of the lenses.",
@@ -131,7 +132,7 @@ struct PrintTable final : Parameters {
     Toggle compensate = toggle("compensate", false,
                                "Correct the views in advance for the crosstalk of the sheet, which mixes neighboring "
                                "views; lowers the contrast.",
-                               called("Compensate cross-talk"), option("crosstalk-compensation"));
+                               labeled("Compensate cross-talk"), option("crosstalk-compensation"));
     Real guard =
         real("guard", 0.25, percent, {0, 1},
              "Share of a strip's width that is blended with its two neighbors: 0 blends nothing, 100 % all of it.",
@@ -162,7 +163,7 @@ struct PrintTable final : Parameters {
 /// Returns the bits per channel of the file.
 [[nodiscard]] int bitsOf(const ParameterValues&);
 
-/// Returns the sheet of the values. Throws Failure (Blame::usage) with the limit if it is impossible.
+/// Returns the sheet of the values. Throws Failure (ErrorKind::usage) with the limit if it is impossible.
 [[nodiscard]] Sheet sheetOf(const ParameterValues&);
 /// Returns the values with this sheet; `lens` is derived if the sheet follows from LPI, zone and index.
 [[nodiscard]] ParameterValues withSheet(ParameterValues, const Sheet&);

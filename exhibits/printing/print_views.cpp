@@ -58,7 +58,8 @@ ViewRig rigOf(const PrintLayout& layout, const ParameterValues& values, const Sc
 /// Calls `progress`; throws Failure if it stops the work.
 void require(const Progress& progress, double part)
 {
-    if (progress && !progress(part)) throw Failure(Blame::usage, "Reading the views was stopped; nothing was changed.");
+    if (progress && !progress(part))
+        throw Failure(ErrorKind::usage, "Reading the views was stopped; nothing was changed.");
 }
 
 /// Returns width divided by height of the print.
@@ -90,7 +91,7 @@ void addFitted(render::Image image, int picture, const ParameterValues& values, 
 std::shared_ptr<const PrintViews> readQuilt(const ParameterValues& values, const std::vector<std::string>& files,
                                             const Progress& progress)
 {
-    if (files.empty()) throw Failure(Blame::usage, "There is no quilt; choose a picture with a grid of views.");
+    if (files.empty()) throw Failure(ErrorKind::usage, "There is no quilt; choose a picture with a grid of views.");
     auto views = std::make_shared<PrintViews>();
     require(progress, 0);
     const ViewColors colors = viewColors({files.front()});
@@ -124,7 +125,7 @@ std::shared_ptr<const PrintViews> readViews(const ParameterValues& values, const
                                             const Progress& progress)
 {
     if (values[printTable().origin] == ViewOrigin::quilt) return readQuilt(values, names, progress);
-    if (names.empty()) throw Failure(Blame::usage, "There are no views; choose a folder or pictures.");
+    if (names.empty()) throw Failure(ErrorKind::usage, "There are no views; choose a folder or pictures.");
     auto views = std::make_shared<PrintViews>();
     std::vector<std::string> notes;
     const std::vector<std::filesystem::path> files = viewFiles(names, &notes);

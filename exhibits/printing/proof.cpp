@@ -65,9 +65,9 @@ private:
 void check(const PrintLayout& layout, const Eye& eye)
 {
     if (!(std::abs(eye.angle) < 1.5) || !(std::abs(eye.angleAlong) < 1.5))
-        throw Failure(Blame::usage, "The eye's angle must lie between -85 and 85 degrees.");
+        throw Failure(ErrorKind::usage, "The eye's angle must lie between -85 and 85 degrees.");
     if (!(eye.distance > layout.settings().sheet.thickness))
-        throw Failure(Blame::usage, "The eye must be farther away than the sheet is thick.");
+        throw Failure(ErrorKind::usage, "The eye must be farther away than the sheet is thick.");
 }
 
 /// Implements `lookThrough`. `pixelAt(x, y)` returns three linear samples of the raster.
@@ -132,10 +132,10 @@ render::Image lookThroughOf(const PrintLayout& layout, const Eye& eye, int apert
 render::Image lookThrough(const PrintLayout& layout, const render::Image& raster, const Eye& eye, int apertureParts)
 {
     if (raster.width != layout.width() || raster.height != layout.height()) {
-        throw Failure(Blame::file, "The print has " + std::to_string(raster.width) + " x " +
-                                       std::to_string(raster.height) + " pixels, and its description says " +
-                                       std::to_string(layout.width()) + " x " + std::to_string(layout.height()) +
-                                       "; look at the unscaled, uncut file.");
+        throw Failure(ErrorKind::file, "The print has " + std::to_string(raster.width) + " x " +
+                                           std::to_string(raster.height) + " pixels, and its description says " +
+                                           std::to_string(layout.width()) + " x " + std::to_string(layout.height()) +
+                                           "; look at the unscaled, uncut file.");
     }
     const std::size_t second = raster.channels < 3 ? 0 : 1;
     return lookThroughOf(layout, eye, apertureParts, [&](std::int64_t x, std::int64_t y) {

@@ -2,6 +2,7 @@
 
 #include "render/failure.h"
 #include "render/text/joined.h"
+#include "render/text/nearest_word.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,7 @@ namespace {
 
 [[noreturn]] void refuse(const Sheet& sheet, const std::string& why)
 {
-    throw Failure(Blame::usage,
+    throw Failure(ErrorKind::usage,
                   "The sheet" + (sheet.name.empty() ? "" : " \"" + sheet.name + "\"") + " is impossible: " + why + ".");
 }
 
@@ -93,8 +94,10 @@ const Sheet& knownSheet(const std::string& name)
 {
     for (const Sheet& sheet : knownSheets())
         if (sheet.name == name) return sheet;
-    throw Failure(Blame::usage,
-                  "There is no sheet \"" + name + "\"; known are " + joined(knownSheets(), ", ", &Sheet::name) + ".");
+    std::vector<std::string> names;
+    for (const Sheet& sheet : knownSheets()) names.push_back(sheet.name);
+    throw Failure(ErrorKind::usage, "There is no sheet \"" + name + "\"" + didYouMean(name, names) + " known are " +
+                                        joined(names, ", ") + ".");
 }
 
 }  // namespace vitrine::printing

@@ -35,7 +35,7 @@ struct Sheet {
     [[nodiscard]] double pitch() const { return 25.4 / lpi(); }  ///< Millimeters per lens.
 };
 
-/// Throws Failure (Blame::usage) that names an impossible value and its limit. Lengths and LPI must be positive and
+/// Throws Failure (ErrorKind::usage) that names an impossible value and its limit. Lengths and LPI must be positive and
 /// finite, and the index above 1. The curve must reach the cusp, and the print must be below it.
 void check(const Sheet&);
 
@@ -50,7 +50,7 @@ void check(const Sheet&);
 /// are derived from LPI, angle and index. "75-measured" was measured. Manufacturers differ: edit and calibrate.
 [[nodiscard]] const std::vector<Sheet>& knownSheets();
 
-/// Returns the known sheet of that name. Throws Failure (Blame::usage) that lists the names.
+/// Returns the known sheet of that name. Throws Failure (ErrorKind::usage) that lists the names.
 [[nodiscard]] const Sheet& knownSheet(const std::string& name);
 
 }  // namespace vitrine::printing

@@ -62,7 +62,7 @@ Sheet SheetList::named(const std::string& name) const
     std::string problem;
     for (const Sheet& sheet : all(problem))
         if (sheet.name == name) return sheet;
-    throw Failure(Blame::usage, "There is no sheet \"" + name + "\"; choose one of the list.");
+    throw Failure(ErrorKind::usage, "There is no sheet \"" + name + "\"; choose one of the list.");
 }
 
 std::string SheetList::nameOf(const Sheet& wanted, const std::string& preferred) const
@@ -96,10 +96,10 @@ std::vector<Sheet> SheetList::own() const
 void SheetList::save(const Sheet& sheet) const
 {
     check(sheet);
-    if (sheet.name.empty()) throw Failure(Blame::usage, "A sheet needs a name to be saved under.");
+    if (sheet.name.empty()) throw Failure(ErrorKind::usage, "A sheet needs a name to be saved under.");
     const auto named = [&](const Sheet& other) { return other.name == sheet.name; };
     if (std::any_of(knownSheets().begin(), knownSheets().end(), named)) {
-        throw Failure(Blame::usage,
+        throw Failure(ErrorKind::usage,
                       "\"" + sheet.name + "\" is one of the sheets that come with the program; choose another name.");
     }
     std::vector<Sheet> sheets = own();

@@ -21,7 +21,7 @@ public:
 
     /// Returns `knownSheets`, then the user's sheets. `problem` says why the user's own could not be read.
     [[nodiscard]] std::vector<Sheet> all(std::string& problem) const;
-    /// Returns the sheet of that name. Throws Failure (Blame::usage) if there is none.
+    /// Returns the sheet of that name. Throws Failure (ErrorKind::usage) if there is none.
     [[nodiscard]] Sheet named(const std::string& name) const;
     /// Returns the name of the sheet with these numbers, or an empty text. Among several, it is the one named
     /// `preferred`, otherwise the first.

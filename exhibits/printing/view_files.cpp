@@ -68,7 +68,8 @@ std::vector<fs::path> picturesIn(const fs::path& folder, std::vector<fs::path>* 
         else if (others && render::lowerExtension(at->path()) != ".json")
             others->push_back(at->path());
     }
-    if (error) throw Failure(Blame::file, "Cannot read the folder " + folder.string() + ": " + error.message() + ".");
+    if (error)
+        throw Failure(ErrorKind::file, "Cannot read the folder " + folder.string() + ": " + error.message() + ".");
     const auto before = [](const fs::path& a, const fs::path& b) {
         return beforeByNumber(a.filename().string(), b.filename().string());
     };
@@ -86,15 +87,15 @@ std::vector<fs::path> viewFiles(const std::vector<std::string>& names, std::vect
             std::vector<fs::path> others;
             std::vector<fs::path> found = picturesIn(name, &others);
             if (found.empty())
-                throw Failure(Blame::file, "There are no pictures in " + name + "; give a folder with the views as " +
-                                               render::readFormats() + ".");
+                throw Failure(ErrorKind::file, "There are no pictures in " + name +
+                                                   "; give a folder with the views as " + render::readFormats() + ".");
             if (notes && !others.empty()) notes->push_back(leftOutNote(name, others));
             for (fs::path& file : found) files.push_back(std::move(file));
         } else {
             files.emplace_back(name);
         }
     }
-    if (files.empty()) throw Failure(Blame::usage, "There are no views; give a folder or files with --views.");
+    if (files.empty()) throw Failure(ErrorKind::usage, "There are no views; give a folder or files with --views.");
     return files;
 }
 
@@ -128,9 +129,10 @@ std::string quiltNote(const render::Image& image, int columns, int rows)
 render::Image viewOfQuilt(const render::Image& image, int columns, int rows, int k, QuiltOrder order)
 {
     if (columns < 1 || rows < 1 || image.width < columns || image.height < rows) {
-        throw Failure(Blame::usage, "A quilt of " + std::to_string(image.width) + " x " + std::to_string(image.height) +
-                                        " pixels does not hold " + std::to_string(columns) + " x " +
-                                        std::to_string(rows) + " views; give fewer columns and rows.");
+        throw Failure(ErrorKind::usage, "A quilt of " + std::to_string(image.width) + " x " +
+                                            std::to_string(image.height) + " pixels does not hold " +
+                                            std::to_string(columns) + " x " + std::to_string(rows) +
+                                            " views; give fewer columns and rows.");
     }
     render::Image view(image.width / columns, image.height / rows, image.channels);
     const int left = k % columns * view.width;
@@ -147,25 +149,25 @@ render::Image viewOfQuilt(const render::Image& image, int columns, int rows, int
 std::vector<std::size_t> chosenViews(std::size_t available, const SequenceSettings& settings)
 {
     if (settings.every < 1)
-        throw Failure(Blame::usage, "--every " + std::to_string(settings.every) + ": give 1 or more.");
+        throw Failure(ErrorKind::usage, "--every " + std::to_string(settings.every) + ": give 1 or more.");
     std::vector<std::size_t> row;
     for (std::size_t i = 0; i < available; i += static_cast<std::size_t>(settings.every)) row.push_back(i);
     if (row.empty())
-        throw Failure(Blame::usage, "There are no views; give pictures with --views or --quilt, or an --exhibit.");
+        throw Failure(ErrorKind::usage, "There are no views; give pictures with --views or --quilt, or an --exhibit.");
     if (settings.pingPong)
         for (std::size_t i = row.size() - 1; i-- > 1;) row.push_back(row[i]);
 
     if (settings.count < 0 || static_cast<std::size_t>(settings.count) > row.size()) {
-        throw Failure(Blame::usage, "--count " + std::to_string(settings.count) + ": there are " +
-                                        std::to_string(row.size()) + " views; give 1 to " + std::to_string(row.size()) +
-                                        ", or leave it out for all.");
+        throw Failure(ErrorKind::usage, "--count " + std::to_string(settings.count) + ": there are " +
+                                            std::to_string(row.size()) + " views; give 1 to " +
+                                            std::to_string(row.size()) + ", or leave it out for all.");
     }
     const auto most = static_cast<std::size_t>(mostViews);
     const std::size_t count = settings.count == 0 ? row.size() : static_cast<std::size_t>(settings.count);
     if (count > most) {
-        throw Failure(Blame::usage,
-                      "There are " + std::to_string(count) + " views, and " + std::to_string(mostViews) +
-                          " is the most; take fewer with --every " +
+        throw Failure(ErrorKind::usage,
+                      "There are " + std::to_string(count) + " views, and at most " + std::to_string(mostViews) +
+                          " are possible; take fewer with --every " +
                           std::to_string((row.size() + most - 1) / most * static_cast<std::size_t>(settings.every)) +
                           " or --count " + std::to_string(mostViews) + ".");
     }

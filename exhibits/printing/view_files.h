@@ -18,8 +18,8 @@ namespace vitrine::printing {
 [[nodiscard]] bool beforeByNumber(const std::string& a, const std::string& b);
 
 /// Returns the pictures in a folder except hidden ones; numbers in their names count by value (view2 before VIEW10).
-/// Names of other files, except descriptions (.json), are added to `others` (may be null). Throws Failure (Blame::file)
-/// if the folder cannot be read.
+/// Names of other files, except descriptions (.json), are added to `others` (may be null). Throws Failure
+/// (ErrorKind::file) if the folder cannot be read.
 [[nodiscard]] std::vector<std::filesystem::path> picturesIn(const std::filesystem::path& folder,
                                                             std::vector<std::filesystem::path>* others = nullptr);
 
@@ -37,7 +37,7 @@ enum class QuiltOrder : std::uint8_t { bottomLeft, topLeft };
 
 /// Returns view `k` (0 to columns * rows - 1) of a grid of views of one size. The size is that of the picture divided
 /// by columns and rows, rounded down. The remainder is at the right edge, and above (`bottomLeft`) or below. Throws
-/// Failure (Blame::usage) if the picture has fewer pixels than views.
+/// Failure (ErrorKind::usage) if the picture has fewer pixels than views.
 [[nodiscard]] render::Image viewOfQuilt(const render::Image&, int columns, int rows, int k,
                                         QuiltOrder = QuiltOrder::bottomLeft);
 
@@ -51,8 +51,8 @@ struct SequenceSettings {
     int count = 0;          ///< Number of the remaining pictures, evenly spaced from the first to the last; 0: all.
 };
 
-/// Returns the indices of the pictures, in viewing order. Throws Failure (Blame::usage) with what to do if there are
-/// none, fewer than `count`, or more than the maximum of a print (256).
+/// Returns the indices of the pictures, in viewing order. Throws Failure (ErrorKind::usage) with what to do if there
+/// are none, fewer than `count`, or more than the maximum of a print (256).
 [[nodiscard]] std::vector<std::size_t> chosenViews(std::size_t available, const SequenceSettings&);
 
 }  // namespace vitrine::printing

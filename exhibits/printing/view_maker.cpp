@@ -39,11 +39,12 @@ std::vector<ViewShot> shotsOf(const ViewRig& rig, const ViewShot& base)
 
 void turn(std::vector<ViewShot>& shots, double angle)
 {
-    if (!std::isfinite(angle)) throw Failure(Blame::usage, "The turn is not finite; give an angle.");
+    if (!std::isfinite(angle)) throw Failure(ErrorKind::usage, "The turn is not finite; give an angle.");
     const auto count = static_cast<double>(shots.size());
     for (std::size_t k = 0; k < shots.size(); ++k) {
         FrameRequest& frame = shots[k].request.frame;
-        if (!frame.subject && !frame.alone) throw Failure(Blame::usage, "The hall cannot be turned; name an exhibit.");
+        if (!frame.subject && !frame.alone)
+            throw Failure(ErrorKind::usage, "The hall cannot be turned; name an exhibit.");
         // Walking to the right shows what a rotation to the left, seen from above, would show.
         const double part = (static_cast<double>(k) + 0.5) / count - 0.5;
         frame.exhibitTransform =
@@ -65,7 +66,7 @@ void sweep(std::vector<ViewShot>& shots, const SceneState& from, const SceneStat
                     shots.size() == 1 ? 0.5 : static_cast<double>(k) / static_cast<double>(shots.size() - 1);
                 const std::optional<Value> value = between(a.rows()[row], a.row(row), b.row(row), part);
                 if (!value)
-                    throw Failure(Blame::usage,
+                    throw Failure(ErrorKind::usage,
                                   std::string(a.rows()[row].name) +
                                       " has no values between two others; let a number, a color or a direction run.");
                 shots[k].sceneState.values[exhibit].setMotion(row, std::nullopt);
@@ -75,7 +76,7 @@ void sweep(std::vector<ViewShot>& shots, const SceneState& from, const SceneStat
     }
     if (!anything)
         throw Failure(
-            Blame::usage,
+            ErrorKind::usage,
             "Both ends of the sweep are equal, so that all views would be the same; give two different values.");
 }
 

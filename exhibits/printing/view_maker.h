@@ -22,12 +22,12 @@ struct ViewShot {
 /// Rotates the exhibit that is shown (`request.frame.subject` or `alone`) about its own vertical axis. `angle` is that
 /// of all views together, in radians: view k gets ((k + 1/2)/N - 1/2) angle. So a full turn closes without a repeated
 /// view. Positive angles look like walking around the exhibit to the right, so it is seen in depth. Throws Failure
-/// (Blame::usage) if the shots show no single exhibit.
+/// (ErrorKind::usage) if the shots show no single exhibit.
 void turn(std::vector<ViewShot>&, double angle);
 
 /// Interpolates every number, color and direction in which `from` and `to` differ, including both ends, on the
-/// parameter's own scale if possible. A single shot gets the middle. Throws Failure (Blame::usage) if nothing differs,
-/// or if a parameter cannot be interpolated (a choice, a switch, a file).
+/// parameter's own scale if possible. A single shot gets the middle. Throws Failure (ErrorKind::usage) if nothing
+/// differs, or if a parameter cannot be interpolated (a choice, a switch, a file).
 void sweep(std::vector<ViewShot>&, const SceneState& from, const SceneState& to);
 
 /// Renders shots one after the other. It works step by step, so a window can show progress and cancel between steps.

@@ -53,7 +53,7 @@ ViewPlaces viewPlaces(std::string_view text)
         if (part.empty()) continue;
         const auto place = onePlace(part);
         if (!place)
-            throw Failure(Blame::usage,
+            throw Failure(ErrorKind::usage,
                           "Cannot place a picture by \"" + std::string(part) +
                               "\": this is not PICTURE:TURN,RIGHT,DOWN; give the picture's number, degrees clockwise "
                               "(-360 to 360) and percent of the view's width and height (-100 to 100), such as "
@@ -84,9 +84,9 @@ ViewPlace placeOf(const ViewPlaces& places, int picture)
 void requirePictures(const ViewPlaces& places, int pictures)
 {
     if (places.empty() || places.rbegin()->first <= pictures) return;
-    throw Failure(Blame::usage, "Cannot place picture " + std::to_string(places.rbegin()->first) +
-                                    ": the last picture is number " + std::to_string(pictures) +
-                                    "; correct its number.");
+    throw Failure(ErrorKind::usage, "Cannot place picture " + std::to_string(places.rbegin()->first) +
+                                        ": the last picture is number " + std::to_string(pictures) +
+                                        "; correct its number.");
 }
 
 }  // namespace vitrine::printing

@@ -24,7 +24,8 @@ struct ViewPlace {
 using ViewPlaces = std::map<int, ViewPlace>;
 
 /// Parses places: "3:1.5,2,-0.5; 7:0,1,0" turns picture 3 by 1.5 degrees clockwise and moves it 2 % of the view's width
-/// to the right and half a percent of its height up. Throws Failure (Blame::usage) that quotes the part it cannot read.
+/// to the right and half a percent of its height up. Throws Failure (ErrorKind::usage) that quotes the part it cannot
+/// read.
 [[nodiscard]] ViewPlaces viewPlaces(std::string_view text);
 
 /// Formats places; `viewPlaces` reads exactly the same values back. Places that change nothing are left out.
@@ -33,7 +34,7 @@ using ViewPlaces = std::map<int, ViewPlace>;
 /// Returns the place of a picture; without an entry, a place that changes nothing.
 [[nodiscard]] ViewPlace placeOf(const ViewPlaces&, int picture);
 
-/// Throws Failure (Blame::usage) if a place names a picture beyond the last one.
+/// Throws Failure (ErrorKind::usage) if a place names a picture beyond the last one.
 void requirePictures(const ViewPlaces&, int pictures);
 
 }  // namespace vitrine::printing

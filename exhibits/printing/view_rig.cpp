@@ -16,20 +16,21 @@ ViewRig::ViewRig(const PrintLayout& layout, const render::Camera& middle, glm::i
 {
     const PrintSettings& s = layout.settings();
     if (!(strength_ >= 0) || !std::isfinite(strength_))
-        throw Failure(Blame::usage,
+        throw Failure(ErrorKind::usage,
                       "The baseline scale is " + shortText(strength_) + "; give 0 or more, 1 for true depth.");
     convergence_ = settings.convergence == 0 ? glm::length(middle.target - middle.eye) : settings.convergence;
     const render::View view = render::makeView(middle, {.size = viewSize});
     if (!(convergence_ > view.nearPlane) || !std::isfinite(convergence_)) {
-        throw Failure(Blame::usage, "The convergence plane is at " + shortText(convergence_) +
-                                        " m; it must lie in front of the camera, farther than " +
-                                        shortText(view.nearPlane) + " m.");
+        throw Failure(ErrorKind::usage, "The convergence plane is at " + shortText(convergence_) +
+                                            " m; it must lie in front of the camera, farther than " +
+                                            shortText(view.nearPlane) + " m.");
     }
     const double lever = s.sheet.thickness - s.sheet.radius;
     if (!(lever > 0)) {
-        throw Failure(Blame::usage, "The sheet " + s.sheet.name + " is " + shortText(s.sheet.thickness) +
-                                        " mm thick and its lenses have a radius of " + shortText(s.sheet.radius) +
-                                        " mm: it cannot show views to different directions; choose a thicker sheet.");
+        throw Failure(ErrorKind::usage,
+                      "The sheet " + s.sheet.name + " is " + shortText(s.sheet.thickness) +
+                          " mm thick and its lenses have a radius of " + shortText(s.sheet.radius) +
+                          " mm: it cannot show views to different directions; choose a thicker sheet.");
     }
 
     // The line is along the side of the picture closer to the lenses' normal. On slanted lenses it is a longer way

@@ -34,8 +34,8 @@ struct RigSettings {
 class ViewRig {
 public:
     /// `middle` is the camera in the middle of the line; its lens shift is kept. `viewSize` is in pixels; its shape
-    /// determines how much of the plane is visible. Throws Failure (Blame::usage) for a strength that is negative or
-    /// not finite, a convergence plane not in front of the camera, or a sheet thinner than its radius.
+    /// determines how much of the plane is visible. Throws Failure (ErrorKind::usage) for a strength that is negative
+    /// or not finite, a convergence plane not in front of the camera, or a sheet thinner than its radius.
     ViewRig(const PrintLayout&, const render::Camera& middle, glm::ivec2 viewSize, const RigSettings& = {});
 
     [[nodiscard]] int count() const { return count_; }

@@ -46,7 +46,7 @@ void resampledRow(const render::Image& image, int y, int height, std::vector<dou
 void ViewSet::add(const render::Image& image)
 {
     if (image.width < 1 || image.height < 1 || image.channels < 1)
-        throw Failure(Blame::file, "A view is empty; choose another picture.");
+        throw Failure(ErrorKind::file, "A view is empty; choose another picture.");
     if (height_ == 0) height_ = image.height;
     const auto channels = static_cast<std::size_t>(image.channels);
     const std::size_t rowSamples = static_cast<std::size_t>(image.width) * 3;

@@ -88,7 +88,7 @@ Recording::Recording(const Museum& museum, render::RenderBackend& backend, Scene
     : museum_(museum), backend_(backend), sceneState_(std::move(sceneState)), subject_(subject),
       request_(std::move(request)), out_(std::move(out)), share_(std::move(share))
 {
-    if (const std::string why = whyNotRecordable(request_, out_); !why.empty()) throw Failure(Blame::usage, why);
+    if (const std::string why = whyNotRecordable(request_, out_); !why.empty()) throw Failure(ErrorKind::usage, why);
     if (!isFramePattern(out_)) {
         render::VideoSpec spec = specOf(request_, *render::videoFormatOf(out_));
         spec.comment = presetAt(0);
@@ -98,15 +98,15 @@ Recording::Recording(const Museum& museum, render::RenderBackend& backend, Scene
     std::error_code error;
     if (out_.has_parent_path()) fs::create_directories(out_.parent_path(), error);
     if (error)
-        throw Failure(Blame::file, out_.parent_path().string() + ": the folder cannot be made (" + error.message() +
-                                       "); choose another.");
+        throw Failure(ErrorKind::file, out_.parent_path().string() + ": the folder cannot be made (" + error.message() +
+                                           "); choose another.");
 }
 
 Recording::~Recording() = default;
 
 std::string Recording::presetAt(int k) const
 {
-    const Moment first = momentsOf(request_, k).front();
+    const MotionSample first = motionSamplesOf(request_, k).front();
     PictureRequest picture = request_.picture;
     picture.frame.camera = first.camera;
     picture.frame.time = first.time;
@@ -141,7 +141,7 @@ void Recording::takeFrame()
 {
     const fs::path path = framePath(share_.from, next_);
     if (!isThere(path, presetAt(next_), frameLine(request_, next_)))
-        throw Failure(Blame::check, path.string() + ": this frame is missing or of other settings; draw it anew.");
+        throw Failure(ErrorKind::check, path.string() + ": this frame is missing or of other settings; draw it anew.");
     video_->add(render::readColor(path));
     ++next_;
     ++kept_;

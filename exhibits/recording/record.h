@@ -46,8 +46,8 @@ public:
     Recording& operator=(const Recording&) = delete;
 
     /// Works like FrameMaker::step, and writes what is finished. Returns false if everything is finished. Throws
-    /// Failure like FrameMaker, render::VideoFile and render::writePicture, and Blame::check if a frame drawn earlier
-    /// has other settings.
+    /// Failure like FrameMaker, render::VideoFile and render::writePicture, and ErrorKind::check if a frame drawn
+    /// earlier has other settings.
     bool step();
     [[nodiscard]] double progress() const;  ///< 0 to 1.
     [[nodiscard]] bool finished() const { return finished_; }

@@ -34,11 +34,11 @@ int RecordingRequest::frames() const
     return std::max(static_cast<int>(std::lround(seconds * framesPerSecond)), 1);
 }
 
-std::vector<Moment> momentsOf(const RecordingRequest& request, int k)
+std::vector<MotionSample> motionSamplesOf(const RecordingRequest& request, int k)
 {
     const int count = request.shutter > 0 ? std::max(request.shutterSamples, 1) : 1;
     const double whole = motionSeconds(request);
-    std::vector<Moment> moments;
+    std::vector<MotionSample> moments;
     for (int j = 0; j < count; ++j) {
         // The times are at the centers of equal parts of the exposure.
         const double within = request.shutter > 0 ? request.shutter * (j + 0.5) / count : 0;
@@ -64,7 +64,7 @@ std::string frameLine(const RecordingRequest& request, int k)
         for (int column = 0; column < 3; ++column)
             line += ' ' + numbersText(glm::dvec3(frame.exhibitTransform[column]));
     }
-    for (const Moment& moment : momentsOf(request, k))
+    for (const MotionSample& moment : motionSamplesOf(request, k))
         line += "; " + render::shortestNumber(moment.time) + " s " + cameraText(moment.camera);
     return line;
 }
@@ -72,7 +72,7 @@ std::string frameLine(const RecordingRequest& request, int k)
 FrameMaker::FrameMaker(const Museum& museum, render::RenderBackend& backend, SceneState sceneState,
                        const RecordingRequest& request, int k)
     : museum_(museum), backend_(backend), sceneState_(std::move(sceneState)), request_(request.picture),
-      moments_(momentsOf(request, k))
+      moments_(motionSamplesOf(request, k))
 {
     begin();
 }

@@ -25,7 +25,7 @@ struct RecordingRequest {
 
 /// Returns cameras and times of the samples of frame `k`, in order. Times begin at the request's plus k /
 /// framesPerSecond.
-[[nodiscard]] std::vector<Moment> momentsOf(const RecordingRequest&, int k);
+[[nodiscard]] std::vector<MotionSample> motionSamplesOf(const RecordingRequest&, int k);
 
 /// Returns one line on how the frame is made, besides the settings. Two frames with the same settings and the same line
 /// are the same picture.
@@ -54,7 +54,7 @@ private:
     render::RenderBackend& backend_;
     SceneState sceneState_;
     PictureRequest request_;
-    std::vector<Moment> moments_;
+    std::vector<MotionSample> moments_;
     std::size_t done_ = 0;
     std::unique_ptr<PictureMaker> maker_;
     render::Image sum_;

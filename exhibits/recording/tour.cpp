@@ -48,7 +48,8 @@ void checkTourHeader(const JsonDocument& document)
     const Json& root = document.root();
     if (!root.is_object()) throw document.failure({}, "a tour is a JSON object; choose a tour of Vitrine.");
     const std::string format = tourWords(document, tourKey(document, root, {}, "format"), "format");
-    if (format != tourFormat) throw document.failure("format", "\"" + format + "\" is no tour; choose another file.");
+    if (format != tourFormat)
+        throw document.failure("format", "\"" + format + "\" is not a tour; choose another file.");
     const Json& version = tourKey(document, root, {}, "version");
     if (!version.is_number_integer() || version.get<double>() < 1)
         throw document.failure("version", "this must be a whole number from 1; correct it there.");
@@ -142,7 +143,7 @@ Tour parseTour(std::string text, std::string fileName)
     if (root.contains("pace")) {
         const std::string pace = tourWords(document, root["pace"], "pace");
         if (pace != "constant" && pace != "eased")
-            throw document.failure("pace", "\"" + pace + "\" is no pace; write constant or eased.");
+            throw document.failure("pace", "\"" + pace + "\" is not a pace; write constant or eased.");
         tour.pace = pace == "eased" ? Pace::eased : Pace::constant;
     }
     const Json& bookmarks = tourKey(document, root, {}, "bookmarks");
@@ -191,8 +192,8 @@ CameraPath tourPath(const Obstacles& obstacles, const Tour& tour)
 {
     for (const Bookmark& bookmark : tour.bookmarks)
         if (!obstacles.cameraPasses(bookmark.camera.eye, bookmark.camera.eye))
-            throw Failure(Blame::file, "The bookmark \"" + bookmark.name +
-                                           "\" is inside of a wall or of what stands in the hall; move it.");
+            throw Failure(ErrorKind::file,
+                          "The bookmark \"" + bookmark.name + "\" is inside a wall or an object; move it.");
     const std::size_t count = tour.bookmarks.size();
     std::vector<Leg> legs(tour.closed ? count : count - 1);
     // If a user cannot walk straight, a camera would fly over plinths and through what stands on them.
@@ -216,9 +217,8 @@ CameraPath tourPath(const Obstacles& obstacles, const Tour& tour)
                 : std::vector<glm::dvec3>();
         ++leg.tries;
         if (way.empty())
-            throw Failure(Blame::file,
-                          "No way past the walls and what stands in the hall was found from the bookmark \"" +
-                              from.name + "\" to \"" + to.name + "\"; put another one between them.");
+            throw Failure(ErrorKind::file, "No way around walls and objects was found from the bookmark \"" +
+                                               from.name + "\" to \"" + to.name + "\"; put another one between them.");
         leg.between = walked(way, from.camera, to.camera);
     }
 }

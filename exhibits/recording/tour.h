@@ -54,8 +54,8 @@ struct Tour {
 [[nodiscard]] std::string tourText(const Tour&);
 
 /// Returns a path through the bookmarks that passes all obstacles (`Museum::obstacles`). If the smooth way between two
-/// bookmarks is blocked, it follows a way that a user can walk, looking ahead. Throws Failure (Blame::file) that names
-/// the two if there is none, or a bookmark inside an obstacle.
+/// bookmarks is blocked, it follows a way that a user can walk, looking ahead. Throws Failure (ErrorKind::file) that
+/// names the two if there is none, or a bookmark inside an obstacle.
 [[nodiscard]] CameraPath tourPath(const Obstacles&, const Tour&);
 
 /// Returns a tour of the best views of all exhibits in the museum's order, starting and ending at the hall's. Views

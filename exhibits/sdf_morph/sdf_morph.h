@@ -18,9 +18,12 @@ public:
     [[nodiscard]] std::string_view title() const override { return "Torus to Mug"; }
     [[nodiscard]] std::string_view summary() const override
     {
-        return "One body with one hole: a distance field, found anew by every ray.";
+        return "A torus that melts into a mug: a distance field, sphere traced for every pixel.";
     }
-    [[nodiscard]] std::string_view tryThis() const override { return "melt it, then look for the window in its side."; }
+    [[nodiscard]] std::string_view tryThis() const override
+    {
+        return "press the button to melt it, then find the window mirrored in its side.";
+    }
     [[nodiscard]] std::string_view buttonText() const override { return "let it melt"; }
     [[nodiscard]] int place() const override { return 1; }
     [[nodiscard]] bool isComplete() const override { return true; }

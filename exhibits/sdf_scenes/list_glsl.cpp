@@ -122,7 +122,7 @@ void ListGlsl::shapes()
         line(2, (k > 0 ? "else if (operation == " : "if (operation == ") + std::to_string(k) +
                     "u) d = " + writtenOut(v_.shapes[k]->distance.glsl, {}, number) + ';');
     line(2, "d *= n0.x;");
-    line(2, "SCENE_ASKED(near && operation < " + std::to_string(shapeCount()) + "u)");
+    line(2, "COUNT_EVALUATION(near && operation < " + std::to_string(shapeCount()) + "u)");
     if (!materials_) return;
     line(2, "if (operation < " + std::to_string(shapeCount()) +
                 "u) m = sceneMaterial(sceneRecords[code.w], sceneRecords[code.w + 1u], sceneRecords[code.w + 2u], "
@@ -280,7 +280,7 @@ std::string listGlsl(const ListVocabulary& vocabulary, std::uint32_t planes, con
                        "#include \"lib/bindings.glsl\"\n#include \"lib/numerics.glsl\"\n#include \"lib/sdf.glsl\"\n"
                        "#include \"lib/sdf_operators.glsl\"\n#include \"sdf_scenes/operators.glsl\"\n"
                        "#include \"sdf_scenes/material.glsl\"\n#include \"sdf_scenes/shapes.glsl\"\n"
-                       "#include \"sdf_scenes/noise.glsl\"\n#include \"sdf_scenes/asked.glsl\"\n"
+                       "#include \"sdf_scenes/noise.glsl\"\n#include \"sdf_scenes/primitive_evaluations.glsl\"\n"
                        "#include \"sdf_scenes/near.glsl\"\n";
     text += "#define SCENE_PLANES " + std::to_string(planes) + '\n';
     if (!further.file.empty()) text += "#include \"" + further.file + "\"\n";

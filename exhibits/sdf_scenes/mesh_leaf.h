@@ -84,7 +84,10 @@ public:
     /// Finds the surface in these cells. Returns the number of cells that are too coarse for their content.
     std::size_t findSurface(const MeshLeaf&, LeafSurface&);
 
-    [[nodiscard]] std::uint64_t shapesAsked() const { return walk_.shapesAsked() + colors_.shapesAsked(); }
+    [[nodiscard]] std::uint64_t primitiveEvaluations() const
+    {
+        return walk_.primitiveEvaluations() + colors_.primitiveEvaluations();
+    }
     [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
 
 private:

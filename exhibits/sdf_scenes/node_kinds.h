@@ -61,7 +61,7 @@ enum class Exactness : std::uint8_t {
 
 /// A GLSL expression and the same expression as C++. In the text, V(0) is the first number of the node, V3(0) its first
 /// three as a vec3; p, d, a, b and i are the arguments of the function below.
-template <typename Function> struct Call {
+template <typename Function> struct Expression {
     std::string_view glsl{};
     Function* cpu = nullptr;
 
@@ -69,7 +69,7 @@ template <typename Function> struct Call {
 };
 
 /// Copies that a repeater must evaluate, determined on the CPU from the bounds of its content.
-struct Asked {
+struct RepeatRange {
     glm::dvec3 high{0};   ///< High corner of the content; for copies around an axis, x is its last angle.
     glm::dvec3 times{1};  ///< Number of copies along each axis.
     /// Upper bound on the distance, needed if the child's SDF is only a bound, because copies may then matter before
@@ -77,14 +77,15 @@ struct Asked {
     double cap = 0;
     render::Box box{glm::dvec3(0), glm::dvec3(0)};
 };
-/// Count of a repeater's derived numbers: the members of `Asked`, then center and half size of the box of all copies.
-inline constexpr std::size_t numbersOfAsked = 19;
+/// Count of a repeater's derived numbers: the members of `RepeatRange`, then center and half size of the box of all
+/// copies.
+inline constexpr std::size_t numbersOfRepeatRange = 19;
 
 /// Bits of a field that is symmetric: changing the sign of the coordinate does not change it.
 inline constexpr unsigned evenInX = 1, evenInY = 2, evenInZ = 4, evenInAll = 7;
 
 /// Bounds of the content of a node.
-struct Extent {
+struct Bounds {
     render::Box box;    ///< Contains everything at distance 0 or below; infinite for infinite content.
     unsigned even = 0;  ///< Bits of `evenInX` and the others.
     bool flat = false;  ///< The distance does not change along z.
@@ -97,23 +98,23 @@ struct NodeKind {
     Form form = Form::shape;
     std::string_view help;
     std::vector<Field> fields;
-    Exactness exactness = Exactness::exact;  ///< For a node without a blend whose children are exact.
+    Exactness exactness = Exactness::exact;  ///< Exactness of a node without a blend whose children are exact.
     bool ofFlatChild = false;                ///< Only a bound if the child is not flat.
 
     /// shape: distance.
-    Call<double(const glm::dvec3& p, const double* v)> distance{};
+    Expression<double(const glm::dvec3& p, const double* v)> distance{};
     /// modifier: point at which the child is evaluated; none: `p`.
-    Call<glm::dvec3(const glm::dvec3& p, const double* v)> place{};
+    Expression<glm::dvec3(const glm::dvec3& p, const double* v)> place{};
     /// modifier: distance from that of the child; none: `d`.
-    Call<double(double d, const glm::dvec3& p, const double* v)> after{};
+    Expression<double(double d, const glm::dvec3& p, const double* v)> after{};
     /// repeater: point at which the child is evaluated for copy `i`. The node's own n numbers are followed by those of
-    /// `Asked`: V3(n) is `high`, V3(n + 3) `times`, V(n + 6) `cap`, V3(n + 7) and V3(n + 10) center and half size of
-    /// the box.
-    Call<glm::dvec3(const glm::dvec3& p, int i, const double* v)> copy{};
+    /// `RepeatRange`: V3(n) is `high`, V3(n + 3) `times`, V(n + 6) `cap`, V3(n + 7) and V3(n + 10) center and half size
+    /// of the box.
+    Expression<glm::dvec3(const glm::dvec3& p, int i, const double* v)> copy{};
     /// pair, operands: distance from the result so far and that of the next child.
-    Call<double(double a, double b, const double* v)> combine{};
+    Expression<double(double a, double b, const double* v)> combine{};
     /// Weight of b in the result.
-    Call<double(double a, double b, const double* v)> share{};
+    Expression<double(double a, double b, const double* v)> share{};
 
     /// operands: difference of two operands from which on the result is exactly the lesser one; none: not guaranteed.
     double (*lesserFrom)(const double* v) = nullptr;
@@ -121,7 +122,7 @@ struct NodeKind {
     /// Upper bound on the stretch of distances at p by the operation alone, at least 1: the distance is divided by it.
     double (*lipschitz)(const glm::dvec3& p, const double* v) = nullptr;
     /// shape: its bounds.
-    Extent (*extent)(const double* v) = nullptr;
+    Bounds (*extent)(const double* v) = nullptr;
     /// Other forms: the largest distance of a child, joined with `siblings` others, that matters where the node's
     /// distance is at most `level`. None: `level`.
     double (*childLevel)(const double* v, double level, double siblings) = nullptr;
@@ -130,11 +131,11 @@ struct NodeKind {
     double (*childLevelWithin)(const double* v, double level, double reach) = nullptr;
     double (*reachOf)(const render::Box& child) = nullptr;
     /// modifier, repeater: bounds of the points within `level`, from those of the child.
-    Extent (*extentOf)(const Extent& child, const double* v, double level) = nullptr;
+    Bounds (*extentOf)(const Bounds& child, const double* v, double level) = nullptr;
     /// operands, pair: the same for two children.
-    Extent (*extentOfTwo)(const Extent& a, const Extent& b) = nullptr;
+    Bounds (*extentOfTwo)(const Bounds& a, const Bounds& b) = nullptr;
     /// repeater: the copies that may be nearest. `exactChild`: outside, the child's distance is exact.
-    Asked (*asked)(const Extent& child, bool exactChild, const double* v) = nullptr;
+    RepeatRange (*asked)(const Bounds& child, bool exactChild, const double* v) = nullptr;
     /// Returns why these numbers are invalid, as a sentence without its full stop; empty if they are valid.
     std::string (*fault)(const double* v) = nullptr;
 

@@ -102,7 +102,7 @@ TreePlace placeInScene(const ShownScene& shown, const std::vector<double>& numbe
     TreePlace place = ownPlace(scene.nodes[node], numbers);
     glm::dmat4 outer(1);
     glm::dvec3 at = place.translate;
-    std::optional<SceneWords> words;
+    std::optional<SceneConstants> words;
     for (std::uint32_t n = scene.nodes[node].parent; n != none; n = scene.nodes[n].parent) {
         const NodeKind& kind = *scene.nodes[n].kind;
         glm::dmat4 around(1);

@@ -76,12 +76,12 @@ inline glm::dvec3 vec3At(const double* v, std::size_t i)
 
 /// Returns the extent of a shape that is symmetric in all coordinates and fits a box of this half size around the
 /// origin.
-inline Extent evenExtent(const glm::dvec3& halfSize)
+inline Bounds evenExtent(const glm::dvec3& halfSize)
 {
     return {boxAround(halfSize), evenInAll};
 }
 /// Returns the extent of all points within `radius` of the segment from a to b.
-inline Extent segmentExtent(const glm::dvec3& a, const glm::dvec3& b, double radius)
+inline Bounds segmentExtent(const glm::dvec3& a, const glm::dvec3& b, double radius)
 {
     return {grown({glm::min(a, b), glm::max(a, b)}, radius), 0};
 }

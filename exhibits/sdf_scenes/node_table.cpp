@@ -192,7 +192,7 @@ std::string textWithRow(const Scene& scene, std::string_view path, std::size_t i
 {
     const std::vector<NodeRow> rows = rowsOfNode(scene, path);
     if (index >= rows.size())
-        throw Failure(Blame::check, "Cannot change the value: the node no longer has it. Select another node.");
+        throw Failure(ErrorKind::check, "Cannot change the value: the node no longer has it. Select another node.");
     const render::JsonText& json = *scene.files.front().text;
     const SceneEdit edit(json.text());
     const NodeRow& row = rows[index];

@@ -35,7 +35,7 @@ render::Box joined(const render::Box& a, const render::Box& b)
     return {glm::min(a.low, b.low), glm::max(a.high, b.high)};
 }
 
-Extent joinedExtent(const Extent& a, const Extent& b)
+Bounds joinedExtent(const Bounds& a, const Bounds& b)
 {
     return {joined(a.box, b.box), a.even & b.even, a.flat && b.flat};
 }
@@ -55,23 +55,23 @@ double radiusAround(const render::Box& box)
     return std::hypot(far.x, far.z);
 }
 
-Extent extruded(const Extent& child, const double* v, double level)
+Bounds extruded(const Bounds& child, const double* v, double level)
 {
-    Extent all{child.box, (child.even & (evenInX | evenInY)) | evenInZ};
+    Bounds all{child.box, (child.even & (evenInX | evenInY)) | evenInZ};
     all.box.low.z = -0.5 * v[0] - level;
     all.box.high.z = 0.5 * v[0] + level;
     return all;
 }
 
-Extent revolved(const Extent& child, const double* v, double)
+Bounds revolved(const Bounds& child, const double* v, double)
 {
     const double reach = std::max({child.box.high.x + v[0], 0.0});
     return {{{-reach, child.box.low.y, -reach}, {reach, child.box.high.y, reach}}, evenInXz | (child.even & evenInY)};
 }
 
-Extent mirrored(const Extent& child, const double* v, double)
+Bounds mirrored(const Bounds& child, const double* v, double)
 {
-    Extent all = child;
+    Bounds all = child;
     for (int i = 0; i < 3; ++i) {
         if (v[i] < 0.5) continue;
         const double reach = std::max(child.box.high[i], 0.0);
@@ -82,7 +82,7 @@ Extent mirrored(const Extent& child, const double* v, double)
     return all;
 }
 
-Extent sameExtent(const Extent& child, const double*, double)
+Bounds sameExtent(const Bounds& child, const double*, double)
 {
     return child;
 }
@@ -102,9 +102,9 @@ double copiesAsked(double low, double high, bool even, double spacing, double co
     return copies > 0.5 ? std::min(most, copies) : most;
 }
 
-Asked askedCells(const Extent& child, bool exactChild, const double* v)
+RepeatRange askedCells(const Bounds& child, bool exactChild, const double* v)
 {
-    Asked asked;
+    RepeatRange asked;
     double copies = 1;
     bool allEven = true;
     double nearest = noEnd;
@@ -132,9 +132,9 @@ Asked askedCells(const Extent& child, bool exactChild, const double* v)
     return asked;
 }
 
-Extent repeatedExtent(const Extent& child, const double* v, double)
+Bounds repeatedExtent(const Bounds& child, const double* v, double)
 {
-    Extent all{child.box, 0};
+    Bounds all{child.box, 0};
     for (int i = 0; i < 3; ++i) {
         if (!(v[i] > 0)) continue;
         const double reach = v[i + 3] > 0.5 ? 0.5 * (v[i + 3] - 1) * v[i] : noEnd;
@@ -144,11 +144,11 @@ Extent repeatedExtent(const Extent& child, const double* v, double)
     return all;
 }
 
-Asked askedAround(const Extent& child, bool exactChild, const double* v)
+RepeatRange askedAround(const Bounds& child, bool exactChild, const double* v)
 {
     const double sector = 2 * std::numbers::pi / v[0];
     const render::Box& box = child.box;
-    Asked all;
+    RepeatRange all;
     all.times.x = v[0];
     const bool aroundAxis = !(box.low.x > 0 || box.high.x < 0 || box.low.z > 0 || box.high.z < 0);
     if (aroundAxis || box.empty()) return all;
@@ -180,13 +180,13 @@ double radiusAroundZ(const render::Box& box)
 }
 
 /// Returns the bounds after a rotation around the y axis.
-Extent turnedExtent(const Extent& child, const double*, double)
+Bounds turnedExtent(const Bounds& child, const double*, double)
 {
     const double reach = radiusAround(child.box);
     return {{{-reach, child.box.low.y, -reach}, {reach, child.box.high.y, reach}}, 0};
 }
 
-Extent bentExtent(const Extent& child, const double*, double)
+Bounds bentExtent(const Bounds& child, const double*, double)
 {
     const double reach = radiusAroundZ(child.box);
     return {{{-reach, -reach, child.box.low.z}, {reach, reach, child.box.high.z}}, 0};
@@ -226,8 +226,8 @@ void addReshaping(std::vector<NodeKind>& kinds)
                      "Lengths inserted along x, y and z."}},
          .exactness = Exactness::bound,
          .place = SCENE_PLACE(sdfElongate(p, 0.5 * V3(0))),
-         .extentOf = [](const Extent& child, const double* v, double) {
-             return Extent{{child.box.low - 0.5 * vec3At(v, 0), child.box.high + 0.5 * vec3At(v, 0)}, child.even};
+         .extentOf = [](const Bounds& child, const double* v, double) {
+             return Bounds{{child.box.low - 0.5 * vec3At(v, 0), child.box.high + 0.5 * vec3At(v, 0)}, child.even};
          }});
     add({.name = "extrude",
          .help = "The child's cross-section at z = 0, extruded along z.",
@@ -298,8 +298,8 @@ void addDistorting(std::vector<NodeKind>& kinds)
                  return level * glsl::sceneDisplacementSlope(v[0], v[1], v[2], v[3]) + v[0] * octaves;
              },
          .extentOf =
-             [](const Extent& child, const double*, double) {
-                 return Extent{child.box, 0};
+             [](const Bounds& child, const double*, double) {
+                 return Bounds{child.box, 0};
              }});
 }
 
@@ -330,8 +330,8 @@ std::vector<NodeKind> operandKinds()
                      .exactness = Exactness::bound,
                      .combine = SCENE_COMBINE(sceneSubtraction(a, b, V(1), int(V(0)))),
                      .share = SCENE_COMBINE(sceneSubtractionShare(a, b, V(1), int(V(0)))),
-                     .extentOfTwo = [](const Extent& a, const Extent& b) {
-                         return Extent{a.box, a.even & b.even, a.flat && b.flat};
+                     .extentOfTwo = [](const Bounds& a, const Bounds& b) {
+                         return Bounds{a.box, a.even & b.even, a.flat && b.flat};
                      }});
     kinds.push_back({.name = "intersection",
                      .form = Form::operands,
@@ -340,8 +340,8 @@ std::vector<NodeKind> operandKinds()
                      .exactness = Exactness::bound,
                      .combine = SCENE_COMBINE(sceneIntersection(a, b, V(1), int(V(0)))),
                      .share = SCENE_COMBINE(sceneIntersectionShare(a, b, V(1), int(V(0)))),
-                     .extentOfTwo = [](const Extent& a, const Extent& b) {
-                         return Extent{overlap(a.box, b.box), a.even & b.even, a.flat && b.flat};
+                     .extentOfTwo = [](const Bounds& a, const Bounds& b) {
+                         return Bounds{overlap(a.box, b.box), a.even & b.even, a.flat && b.flat};
                      }});
     kinds.push_back({.name = "xor",
                      .form = Form::operands,

@@ -18,7 +18,7 @@ constexpr double steepest = 1 + 2e-6, coordinateRounding = 1e-12;
 
 }  // namespace
 
-Pruner::Pruner(const SceneProgram& program, const SceneWords& words, double tolerance)
+Pruner::Pruner(const SceneProgram& program, const SceneConstants& words, double tolerance)
     : program_(program), words_(words), tolerance_(tolerance), walk_(program, words.words, false),
       reach_(program.nodes().size()), entered_(program.nodes().size()), joints_(program.nodes().size())
 {
@@ -236,7 +236,7 @@ void Pruner::prune(std::span<const Step> steps, const glm::dvec3& center, double
 
 namespace {
 
-/// Position and length of a list of steps in `SceneCells::steps`.
+/// Position and length of a list of steps in `GridCells::steps`.
 struct KnownList {
     std::uint32_t first = 0, count = 0;
 };
@@ -276,7 +276,7 @@ private:
 class CellPruner {
 public:
     /// Writes lists and counts into one, and cells into another one of the same grid.
-    CellPruner(const SceneProgram& program, const SceneWords& words, double tolerance, SceneCells& into,
+    CellPruner(const SceneProgram& program, const SceneConstants& words, double tolerance, GridCells& into,
                std::vector<SceneCell>& cells, BudgetLeft& budget)
         : pruner_(program, words, tolerance), into_(into), cells_(cells), budget_(budget), size_(into.cellSize()),
           far_(cells.size() < fewCells ? 3 : 1)
@@ -286,7 +286,7 @@ public:
     void prune(std::span<const Step> steps, const glm::ivec3& low, const glm::ivec3& high, std::size_t depth = 0)
     {
         while (left_.size() <= depth) left_.emplace_back();
-        PrunedSteps& left = left_[depth];  // Of a deque: it stays where it is.
+        PrunedSteps& left = left_[depth];  // An element of a deque keeps its address.
         const glm::dvec3 half = 0.5 * size_ * glm::dvec3(high - low);
         const glm::dvec3 center = into_.box.low + size_ * glm::dvec3(low) + half;
         const double radius = glm::length(half) * wider;
@@ -297,7 +297,8 @@ public:
         ++into_.looks;
         const glm::ivec3 sides = high - low;
         const int longest = std::max({sides.x, sides.y, sides.z});
-        // A distance from the middle is a short step for most of a large block, and looking into small ones costs most.
+        // The distance from the center of a large block is only a short step for most of its points, and small blocks
+        // cost most: large blocks are therefore subdivided for longer.
         const double clear = far_ * (longest > largeSide ? 2 : 1) * radius;
         if (std::abs(left.distance) > clear + 0.5 * glm::length(size_) * wider && longest > 1) {
             fill(left.distance, center, low, high);
@@ -339,10 +340,10 @@ public:
     }
 
 private:
-    /// Points are found in a cell by float32, which brings some that are beside it.
+    /// Cells are enlarged by this factor: float32 assigns some points to a cell that are just outside of it.
     static constexpr double wider = 1 + 1e-4;
 
-    /// Cells that are all farther from a surface than they are wide.
+    /// Fills cells that are all farther from any surface than they are wide.
     void fill(double distance, const glm::dvec3& center, const glm::ivec3& low, const glm::ivec3& high)
     {
         for (int z = low.z; z < high.z; ++z)
@@ -394,20 +395,20 @@ private:
         into_.meanShapes += static_cast<double>(left.shapes);
     }
 
-    static constexpr int largeSide = 8;  ///< Of a block, in cells.
+    static constexpr int largeSide = 8;  ///< Side of a block, in cells.
 
     Pruner pruner_;
-    SceneCells& into_;
+    GridCells& into_;
     std::vector<SceneCell>& cells_;
     BudgetLeft& budget_;
     glm::dvec3 size_;
-    double far_;                    ///< In small blocks, from so many times their reach on no surface is near.
-    std::deque<PrunedSteps> left_;  ///< By depth.
-    std::unordered_multimap<std::uint64_t, KnownList> listAt_;  ///< By hash.
+    double far_;  ///< A small block is empty if its distance from a surface is more than so many of its radii.
+    std::deque<PrunedSteps> left_;                              ///< Remaining steps at each depth of the recursion.
+    std::unordered_multimap<std::uint64_t, KnownList> listAt_;  ///< Stored lists, by their hashes.
     std::size_t lists_ = 0;
 };
 
-/// Includes the halves of a box in which something may be, down to a size.
+/// Includes the parts of a box that may contain a surface, subdividing it down to boxes of size `smallest`.
 void includeOccupied(Pruner& pruner, std::span<const Step> steps, const render::Box& box, double smallest,
                      render::Box& found)
 {
@@ -430,7 +431,7 @@ void includeOccupied(Pruner& pruner, std::span<const Step> steps, const render::
 
 }  // namespace
 
-render::Box occupiedBox(const SceneProgram& program, const SceneWords& words, std::span<const Step> steps,
+render::Box occupiedBox(const SceneProgram& program, const SceneConstants& words, std::span<const Step> steps,
                         const render::Box& box)
 {
     render::Box found;
@@ -441,7 +442,7 @@ render::Box occupiedBox(const SceneProgram& program, const SceneWords& words, st
     return found;
 }
 
-std::size_t SceneCells::cellAt(const glm::dvec3& p) const
+std::size_t GridCells::cellAt(const glm::dvec3& p) const
 {
     const glm::ivec3 at(glm::clamp(glm::floor((p - box.low) / cellSize()), glm::dvec3(0), glm::dvec3(count - 1)));
     return (static_cast<std::size_t>(at.z) * static_cast<std::size_t>(count.y) + static_cast<std::size_t>(at.y)) *
@@ -449,9 +450,9 @@ std::size_t SceneCells::cellAt(const glm::dvec3& p) const
            static_cast<std::size_t>(at.x);
 }
 
-double SceneCells::clearance(std::size_t cell, const glm::dvec3& p) const
+double GridCells::clearance(std::size_t cell, const glm::dvec3& p) const
 {
-    // Through float32, a distance moves by a part in 2^24.
+    // float32 rounds a distance by up to 2^-24 of it.
     constexpr double certain = 1 - 1e-6;
     const auto i = static_cast<int>(cell);
     const glm::ivec3 at(i % count.x, i / count.x % count.y, i / (count.x * count.y));
@@ -460,11 +461,11 @@ double SceneCells::clearance(std::size_t cell, const glm::dvec3& p) const
     return std::copysign(std::abs(d) - glm::distance(p, center), d);
 }
 
-SceneCells pruneCells(const SceneProgram& program, const SceneWords& words, std::span<const Step> steps,
-                      const render::Box& box, const glm::ivec3& count, double tolerance, const PruneBudget& budget)
+GridCells pruneCells(const SceneProgram& program, const SceneConstants& words, std::span<const Step> steps,
+                     const render::Box& box, const glm::ivec3& count, double tolerance, const PruneBudget& budget)
 {
     BudgetLeft left(budget);
-    SceneCells cells;
+    GridCells cells;
     cells.box = box;
     cells.count = count;
     cells.cells.resize(static_cast<std::size_t>(count.x) * static_cast<std::size_t>(count.y) *
@@ -474,7 +475,7 @@ SceneCells pruneCells(const SceneProgram& program, const SceneWords& words, std:
     if (cells.cells.size() < fewCells) {
         pruner.prune(steps, glm::ivec3(0), count);
     } else {
-        SceneCells others;
+        GridCells others;
         others.box = box;
         others.count = count;
         CellPruner other(program, words, tolerance, others, cells.cells, left);

@@ -35,14 +35,14 @@ public:
     static constexpr double exact = 1e-13, asShaders = 1e-6;
 
     /// Program and numbers must outlive it. `tolerance` is in meters of the space of each operation.
-    Pruner(const SceneProgram&, const SceneWords&, double tolerance = exact);
+    Pruner(const SceneProgram&, const SceneConstants&, double tolerance = exact);
 
     /// Prunes `steps` (all, or those left for a ball that contains this one) for a ball of `radius` around `center`.
     [[nodiscard]] PrunedSteps prune(std::span<const Step> steps, const glm::dvec3& center, double radius);
     /// The same, but reuses the memory of `into`; `steps` must not be part of it.
     void prune(std::span<const Step> steps, const glm::dvec3& center, double radius, PrunedSteps& into);
     /// Number of shapes evaluated since construction.
-    [[nodiscard]] std::size_t evaluations() const { return walk_.shapesAsked(); }
+    [[nodiscard]] std::size_t evaluations() const { return walk_.primitiveEvaluations(); }
 
 private:
     /// Direction in which an operation changes its first operand, for all values that this may have in the ball.
@@ -66,7 +66,7 @@ private:
     void dropAll();
 
     const SceneProgram& program_;
-    const SceneWords& words_;
+    const SceneConstants& words_;
     double tolerance_;
     SceneWalk walk_;
     std::vector<Step> kept_;
@@ -79,7 +79,7 @@ private:
 
 /// Cell of the acceleration grid.
 struct SceneCell {
-    std::uint32_t first = 0, count = 0;  ///< Range in `SceneCells::steps`; empty if every surface is far from the cell.
+    std::uint32_t first = 0, count = 0;  ///< Range in `GridCells::steps`; empty if every surface is far from the cell.
     float distance = 0;                  ///< Distance at its center, or a value closer to 0; negative inside.
     std::uint32_t shapes = 0;
 };
@@ -87,7 +87,7 @@ struct SceneCell {
 /// Acceleration grid over a part of space: for each cell the steps that matter in it, in flat arrays for shaders. A
 /// cell has no steps if its center is farther from any surface than the cell's diagonal. The distance at its center,
 /// minus the distance from the center, is then a safe step, and at least half a diagonal.
-struct SceneCells {
+struct GridCells {
     render::Box box;
     glm::ivec3 count{0};
     std::vector<SceneCell> cells;  ///< In order of x, then y, then z.
@@ -116,8 +116,9 @@ struct SceneCells {
 };
 
 /// Returns the part of a finite box outside of which the box contains no part of the scene, to about a hundredth of its
-/// longest side. `SceneWords::extents` are much larger where many operands blend. Empty if the box contains nothing.
-[[nodiscard]] render::Box occupiedBox(const SceneProgram&, const SceneWords&, std::span<const Step> steps,
+/// longest side. `SceneConstants::extents` are much larger where many operands blend. Empty if the box contains
+/// nothing.
+[[nodiscard]] render::Box occupiedBox(const SceneProgram&, const SceneConstants&, std::span<const Step> steps,
                                       const render::Box&);
 
 /// Limits for building the grid. Without them, a scene whose shapes all lie within the width of one blend would list
@@ -129,8 +130,8 @@ struct PruneBudget {
 
 /// Prunes steps of a program for every cell of a finite box, from large parts of it to small ones. Parts that are far
 /// from every surface are not subdivided.
-[[nodiscard]] SceneCells pruneCells(const SceneProgram&, const SceneWords&, std::span<const Step> steps,
-                                    const render::Box&, const glm::ivec3& count, double tolerance = Pruner::asShaders,
-                                    const PruneBudget& = {});
+[[nodiscard]] GridCells pruneCells(const SceneProgram&, const SceneConstants&, std::span<const Step> steps,
+                                   const render::Box&, const glm::ivec3& count, double tolerance = Pruner::asShaders,
+                                   const PruneBudget& = {});
 
 }  // namespace vitrine::scenes

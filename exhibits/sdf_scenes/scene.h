@@ -40,7 +40,7 @@ inline constexpr std::uint32_t none = ~std::uint32_t{0};
 
 /// A number of a scene, in SI.
 struct Number {
-    double value = 0;                 ///< At time 0, with all parameters at their initial values.
+    double value = 0;                 ///< Value at time 0, with all parameters at their initial values.
     std::uint32_t expression = none;  ///< Index in `Scene::expressions`, if it is not constant.
 };
 

@@ -28,7 +28,7 @@ bool takesOne(const NodeKind& kind)
 
 [[noreturn]] void refuse(const std::string& sentence)
 {
-    throw Failure(Blame::check, sentence);
+    throw Failure(ErrorKind::check, sentence);
 }
 
 /// Returns an operation of this kind with these children, as JSON.

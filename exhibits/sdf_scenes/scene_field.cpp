@@ -4,7 +4,7 @@
 
 namespace vitrine::scenes {
 
-SceneField::SceneField(std::shared_ptr<const SceneProgram> program, SceneWords words)
+SceneField::SceneField(std::shared_ptr<const SceneProgram> program, SceneConstants words)
     : program_(std::move(program)), words_(std::move(words))
 {
 }

@@ -17,7 +17,7 @@ struct SceneSample {
 
 /// Result of a node at a point.
 struct NodeSample {
-    double distance = 0;   ///< In the space of its parent, after the division by `lipschitz`.
+    double distance = 0;   ///< Distance in the space of its parent, after the division by `lipschitz`.
     double lipschitz = 1;  ///< Upper bound on the stretch by the operation at that point.
 };
 
@@ -25,7 +25,7 @@ struct NodeSample {
 /// 1-Lipschitz everywhere, so `distance` is a step that passes no surface. Thread-safe.
 class SceneField {
 public:
-    SceneField(std::shared_ptr<const SceneProgram>, SceneWords);
+    SceneField(std::shared_ptr<const SceneProgram>, SceneConstants);
     /// Field of a scene at a time in seconds.
     explicit SceneField(std::shared_ptr<const Scene>, double time = 0, const std::vector<double>& parameters = {});
 
@@ -40,11 +40,11 @@ public:
     [[nodiscard]] render::Box box() const;
 
     [[nodiscard]] const SceneProgram& program() const { return *program_; }
-    [[nodiscard]] const SceneWords& words() const { return words_; }
+    [[nodiscard]] const SceneConstants& words() const { return words_; }
 
 private:
     std::shared_ptr<const SceneProgram> program_;
-    SceneWords words_;
+    SceneConstants words_;
 };
 
 }  // namespace vitrine::scenes

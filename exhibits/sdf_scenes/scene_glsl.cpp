@@ -14,7 +14,7 @@ namespace {
 class GlslWriter {
 public:
     /// `steady`: marks the numbers that are folded, although the block contains all of them. Empty: none.
-    GlslWriter(const SceneProgram& program, const SceneWords& folded, const std::vector<char>& steady,
+    GlslWriter(const SceneProgram& program, const SceneConstants& folded, const std::vector<char>& steady,
                const FurtherMember& further)
         : program_(program), folded_(folded), steady_(steady), further_(further)
     {
@@ -53,7 +53,7 @@ private:
     }
 
     const SceneProgram& program_;
-    const SceneWords& folded_;
+    const SceneConstants& folded_;
     const std::vector<char>& steady_;
     const FurtherMember& further_;
     std::string text_;
@@ -74,7 +74,7 @@ std::string GlslWriter::head() const
     std::string text = "// Made from a scene file.\n#include \"lib/bindings.glsl\"\n#include \"lib/numerics.glsl\"\n"
                        "#include \"lib/sdf.glsl\"\n#include \"lib/sdf_operators.glsl\"\n"
                        "#include \"sdf_scenes/operators.glsl\"\n#include \"sdf_scenes/material.glsl\"\n"
-                       "#include \"sdf_scenes/asked.glsl\"\n";
+                       "#include \"sdf_scenes/primitive_evaluations.glsl\"\n";
     if (shapes) text += "#include \"sdf_scenes/shapes.glsl\"\n";
     if (noise) text += "#include \"sdf_scenes/noise.glsl\"\n";
     if (!further_.file.empty()) text += "#include \"" + further_.file + "\"\n";
@@ -224,7 +224,7 @@ void GlslWriter::writeStep(const Step& step, bool withMaterials)
     case Step::Type::enter: writeEnter(step.node, withMaterials); break;
     case Step::Type::shape:
         line("float " + d + " = " + call(kind.distance.glsl, node, {{"p", named('p', step.node)}}) + ';');
-        line("SCENE_ASKED(true)");
+        line("COUNT_EVALUATION(true)");
         if (withMaterials) line("SceneMaterial " + m + " = " + material(node.material) + ';');
         break;
     case Step::Type::first:
@@ -264,7 +264,7 @@ std::string sceneGlsl(const SceneProgram& program, const FurtherMember& further)
     return GlslWriter(program, {}, {}, further).write();
 }
 
-std::string restingSceneGlsl(const SceneProgram& program, const SceneWords& words, const std::vector<char>& steady,
+std::string restingSceneGlsl(const SceneProgram& program, const SceneConstants& words, const std::vector<char>& steady,
                              const FurtherMember& further)
 {
     return GlslWriter(program, words, steady, further).write();
@@ -276,7 +276,7 @@ std::shared_ptr<const render::ShaderSources> generatedSources(std::string glsl)
         std::map<std::string, std::string>{{generatedField, std::move(glsl)}});
 }
 
-std::vector<std::byte> sceneBlock(const SceneWords& words)
+std::vector<std::byte> sceneBlock(const SceneConstants& words)
 {
     std::vector<float> values((words.words.size() + 3) / 4 * 4, 0.0F);
     std::transform(words.words.begin(), words.words.end(), values.begin(),

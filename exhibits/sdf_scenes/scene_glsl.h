@@ -34,13 +34,13 @@ struct FurtherMember {
 
 /// The same with the numbers marked in `steady` folded, and the others read from the block or buffer of
 /// `sceneGlsl`: both programs draw from the same inputs.
-[[nodiscard]] std::string restingSceneGlsl(const SceneProgram&, const SceneWords&, const std::vector<char>& steady,
+[[nodiscard]] std::string restingSceneGlsl(const SceneProgram&, const SceneConstants&, const std::vector<char>& steady,
                                            const FurtherMember& = {});
 
 /// Returns a text in the form that `SdfShaders::generated` takes.
 [[nodiscard]] std::shared_ptr<const render::ShaderSources> generatedSources(std::string glsl);
 
 /// Returns the content of the uniform block up to the further member, or of the buffer.
-[[nodiscard]] std::vector<std::byte> sceneBlock(const SceneWords&);
+[[nodiscard]] std::vector<std::byte> sceneBlock(const SceneConstants&);
 
 }  // namespace vitrine::scenes

@@ -68,19 +68,19 @@ render::Box meshedBox(const SceneField& scene, const MeshRequest& request)
     render::Box box = scene.box();
     if (request.part) box = {glm::max(box.low, request.part->low), glm::min(box.high, request.part->high)};
     if (box.empty())
-        throw Failure(Blame::usage, "Nothing of the scene lies between --low and --high; give other corners.");
+        throw Failure(ErrorKind::usage, "Nothing of the scene lies between --low and --high; give other corners.");
     const glm::dvec3 size = box.high - box.low;
     if (!std::isfinite(size.x + size.y + size.z))
-        throw Failure(Blame::usage, "The scene has no end: " + endlessPart(scene) +
-                                        ". Say with --low and --high what part of it is to be meshed.");
+        throw Failure(ErrorKind::usage, "The scene has no end: " + endlessPart(scene) +
+                                            ". Say with --low and --high what part of it is to be meshed.");
     // Only the occupied part: the bounds of many blended operands are much larger.
     const render::Box occupied = occupiedBox(scene.program(), scene.words(), scene.program().steps(), box);
     if (!occupied.empty()) box = occupied;
     const double reach = std::max({glm::length(box.low), glm::length(box.high)});
     if (request.cell < finestCell * reach)
-        throw Failure(Blame::usage, "Cells of " + text(request.cell) + " m are too small for a scene that reaches " +
-                                        text(reach) + " m; give --cell " + text(roundedUp(finestCell * reach)) +
-                                        "m or more.");
+        throw Failure(ErrorKind::usage, "Cells of " + text(request.cell) +
+                                            " m are too small for a scene that reaches " + text(reach) +
+                                            " m; give --cell " + text(roundedUp(finestCell * reach)) + "m or more.");
     return box;
 }
 
@@ -174,16 +174,16 @@ struct SceneMesher::Work {
     {
         const double bytes = cells * bytesPerCell;
         const double fits = field.cell * std::sqrt(bytes / static_cast<double>(mostBytes)) * 1.15;
-        throw Failure(Blame::usage, "A mesh with cells of " + text(field.cell) + " m would take about " +
-                                        text(bytes / 1e9) + " GB of memory, more than " +
-                                        text(static_cast<double>(mostBytes) / 1e9) + " GB; give --cell " +
-                                        text(roundedUp(fits)) + "m or more, or a smaller part.");
+        throw Failure(ErrorKind::usage, "A mesh with cells of " + text(field.cell) + " m would take about " +
+                                            text(bytes / 1e9) + " GB of memory, more than " +
+                                            text(static_cast<double>(mostBytes) / 1e9) + " GB; give --cell " +
+                                            text(roundedUp(fits)) + "m or more, or a smaller part.");
     }
 };
 
 SceneMesher::SceneMesher(const SceneField& scene, const MeshRequest& request, const MeshProgress& progress)
 {
-    if (!(request.cell > 0)) throw Failure(Blame::usage, "A cell has a size above 0.");
+    if (!(request.cell > 0)) throw Failure(ErrorKind::usage, "The size of a cell must be above 0; give a larger one.");
     const render::Box box = meshedBox(scene, request);
     work_ = std::make_unique<Work>(scene, request.part ? *request.part : endlessBox());
     Work& work = *work_;
@@ -227,10 +227,10 @@ std::optional<SceneMesh> SceneMesher::mesh(const MeshProgress& progress)
     return stitched(work.leaves, std::move(surfaces), work.field);
 }
 
-std::uint64_t SceneMesher::shapesAsked() const
+std::uint64_t SceneMesher::primitiveEvaluations() const
 {
     std::uint64_t sum = 0;
-    for (const auto& thread : work_->threads) sum += thread->shapesAsked();
+    for (const auto& thread : work_->threads) sum += thread->primitiveEvaluations();
     return sum;
 }
 

@@ -52,9 +52,9 @@ using MeshProgress = std::function<bool(double part)>;
 /// extra vertex on each of these. Blocks of cells are skipped where the distance proves that no surface is near.
 class SceneMesher {
 public:
-    /// Finds the cells near the surface. Throws Failure (Blame::usage) for an infinite scene without a part, for cells
-    /// too small for float32, and if more than `mostBytes` would be needed; the sentence suggests a cell size that
-    /// works. If `progress` cancels, the plan is empty.
+    /// Finds the cells near the surface. Throws Failure (ErrorKind::usage) for an infinite scene without a part, for
+    /// cells too small for float32, and if more than `mostBytes` would be needed; the sentence suggests a cell size
+    /// that works. If `progress` cancels, the plan is empty.
     SceneMesher(const SceneField&, const MeshRequest&, const MeshProgress& = {});
     ~SceneMesher();
     SceneMesher(const SceneMesher&) = delete;
@@ -64,7 +64,7 @@ public:
     /// Returns nothing if canceled.
     [[nodiscard]] std::optional<SceneMesh> mesh(const MeshProgress& = {});
     /// Number of shapes evaluated so far, and of evaluations of the scene.
-    [[nodiscard]] std::uint64_t shapesAsked() const;
+    [[nodiscard]] std::uint64_t primitiveEvaluations() const;
     [[nodiscard]] std::uint64_t evaluations() const;
 
 private:

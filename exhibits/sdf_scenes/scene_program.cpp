@@ -83,7 +83,7 @@ render::Box placedBox(render::Box box, const double* words, const ProgramNode& n
 }
 
 /// Replaces empty bounds, as of an intersection, by a single point.
-Extent withPlace(Extent extent)
+Bounds withPlace(Bounds extent)
 {
     if (!extent.box.empty()) return extent;
     for (int i = 0; i < 3; ++i) {
@@ -159,7 +159,7 @@ void SceneProgram::placeWords()
         node.rotate = take(of.rotate != none, 9);
         node.scale = take(of.scale != none, 4);
         node.numbers = take(true, static_cast<std::uint32_t>(of.kind->numbers()));
-        take(of.kind->form == Form::repeater, numbersOfAsked);
+        take(of.kind->form == Form::repeater, numbersOfRepeatRange);
     }
     wordCount_ = word;
 }
@@ -227,9 +227,9 @@ void SceneProgram::findExactness()
     }
 }
 
-SceneWords SceneProgram::words(const std::vector<double>& numbers) const
+SceneConstants SceneProgram::words(const std::vector<double>& numbers) const
 {
-    SceneWords all;
+    SceneConstants all;
     all.words.resize(wordCount_);
     std::vector<double>& words = all.words;
     for (std::size_t m = 0; m < materialWords_.size(); ++m) {
@@ -258,18 +258,18 @@ SceneWords SceneProgram::words(const std::vector<double>& numbers) const
 }
 
 /// Returns the bounds of a node in its own space, from those of its children.
-Extent SceneProgram::extentInside(const SceneWords& all, const Cover& cover, std::uint32_t i) const
+Bounds SceneProgram::extentInside(const SceneConstants& all, const Cover& cover, std::uint32_t i) const
 {
     const ProgramNode& node = nodes_[i];
     const NodeKind& k = kind(node);
     const double* v = all.words.data() + node.numbers;
     const double level = cover.levels[i - cover.first];
     if (k.form == Form::shape) {
-        Extent own = k.extent(v);
+        Bounds own = k.extent(v);
         own.box = k.exactness == Exactness::bound && level > 0 ? endlessBox() : grown(own.box, level);
         return own;
     }
-    Extent inside = cover.extent(node.firstChild);
+    Bounds inside = cover.extent(node.firstChild);
     if (k.extentOf) return k.extentOf(inside, v, level);
     for (std::uint32_t c = nodes_[node.firstChild].next; c != none; c = nodes_[c].next)
         inside = k.extentOfTwo(inside, cover.extent(c));
@@ -277,13 +277,13 @@ Extent SceneProgram::extentInside(const SceneWords& all, const Cover& cover, std
 }
 
 /// Computes the numbers of a repeater that depend on the bounds of its child.
-void SceneProgram::fillAsked(SceneWords& all, const Cover& cover, std::uint32_t i) const
+void SceneProgram::fillAsked(SceneConstants& all, const Cover& cover, std::uint32_t i) const
 {
     const ProgramNode& node = nodes_[i];
     const NodeKind& k = kind(node);
     double* v = all.words.data() + node.numbers;
     const bool exactChild = nodes_[node.firstChild].exactness != Exactness::bound;
-    const Asked asked = k.asked(withPlace(cover.extent(node.firstChild)), exactChild, v);
+    const RepeatRange asked = k.asked(withPlace(cover.extent(node.firstChild)), exactChild, v);
     all.asked[i] = asked.times.x * asked.times.y * asked.times.z;
     // If a moving number needs more copies than the reader permits, a picture without all copies is better than none.
     glm::dvec3 times(1);
@@ -306,7 +306,7 @@ void SceneProgram::fillAsked(SceneWords& all, const Cover& cover, std::uint32_t 
 /// the distance from the axis. Points at most `level` from the node are within some reach from the axis. The child's
 /// level follows from that reach, and the reach from the part of the child within that level. Infinite if no reach
 /// contains them all.
-double SceneProgram::levelWithinReach(const SceneWords& all, std::uint32_t i, double level, int nested) const
+double SceneProgram::levelWithinReach(const SceneConstants& all, std::uint32_t i, double level, int nested) const
 {
     constexpr double endless = std::numeric_limits<double>::infinity();
     constexpr int mostNested = 3;      // Limit, because each evaluates everything below it some hundred times.
@@ -336,7 +336,7 @@ double SceneProgram::levelWithinReach(const SceneWords& all, std::uint32_t i, do
     return levelAt(reach);
 }
 
-double SceneProgram::levelOfChild(const SceneWords& all, std::uint32_t i, double level, int nested) const
+double SceneProgram::levelOfChild(const SceneConstants& all, std::uint32_t i, double level, int nested) const
 {
     const ProgramNode& node = nodes_[i];
     const NodeKind& k = kind(node);
@@ -345,13 +345,14 @@ double SceneProgram::levelOfChild(const SceneWords& all, std::uint32_t i, double
     return k.childLevel ? k.childLevel(all.words.data() + node.numbers, level, siblings) : level;
 }
 
-SceneProgram::Cover SceneProgram::coverOf(const SceneWords& all, std::uint32_t first, double level, int nested) const
+SceneProgram::Cover SceneProgram::coverOf(const SceneConstants& all, std::uint32_t first, double level,
+                                          int nested) const
 {
     // Nodes are in depth-first order: descendants follow a node, up to the first one that is none.
     auto end = first + 1;
     while (end < nodes_.size() && nodes_[end].parent != none && nodes_[end].parent >= first) ++end;
     // A blend or a rounding further up may extend this far from each node's surface.
-    Cover cover{first, std::vector<double>(end - first, level), std::vector<Extent>(end - first)};
+    Cover cover{first, std::vector<double>(end - first, level), std::vector<Bounds>(end - first)};
     for (std::uint32_t i = first; i < end; ++i) {
         const ProgramNode& node = nodes_[i];
         double& own = cover.levels[i - first];
@@ -362,7 +363,7 @@ SceneProgram::Cover SceneProgram::coverOf(const SceneWords& all, std::uint32_t f
     }
     for (std::uint32_t i = end; i-- > first;) {
         const ProgramNode& node = nodes_[i];
-        Extent extent = extentInside(all, cover, i);
+        Bounds extent = extentInside(all, cover, i);
         extent.box = placedBox(extent.box, all.words.data(), node);
         if (node.rotate != none) extent.even = 0;
         for (std::uint32_t axis = 0; axis < 3 && node.translate != none; ++axis)
@@ -372,7 +373,7 @@ SceneProgram::Cover SceneProgram::coverOf(const SceneWords& all, std::uint32_t f
     return cover;
 }
 
-void SceneProgram::fillExtents(SceneWords& all) const
+void SceneProgram::fillExtents(SceneConstants& all) const
 {
     all.asked.assign(nodes_.size(), 1);
     if (nodes_.empty()) return;

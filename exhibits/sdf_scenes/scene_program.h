@@ -8,8 +8,8 @@
 
 namespace vitrine::scenes {
 
-/// A node that is drawn, with the indices of its numbers (`SceneWords`). Hidden nodes, and operations without children,
-/// are left out.
+/// A node that is drawn, with the indices of its numbers (`SceneConstants`). Hidden nodes, and operations without
+/// children, are left out.
 struct ProgramNode {
     std::uint32_t node = 0;                                       ///< Index in `Scene::nodes`.
     std::uint32_t parent = none, firstChild = none, next = none;  ///< Indices in `SceneProgram::nodes`.
@@ -17,7 +17,7 @@ struct ProgramNode {
     std::uint32_t translate = none;  ///< Index of three numbers.
     std::uint32_t rotate = none;     ///< Index of nine: the axes of its own space.
     std::uint32_t scale = none;      ///< Index of four: the reciprocal of each factor, and the smallest factor.
-    std::uint32_t numbers = 0;       ///< Index of the kind's numbers; in a repeater, those of `Asked` follow.
+    std::uint32_t numbers = 0;       ///< Index of the kind's numbers; in a repeater, those of `RepeatRange` follow.
     std::uint32_t material = 0;      ///< Shapes: index in the scene's list of materials.
     Exactness exactness = Exactness::exact;
 };
@@ -40,10 +40,10 @@ struct Step {
 };
 
 /// Numbers with which a program is evaluated, in the form that it needs, and the bounds of each node.
-struct SceneWords {
+struct SceneConstants {
     std::vector<double> words;
     /// Bounds of each program node, in its parent's space, of everything at distance 0 or below.
-    std::vector<Extent> extents;
+    std::vector<Bounds> extents;
     /// For each program node: how many copies a repeater needs to evaluate; 1 for other nodes.
     std::vector<double> asked;
 };
@@ -65,29 +65,29 @@ public:
     [[nodiscard]] std::uint32_t materialWord(std::uint32_t material) const { return materialWords_[material]; }
 
     /// Converts the result of `Scene::numbersAt`.
-    [[nodiscard]] SceneWords words(const std::vector<double>& numbers) const;
+    [[nodiscard]] SceneConstants words(const std::vector<double>& numbers) const;
 
 private:
     void keepNodes();
     void placeWords();
     void writeSteps();
     void findExactness();
-    void fillExtents(SceneWords&) const;
+    void fillExtents(SceneConstants&) const;
     /// Bounds of a node and of all nodes below it, in the order of the nodes. For each also the distance from its
     /// surface, in meters, within which its field is needed.
     struct Cover {
         std::uint32_t first = 0;
         std::vector<double> levels;
-        std::vector<Extent> extents;
+        std::vector<Bounds> extents;
 
-        [[nodiscard]] const Extent& extent(std::uint32_t node) const { return extents[node - first]; }
+        [[nodiscard]] const Bounds& extent(std::uint32_t node) const { return extents[node - first]; }
     };
     /// `nested`: number of enclosing nodes that search for a level of their child.
-    [[nodiscard]] Cover coverOf(const SceneWords&, std::uint32_t node, double level, int nested) const;
-    [[nodiscard]] double levelOfChild(const SceneWords&, std::uint32_t node, double level, int nested) const;
-    [[nodiscard]] double levelWithinReach(const SceneWords&, std::uint32_t node, double level, int nested) const;
-    [[nodiscard]] Extent extentInside(const SceneWords&, const Cover&, std::uint32_t node) const;
-    void fillAsked(SceneWords&, const Cover&, std::uint32_t node) const;
+    [[nodiscard]] Cover coverOf(const SceneConstants&, std::uint32_t node, double level, int nested) const;
+    [[nodiscard]] double levelOfChild(const SceneConstants&, std::uint32_t node, double level, int nested) const;
+    [[nodiscard]] double levelWithinReach(const SceneConstants&, std::uint32_t node, double level, int nested) const;
+    [[nodiscard]] Bounds extentInside(const SceneConstants&, const Cover&, std::uint32_t node) const;
+    void fillAsked(SceneConstants&, const Cover&, std::uint32_t node) const;
 
     std::shared_ptr<const Scene> scene_;
     std::vector<ProgramNode> nodes_;

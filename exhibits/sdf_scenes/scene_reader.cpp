@@ -64,8 +64,8 @@ public:
         return {whole, {}};
     }
 
-    /// Valid after reading: the shapes of the reference that all findings are about; empty if any is about something
-    /// else.
+    /// Valid after reading: the shapes that all findings are about, as values of the converted text; empty if any
+    /// finding is about something else.
     [[nodiscard]] const std::vector<std::uint32_t>& faultyShapes() const { return faulty_; }
 
 private:
@@ -177,7 +177,7 @@ void SceneReader::readHead(std::uint32_t file)
     const auto format = json.member(0, "format");
     if (!format || json.written(*format) != '"' + std::string(sceneFormat) + '"')
         findings_.add(json, format.value_or(0),
-                      std::string("this is no scene; one begins with \"format\": \"") + sceneFormat + '"');
+                      std::string("this is not a scene; a scene begins with \"format\": \"") + sceneFormat + '"');
     const auto version = json.member(0, "version");
     if (!version || json.written(*version) != std::to_string(sceneVersion))
         findings_.add(json, version.value_or(0),
@@ -354,7 +354,7 @@ void SceneReader::checkCamera(std::uint32_t value)
 void SceneReader::checkRepeaters(const std::shared_ptr<const Scene>& scene)
 {
     const SceneProgram program(scene);
-    const SceneWords words = program.words(scene->numbersAt(0));
+    const SceneConstants words = program.words(scene->numbersAt(0));
     for (std::uint32_t i = 0; i < program.nodes().size(); ++i) {
         if (words.asked[i] <= mostCopiesAsked) continue;
         const Node& node = scene->nodes[program.nodes()[i].node];

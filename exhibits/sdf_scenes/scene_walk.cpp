@@ -73,7 +73,7 @@ double SceneWalk::operand(std::uint32_t index, const glm::dvec3& p)
 {
     const ProgramNode& node = program_.nodes()[index];
     const glm::dvec3 own = into(node, node.parent == none ? p : states_[node.parent].asked);
-    ++shapesAsked_;
+    ++primitiveEvaluations_;
     double distance = kinds_[index]->distance.cpu(own, words_ + node.numbers);
     if (node.scale != none) distance = glsl::sdfScaled(distance, words_[node.scale + 3]);
     states_[index].distance = distance;
@@ -98,7 +98,7 @@ void SceneWalk::shape(std::uint32_t index)
 {
     const ProgramNode& node = program_.nodes()[index];
     State& state = states_[index];
-    ++shapesAsked_;
+    ++primitiveEvaluations_;
     state.distance = kinds_[index]->distance.cpu(state.own, words_ + node.numbers);
     if (surfaces_.empty()) return;
     surfaces_[index].node = node.node;

@@ -49,7 +49,7 @@ public:
     /// Filled only if materials are evaluated.
     [[nodiscard]] const WalkSurface& surface(std::uint32_t node) const { return surfaces_[node]; }
     /// Number of shapes evaluated so far.
-    [[nodiscard]] std::size_t shapesAsked() const { return shapesAsked_; }
+    [[nodiscard]] std::size_t primitiveEvaluations() const { return primitiveEvaluations_; }
 
 private:
     [[nodiscard]] glm::dvec3 into(const ProgramNode&, glm::dvec3 p) const;
@@ -65,7 +65,7 @@ private:
     std::vector<const NodeKind*> kinds_;  // Kind of each program node.
     std::vector<State> states_;
     std::vector<WalkSurface> surfaces_;
-    std::size_t shapesAsked_ = 0;
+    std::size_t primitiveEvaluations_ = 0;
 };
 
 }  // namespace vitrine::scenes

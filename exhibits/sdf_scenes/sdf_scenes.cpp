@@ -4,9 +4,9 @@
 #include "exhibits/framework/files/preset.h"
 #include "exhibits/framework/files/table_change.h"
 #include "exhibits/kit/panorama.h"
-#include "exhibits/sdf_scenes/asked_scene.h"
 #include "exhibits/sdf_scenes/scene_document.h"
 #include "exhibits/sdf_scenes/scene_edit.h"
+#include "exhibits/sdf_scenes/scene_evaluator.h"
 #include "exhibits/sdf_scenes/scene_glsl.h"
 #include "exhibits/sdf_scenes/scene_reader.h"
 #include "exhibits/sdf_scenes/scene_tree.h"
@@ -34,11 +34,11 @@ using scenes::ShownScene;
 
 struct PreparedScene final : PreparedPart {
     std::shared_ptr<const render::Texture> environment;
-    std::string note{};           ///< Sentence for the user if the environment is stretched; else empty.
-    std::vector<double> numbers;  ///< Numbers of the scene at the prepared time.
-    scenes::SceneWords words;     ///< The same numbers in the layout of the field evaluation.
-    scenes::AskedScene asked;
-    scenes::AskedScene askedRight;  ///< For the right half if the opening is divided.
+    std::string note{};            ///< Sentence for the user if the environment is stretched; else empty.
+    std::vector<double> numbers;   ///< Numbers of the scene at the prepared time.
+    scenes::SceneConstants words;  ///< The same numbers in the layout of the field evaluation.
+    scenes::SceneEvaluator asked;
+    scenes::SceneEvaluator askedRight;  ///< For the right half if the opening is divided.
 };
 
 /// Returns the position of the divider, in meters to the right of the opening's center.
@@ -201,10 +201,10 @@ std::vector<StudyView> SdfScenes::studyViews(const ParameterValues& values) cons
     aside.eye += glm::dvec3(0.5, 0.2, 0.1);
     return {{"best view", bestView(values), 0, still},
             {"from the side", aside, 0, still},
-            {"gone around", bestView(values), 0, around}};
+            {"from another side", bestView(values), 0, around}};
 }
 
-CalledTable SdfScenes::tableFor(const ParameterValues& values, render::AssetStore& assets) const
+DynamicParameters SdfScenes::dynamicParameters(const ParameterValues& values, render::AssetStore& assets) const
 {
     const std::string path = filePath(table_.rows()[table_.scene.row], values[table_.scene]);
     const std::string text = values[table_.document];
@@ -231,13 +231,13 @@ std::shared_ptr<const PreparedPart> SdfScenes::prepare(const PrepareContext& con
     part->numbers = numbersAt(context.values, context.time);
     part->words = scene.program->words(part->numbers);
     const bool runs = context.values[table_.animate] && scene.contents.moves;
-    const scenes::SceneRest rest = !context.rests ? scenes::SceneRest::nothing
-                                   : runs         ? scenes::SceneRest::steady
-                                                  : scenes::SceneRest::all;
-    part->asked = scenes::askedScene(scene, part->words, context.values[table_.evaluation], rest, context.assets);
+    const scenes::SceneRest rest = !context.idle ? scenes::SceneRest::nothing
+                                   : runs        ? scenes::SceneRest::steady
+                                                 : scenes::SceneRest::all;
+    part->asked = scenes::sceneEvaluator(scene, part->words, context.values[table_.evaluation], rest, context.assets);
     if (context.values[table_.split])
         part->askedRight =
-            scenes::askedScene(scene, part->words, context.values[table_.rightEvaluation], rest, context.assets);
+            scenes::sceneEvaluator(scene, part->words, context.values[table_.rightEvaluation], rest, context.assets);
     const scenes::Record& environment = scene.scene->environment;
     if (environment.files.empty()) return part;
     const std::string path = (scene.path.parent_path() / environment.files.front()).string();
@@ -296,7 +296,7 @@ void SdfScenes::planPart(const std::string& name, const ParameterValues& values,
     }
     const ShownScene& scene = shown(values);
     const auto& prepared = static_cast<const PreparedScene&>(*context.prepared);
-    const scenes::AskedScene& asked = portal.side > 0 ? prepared.askedRight : prepared.asked;
+    const scenes::SceneEvaluator& asked = portal.side > 0 ? prepared.askedRight : prepared.asked;
     const std::string steps = portal.side > 0 ? name + '/' : "sdf_scenes/";
     // Shaders see only the rows that all scenes have, so that all scenes share one uniform block.
     std::vector<std::string> notes;
@@ -305,7 +305,7 @@ void SdfScenes::planPart(const std::string& name, const ParameterValues& values,
     pass.columns = columns;
     pass.shader.sources = asked.sources;
     pass.buffers = asked.buffers;
-    pass.shader.slot = pass.name;
+    pass.shader.programFamily = pass.name;
     const bool reference = prepared.numbers[scene.scene->look.numbers] > 0.5;
     ScenePass{table_, values, scene, reference, steps, pass, plan}.all();
 
@@ -325,10 +325,10 @@ void SdfScenes::planPart(const std::string& name, const ParameterValues& values,
     block.insert(block.end(), around.begin(), around.end());
     pass.blocks[BLOCK_EXHIBIT] = std::move(block);
     if (asked.folded) {
-        auto better = std::make_shared<render::ShaderKey>(pass.shader);
-        better->sources = asked.folded;
-        better->about = "with its constant numbers compiled in";
-        pass.shader.better = std::move(better);
+        auto specialized = std::make_shared<render::ShaderKey>(pass.shader);
+        specialized->sources = asked.folded;
+        specialized->about = "with its constant numbers compiled in";
+        pass.shader.specialized = std::move(specialized);
     }
     plan.add(std::move(pass));
 }
@@ -357,7 +357,7 @@ using scenes::SceneField;
 const scenes::NodeKind& kindNamed(const std::string& word)
 {
     const scenes::NodeKind* kind = scenes::findKind(word);
-    if (!kind) throw Failure(Blame::check, "There is no kind of node \"" + word + "\".");
+    if (!kind) throw Failure(ErrorKind::check, "There is no kind of node \"" + word + "\".");
     return *kind;
 }
 
@@ -378,7 +378,7 @@ EditedScene edit(const SceneEdit& scene, const TreeEdit& wanted)
     case showAll: return scene.allShown();
     case kind: return scene.ofKind(wanted.node, kindNamed(wanted.word));
     }
-    throw Failure(Blame::check, "This cannot be done.");
+    throw Failure(ErrorKind::check, "This cannot be done.");
 }
 
 /// A ray of the exhibit's own space beyond the opening, in meters of the scene.
@@ -428,11 +428,11 @@ std::optional<TreeRows> SdfScenes::rowsOf(const ParameterValues& values, std::st
 ParameterValues SdfScenes::withText(const ParameterValues& values, std::string text, render::AssetStore& assets) const
 {
     if (text.size() > presetLimits.stringBytes)
-        throw Failure(Blame::check, "A scene of more than 1 MB is not edited here; change its file.");
+        throw Failure(ErrorKind::check, "A scene of more than 1 MB is not edited here; change its file.");
     ParameterValues next = values;
     next.set(table_.document, text);
-    const CalledTable called = tableFor(next, assets);
-    if (!called.table) throw Failure(Blame::check, called.why);
+    const DynamicParameters called = dynamicParameters(next, assets);
+    if (!called.table) throw Failure(ErrorKind::check, called.why);
     std::vector<std::string> notes;
     return underTable(next, called.table, notes);
 }
@@ -493,7 +493,7 @@ std::shared_ptr<const TreeShape> SdfScenes::shapeOf(const ExhibitState& state, s
     shape->isHit = [field, portal, box](const render::Ray& ray) {
         const SceneRay through = sceneRay(portal, ray);
         if (!through.throughOpening || field->program().nodes().empty()) return false;
-        const render::Stretch inside = render::insideBox({through.origin, through.direction}, box);
+        const render::RayInterval inside = render::insideBox({through.origin, through.direction}, box);
         const double start = std::max(through.start, inside.enter - 1e-6);
         return std::isfinite(
             scenes::marched(*field, through.origin, through.direction, start, std::min(inside.exit + 1e-6, 1e5)));

@@ -23,7 +23,7 @@ public:
     using Table = SdfScenesTable;
 
     /// Starts with the scene file `first` (default: a shipped scene), used while the values name no file. If it cannot
-    /// be read, a sphere replaces it, and `tableFor` reports the reason.
+    /// be read, a sphere replaces it, and `dynamicParameters` reports the reason.
     explicit SdfScenes(const std::filesystem::path& first = {});
     [[nodiscard]] std::string_view name() const override { return "sdf_scenes"; }
     [[nodiscard]] std::string_view title() const override { return "SDF Scenes"; }
@@ -31,7 +31,10 @@ public:
     {
         return "A file of shapes becomes a shader; its numbers become sliders.";
     }
-    [[nodiscard]] std::string_view tryThis() const override { return "load a preset, then drag what is its own."; }
+    [[nodiscard]] std::string_view tryThis() const override
+    {
+        return "load a preset, then drag the sliders of its scene.";
+    }
     [[nodiscard]] std::string_view buttonText() const override { return "let time run"; }
     [[nodiscard]] int place() const override { return 5; }
     [[nodiscard]] bool isComplete() const override { return true; }
@@ -45,7 +48,7 @@ public:
     bool press(ParameterValues&) const override;
     [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;
     [[nodiscard]] bool castsShadow() const override { return false; }
-    [[nodiscard]] CalledTable tableFor(const ParameterValues&, render::AssetStore&) const override;
+    [[nodiscard]] DynamicParameters dynamicParameters(const ParameterValues&, render::AssetStore&) const override;
     [[nodiscard]] std::vector<std::string> furtherFiles(const ParameterValues&) const override;
     [[nodiscard]] std::shared_ptr<const PreparedPart> prepare(const PrepareContext&) const override;
     void plan(const PlanContext&, render::FramePlan&) const override;
@@ -53,7 +56,7 @@ public:
     [[nodiscard]] std::vector<DraggedLine> draggedLines(const ExhibitState&, const glm::dvec3& eye) const override;
     [[nodiscard]] double valueUnder(const ExhibitState&, std::size_t row, const render::Ray&) const override;
 
-    // Its tree: HasTree.
+    // HasTree
     [[nodiscard]] Tree tree(const ParameterValues&) const override;
     [[nodiscard]] std::optional<TreeRows> rowsOf(const ParameterValues&, std::string_view node) const override;
     [[nodiscard]] EditedTree edited(const ParameterValues&, const TreeEdit&, render::AssetStore&) const override;

@@ -26,7 +26,7 @@ struct SdfScenesTable final : Parameters {
     Group show = group("Display");
     File scene =
         file("scene", "Path of a scene of shapes (JSON); its format is described in assets/scenes/scene.schema.json.",
-             endings("json"), givesRows(), shippedIn("scenes"), essential());
+             extensions("json"), addsParameters(), inAssetFolder("scenes"), essential());
     File document = this->Parameters::document(
         "document", scene,
         "The edited scene (JSON) with all changes that are not in its file yet. Resetting it discards them.");
@@ -108,18 +108,19 @@ struct SdfScenesTable final : Parameters {
     Choice<SceneShadow> rightShadowMethod =
         choice("rightShadowMethod", SceneShadow::none,
                {"as the look has it", "none", "hard", "classic", "improved", "signed", "area"},
-               "Shadow method of the right half.", when(split));
+               "Method for shadows in the right half of a split view.", when(split));
     Choice<SceneOcclusion> rightOcclusionMethod = choice(
         "rightOcclusionMethod", SceneOcclusion::look, {"as the look has it", "none", "5 taps", "hemisphere", "cones"},
-        "Occlusion method of the right half.", when(split));
-    Count rightBounces = count("rightBounces", 4, {0, 4}, "Bounces of the right half.", when(split));
+        "Method for occlusion in the right half of a split view.", when(split));
+    Count rightBounces = count("rightBounces", 4, {0, 4},
+                               "Number of mirror reflections in the right half of a split view.", when(split));
     Choice<SceneEvaluation> rightEvaluation =
         choice("rightEvaluation", SceneEvaluation::automatic, {"automatic", "what is near", "every shape"},
-               "Evaluation of the right half.", when(split));
-    Count rightStepLimit =
-        count("rightStepLimit", 160, {1, 512, logarithmic}, "Step limit of the right half.", when(split));
+               "Method of evaluating the field in the right half of a split view.", when(split));
+    Count rightStepLimit = count("rightStepLimit", 160, {1, 512, logarithmic},
+                                 "Largest number of steps of a ray in the right half of a split view.", when(split));
     Real rightHitTolerance = real("rightHitTolerance", 1, none, Range{0.001, 64, logarithmic}.soft(0.05, 16),
-                                  "Hit tolerance of the right half.", when(split));
+                                  "Hit tolerance in the right half of a split view, in half pixels.", when(split));
 
     Group costs = group("Costs");
     Choice<SceneHeatMap> heatMap =
@@ -138,7 +139,7 @@ struct SdfScenesTable final : Parameters {
         *this,
         {{.name = "bounces", .settles = "The scene asks for fewer mirror images of mirror images."},
          {.name = "hitTolerance", .lifted = {"stepLimit"}},
-         {.name = "stepLimit", .settles = "Rays end before they have taken so many steps."},
+         {.name = "stepLimit", .settles = "Rays end before they have taken this many steps."},
          {.name = "normalStep", .settles = "Steps of half and of double that length give the same normals."}}};
 
     const std::shared_ptr<const scenes::ShownScene> shown;

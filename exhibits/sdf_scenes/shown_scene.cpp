@@ -1,7 +1,7 @@
 #include "exhibits/sdf_scenes/shown_scene.h"
 
-#include "exhibits/sdf_scenes/near_scene.h"
 #include "exhibits/sdf_scenes/scene_glsl.h"
+#include "exhibits/sdf_scenes/scene_grid.h"
 #include "exhibits/sdf_scenes/scene_reader.h"
 #include "render/failure.h"
 #include "render/hash.h"
@@ -79,8 +79,8 @@ std::shared_ptr<const Scene> framed(const std::shared_ptr<const Scene>& scene)
     const SceneProgram program(scene);
     if (program.nodes().empty()) return scene;
     const std::vector<double> numbers = scene->numbersAt(0);
-    const SceneWords words = program.words(numbers);
-    const SceneWithoutPlanes rest(program, words, NearScene::mostPlanes);
+    const SceneConstants words = program.words(numbers);
+    const SceneWithoutPlanes rest(program, words, SceneGrid::mostPlanes);
     if (rest.steps.empty() || !std::isfinite(glm::length(rest.box.high - rest.box.low))) return scene;
     const render::Box box = occupiedBox(program, words, rest.steps, rest.box);
     const double radius = glm::length(box.halfSize());
@@ -134,7 +134,7 @@ std::shared_ptr<const ShownScene> shownScene(std::shared_ptr<const Scene> scene,
 std::shared_ptr<const ShownScene> readShownScene(const std::filesystem::path& path)
 {
     ReadScene read = readSceneFile(path);
-    if (!read.scene) throw Failure(Blame::file, read.findings.front().text());
+    if (!read.scene) throw Failure(ErrorKind::file, read.findings.front().text());
     return shownScene(std::move(read.scene), path);
 }
 
@@ -192,15 +192,15 @@ render::Camera sceneView(double fovY)
 
 namespace {
 
-constexpr int widestPanorama = 4096;  ///< Made of faces.
+constexpr int widestPanorama = 4096;  ///< Largest width of a panorama that is made from the faces of a cube, in pixels.
 
-/// Which face a direction meets, and where in its picture: columns to the right, rows down, 0 to 1.
+/// Face of a cube that a direction meets, and position in its picture: columns to the right, rows down, 0 to 1.
 struct FacePlace {
     std::size_t face;
     double column, row;
 };
 
-/// right, left, top, bottom, front, back, as seen from within; front is -z.
+/// Returns the face that a direction meets. Faces: right, left, top, bottom, front, back, seen from within; front: -z.
 FacePlace facePlace(const glm::dvec3& d)
 {
     const glm::dvec3 size = glm::abs(d);
@@ -275,7 +275,8 @@ namespace {
 
 constexpr double farthestOfReference = 100;
 constexpr double farthestOfPhysical = 300;
-constexpr double timesAsFar = 60;  ///< As what a scene without a camera is seen from: as far as 300 m from 5 m.
+constexpr double timesAsFar =
+    60;  ///< Far limit over the distance of the camera, for a scene without a camera: 300 m for 5 m.
 
 glm::dvec3 vectorOf(const double* v)
 {
@@ -291,7 +292,7 @@ void setEdges(SceneStage& stage, std::size_t i, const glm::dvec3& facing, double
     stage.lightAlong[i] = glm::vec4(glm::vec3(0.5 * height * glm::cross(facing, across)), 0);
 }
 
-/// `target`: where the camera looks, at which a point of light is as bright as its color says.
+/// `target`: point that the camera looks at. A point light illuminates it as brightly as its color says.
 void setLight(const Record& light, const double* v, const glm::dvec3& target, bool byReference, std::size_t i,
               SceneStage& stage)
 {
@@ -323,7 +324,7 @@ void setBox(SceneStage& stage, const render::Box& box)
     stage.boxHigh = glm::vec3(glm::clamp(box.high + 1e-3, glm::dvec3(-1e6), glm::dvec3(1e6)));
 }
 
-SceneStage sceneStage(const ShownScene& shown, const SceneWords& words, const std::vector<double>& numbers)
+SceneStage sceneStage(const ShownScene& shown, const SceneConstants& words, const std::vector<double>& numbers)
 {
     const Scene& scene = *shown.scene;
     const double* look = &numbers[scene.look.numbers];

@@ -40,7 +40,7 @@ struct ShownScene {
     std::uint64_t pictures = 0;  ///< Hash of the state of its environment's pictures when they were read.
 };
 
-/// Reads a scene. Throws Failure (Blame::file) with the first finding if it cannot be read.
+/// Reads a scene. Throws Failure (ErrorKind::file) with the first finding if it cannot be read.
 [[nodiscard]] std::shared_ptr<const ShownScene> readShownScene(const std::filesystem::path&);
 /// The same for a scene that is already parsed.
 [[nodiscard]] std::shared_ptr<const ShownScene> shownScene(std::shared_ptr<const Scene>, std::filesystem::path = {});
@@ -60,7 +60,7 @@ struct SceneCamera {
 [[nodiscard]] render::Camera sceneView(double fovY);
 
 /// Returns lights and environment of the scene. Only the first `SCENE_MOST_LIGHTS` lights are used.
-[[nodiscard]] SceneStage sceneStage(const ShownScene&, const SceneWords&, const std::vector<double>& numbers);
+[[nodiscard]] SceneStage sceneStage(const ShownScene&, const SceneConstants&, const std::vector<double>& numbers);
 
 /// Sets the box that rays are traced in; infinite sides are clipped.
 void setBox(SceneStage&, const render::Box&);

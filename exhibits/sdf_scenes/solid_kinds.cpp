@@ -54,7 +54,7 @@ void addBalls(std::vector<NodeKind>& kinds)
                     height("height", 0, "Distance of the plane from the origin along the normal.")},
          .distance = SCENE_DISTANCE(sdfPlane(p, V3(0), V(3))),
          .extent = [](const double* v) {
-             Extent all{endlessBox(), 0, v[2] == 0};
+             Bounds all{endlessBox(), 0, v[2] == 0};
              for (int i = 0; i < 3; ++i) {
                  if (v[i] == 0) all.even |= 1U << i;
                  if (v[i] == 1) all.box.high[i] = v[3];
@@ -77,7 +77,7 @@ void addBalls(std::vector<NodeKind>& kinds)
                     size("minorRadius", 0.1, "Radius of the tube.")},
          .distance = SCENE_DISTANCE(sdfCappedTorus(p, V(0), V(1), V(2))),
          .extent = [](const double* v) {
-             return Extent{boxAround({v[1] + v[2], v[1] + v[2], v[2]}), evenInX | evenInZ};
+             return Bounds{boxAround({v[1] + v[2], v[1] + v[2], v[2]}), evenInX | evenInZ};
          }});
     add({.name = "link",
          .help = "A chain link in the xy plane, elongated along y.",
@@ -132,14 +132,14 @@ void addCones(std::vector<NodeKind>& kinds)
          .fields = {size("radius", 0.5, "Radius of the base."), size("height", 1, "Height of the tip.")},
          .distance = SCENE_DISTANCE(sdfCone(p, V(0), V(1))),
          .extent = [](const double* v) {
-             return Extent{{{-v[0], 0, -v[0]}, {v[0], v[1], v[0]}}, evenInX | evenInZ};
+             return Bounds{{{-v[0], 0, -v[0]}, {v[0], v[1], v[0]}}, evenInX | evenInZ};
          }});
     add({.name = "infiniteCone",
          .help = "An infinite cone with its tip at the origin, opening downward.",
          .fields = {angle("halfAngle", 30, 0.1, 89.9, "Angle between the axis and the side.")},
          .distance = SCENE_DISTANCE(sceneInfiniteCone(p, V(0))),
          .extent = [](const double*) {
-             return Extent{{glm::dvec3(-noEnd), {noEnd, 0, noEnd}}, evenInX | evenInZ};
+             return Bounds{{glm::dvec3(-noEnd), {noEnd, 0, noEnd}}, evenInX | evenInZ};
          }});
     add({.name = "cappedCone",
          .help = "A truncated cone around the y axis.",
@@ -150,7 +150,7 @@ void addCones(std::vector<NodeKind>& kinds)
          .extent =
              [](const double* v) {
                  const double r = std::max(v[1], v[2]);
-                 return Extent{boxAround({r, 0.5 * v[0], r}), evenInX | evenInZ};
+                 return Bounds{boxAround({r, 0.5 * v[0], r}), evenInX | evenInZ};
              },
          .fault =
              [](const double* v) {
@@ -164,7 +164,7 @@ void addCones(std::vector<NodeKind>& kinds)
          .distance = SCENE_DISTANCE(sdfRoundCone(p, V(0), V(1), V(2))),
          .extent = [](const double* v) {
              const double r = std::max(v[0], v[1]);
-             return Extent{{{-r, std::min(-v[0], v[2] - v[1]), -r}, {r, std::max(v[0], v[2] + v[1]), r}},
+             return Bounds{{{-r, std::min(-v[0], v[2] - v[1]), -r}, {r, std::max(v[0], v[2] + v[1]), r}},
                            evenInX | evenInZ};
          }});
 }
@@ -204,7 +204,7 @@ std::vector<Field> endsOf(std::vector<Field> further)
 }
 
 /// Returns the bounds of a profile around the z axis; x and y are its half sizes.
-Extent profileExtent(double x, double y)
+Bounds profileExtent(double x, double y)
 {
     return {boxAround({x, y, noEnd}), evenInAll, true};
 }
@@ -226,7 +226,7 @@ void addPrisms(std::vector<NodeKind>& kinds)
                      .distance = SCENE_DISTANCE(sdfTriangularPrism(p, V(0), 0.5 * V(1))),
                      .extent = [](const double* v) {
                          const double x = v[0] * std::sqrt(3.0);
-                         return Extent{{{-x, -v[0], -0.5 * v[1]}, {x, 2 * v[0], 0.5 * v[1]}}, evenInX | evenInZ};
+                         return Bounds{{{-x, -v[0], -0.5 * v[1]}, {x, 2 * v[0], 0.5 * v[1]}}, evenInX | evenInZ};
                      }});
     kinds.push_back(
         {.name = "rhombus",
@@ -247,7 +247,7 @@ void addPrisms(std::vector<NodeKind>& kinds)
          .distance = SCENE_DISTANCE(scenePyramid(p, V(0), V(1))),
          .extent = [](const double* v) {
              const double r = 0.5 * v[0];
-             return Extent{{{-r, 0, -r}, {r, v[1], r}}, evenInX | evenInZ};
+             return Bounds{{{-r, 0, -r}, {r, v[1], r}}, evenInX | evenInZ};
          }});
     kinds.push_back({.name = "ellipsoid",
                      .help = "An ellipsoid around the origin.",
@@ -265,7 +265,7 @@ void addPrisms(std::vector<NodeKind>& kinds)
 
 void addBallParts(std::vector<NodeKind>& kinds)
 {
-    const auto round = [](const double* v) { return Extent{boxAround(glm::dvec3(v[0])), evenInX | evenInZ}; };
+    const auto round = [](const double* v) { return Bounds{boxAround(glm::dvec3(v[0])), evenInX | evenInZ}; };
     kinds.push_back({.name = "solidAngle",
                      .help = "A sphere sector: the part of a sphere within a cone around +y.",
                      .fields = {size("radius", 0.6, "Radius of the sphere."),
@@ -288,7 +288,7 @@ void addBallParts(std::vector<NodeKind>& kinds)
                     size("thickness", 0.05, "Thickness of the wall.")},
          .distance = SCENE_DISTANCE(sceneCutHollowSphere(p, V(0), V(1), V(2))),
          .extent = [](const double* v) {
-             return Extent{boxAround(glm::dvec3(v[0] + 0.5 * v[2])), evenInX | evenInZ};
+             return Bounds{boxAround(glm::dvec3(v[0] + 0.5 * v[2])), evenInX | evenInZ};
          }});
     kinds.push_back({.name = "deathStar",
                      .help = "A sphere with a spherical dent, cut by another sphere above it.",
@@ -343,9 +343,9 @@ void addBetweenPoints(std::vector<NodeKind>& kinds)
          .distance = SCENE_DISTANCE(sdfTriangle(p, V3(0), V3(3), V3(6)) - 0.5 * V(9)),
          .extent =
              [](const double* v) {
-                 Extent all = segmentExtent(vec3At(v, 0), vec3At(v, 3), 0);
+                 Bounds all = segmentExtent(vec3At(v, 0), vec3At(v, 3), 0);
                  all.box.include(vec3At(v, 6));
-                 return Extent{grown(all.box, 0.5 * v[9]), 0};
+                 return Bounds{grown(all.box, 0.5 * v[9]), 0};
              },
          .fault = [](const double* v) { return faultOfTriangle(vec3At(v, 0), vec3At(v, 3), vec3At(v, 6)); }});
     kinds.push_back({.name = "quad",
@@ -358,10 +358,10 @@ void addBetweenPoints(std::vector<NodeKind>& kinds)
                      .distance = SCENE_DISTANCE(sceneQuad(p, V3(0), V3(3), V3(6), V3(9)) - 0.5 * V(12)),
                      .extent =
                          [](const double* v) {
-                             Extent all = segmentExtent(vec3At(v, 0), vec3At(v, 3), 0);
+                             Bounds all = segmentExtent(vec3At(v, 0), vec3At(v, 3), 0);
                              all.box.include(vec3At(v, 6));
                              all.box.include(vec3At(v, 9));
-                             return Extent{grown(all.box, 0.5 * v[12]), 0};
+                             return Bounds{grown(all.box, 0.5 * v[12]), 0};
                          },
                      .fault =
                          [](const double* v) {
@@ -391,7 +391,7 @@ std::vector<NodeKind> furtherSolidKinds()
          .exactness = Exactness::bound,
          .distance = SCENE_DISTANCE(sceneNoiseSolid(p, V(0), V(1), V(2), V(3), V3(4))),
          .extent = [](const double*) {
-             return Extent{endlessBox(), 0};
+             return Bounds{endlessBox(), 0};
          }});
     return kinds;
 }
@@ -416,7 +416,7 @@ std::vector<NodeKind> profileKinds()
          .distance = SCENE_DISTANCE(sdfTriangleProfile(vec2(p.x, p.y), V(0))),
          .extent = [](const double* v) {
              const double x = v[0] * std::sqrt(3.0);
-             return Extent{{{-x, -v[0], -noEnd}, {x, 2 * v[0], noEnd}}, evenInX | evenInZ, true};
+             return Bounds{{{-x, -v[0], -noEnd}, {x, 2 * v[0], noEnd}}, evenInX | evenInZ, true};
          }});
     kinds.push_back(
         {.name = "hexagon",

@@ -53,7 +53,7 @@ ListVocabulary ListVocabulary::of(const SceneProgram& program)
     return own;
 }
 
-ListRecords::ListRecords(const SceneProgram& program, const SceneWords& words)
+ListRecords::ListRecords(const SceneProgram& program, const SceneConstants& words)
     : program_(program), words_(words), nodes_(program.nodes().size()),
       materials_(program.scene().materials.size(), none), ways_(program.nodes().size())
 {
@@ -95,7 +95,7 @@ void ListRecords::addNode(std::uint32_t index)
     for (int row = 0; row < 3; ++row)
         records_.push_back(glm::vec4(glm::dvec4(way.turn[0][row], way.turn[1][row], way.turn[2][row], way.shift[row])));
     std::vector<double> numbers{way.scale};
-    const std::size_t count = kind.numbers() + (kind.form == Form::repeater ? numbersOfAsked : 0);
+    const std::size_t count = kind.numbers() + (kind.form == Form::repeater ? numbersOfRepeatRange : 0);
     numbers.insert(numbers.end(), w + node.numbers, w + node.numbers + count);
     // Operations that change no space are evaluated in the surrounding space, so their lengths are scaled.
     if (kind.combine) {

@@ -39,12 +39,13 @@ enum class ListOp : std::uint32_t { open, close, leave, enter };
 
 /// Step as shaders read it, 16 bytes.
 struct ListStep {
-    /// Bits 0-7: the operation; 8-15: 0 leaves the result pending, 1 makes it the first one, from 2 on a joint; bit 31:
-    /// more steps follow.
+    /// Bits 0-7: the operation. Bits 8-15: the use of its distance: 0 keeps it for the next step, 1 makes it the first
+    /// of its level, a number from 2 on joins it to that level by this kind of joint. Bit 31: more steps follow.
     std::uint32_t operation = 0;
-    std::uint32_t record = 0;  ///< Record of the node, in vec4: its transform in 3, then 1 and its numbers.
-    std::uint32_t joint = 0;   ///< Record of the node that joins: its numbers.
-    /// shape: its material, in vec4; again: the step to continue with, counted from the first one.
+    std::uint32_t record =
+        0;  ///< Index of the node's record in vec4: 3 for its transform, then its scale and its numbers.
+    std::uint32_t joint = 0;  ///< Index of the record of the node that joins.
+    /// shape: index of its material, in vec4; again: the step to continue with, counted from the first one.
     std::uint32_t further = 0;
 };
 /// Flag of all steps except the last. llvmpipe reads 0 from buffers for pixels outside of a triangle and continues, so
@@ -56,7 +57,7 @@ inline constexpr std::uint32_t moreSteps = 1U << 31U;
 class ListRecords {
 public:
     /// Program and words must outlive it.
-    ListRecords(const SceneProgram&, const SceneWords&);
+    ListRecords(const SceneProgram&, const SceneConstants&);
 
     [[nodiscard]] const std::vector<glm::vec4>& records() const { return records_; }
     [[nodiscard]] std::uint32_t ofNode(std::uint32_t node) const { return nodes_[node]; }
@@ -74,7 +75,7 @@ private:
     void addNode(std::uint32_t node);
 
     const SceneProgram& program_;
-    const SceneWords& words_;
+    const SceneConstants& words_;
     std::vector<glm::vec4> records_;
     std::vector<std::uint32_t> nodes_, materials_;
     std::vector<Way> ways_;

@@ -21,7 +21,7 @@ constexpr double farAway = 1e5;  ///< Meters; float32 positions there have steps
 constexpr glm::ivec2 plainSize{24, 16};
 constexpr std::uint64_t sharedBy = 32;  ///< Number of neighboring seeds that share light and hall.
 
-render::Camera randomCamera(const Subject& subject, const ParameterValues& values, RandomNumbers& random)
+render::Camera randomCamera(const SceneObject& subject, const ParameterValues& values, RandomNumbers& random)
 {
     render::Camera camera = subject.bestView(values);
     if (random.chance(0.4)) return camera;
@@ -125,7 +125,7 @@ std::string settingText(const ParameterValues& values, std::size_t row)
 ScanCase scanCase(const Museum& museum, std::size_t exhibit, std::uint64_t seed)
 {
     RandomNumbers random(seed);
-    const Subject& subject = museum.subject(exhibit);
+    const SceneObject& subject = museum.subject(exhibit);
     ScanCase c{exhibit, plainSceneState(museum), {}};
     // Changing light, and a hall that comes and goes, have to be captured again. So neighboring seeds share theirs.
     RandomNumbers shared(seed / sharedBy);
@@ -167,7 +167,7 @@ std::string faultOf(const Museum& museum, render::RenderBackend& backend, const 
 std::vector<std::string> causesOf(const Museum& museum, render::RenderBackend& backend, ScanCase c)
 {
     std::vector<std::string> causes;
-    const Subject& subject = museum.subject(c.exhibit);
+    const SceneObject& subject = museum.subject(c.exhibit);
     // Resets each setting in turn. If the fault disappears, the setting is a cause and keeps its value.
     const auto tryPlain = [&](const std::string& name, const std::function<void(ScanCase&)>& setBack) {
         ScanCase plain = c;

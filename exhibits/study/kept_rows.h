@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/scene/subject.h"
+#include "exhibits/framework/scene/scene_object.h"
 #include "exhibits/museum/scene_state.h"
 #include "exhibits/study/kept_study.h"
 

@@ -37,9 +37,9 @@ public:
     [[nodiscard]] bool has(const char* key) const { return json_.is_object() && json_.contains(key); }
     [[nodiscard]] Place at(const char* key) const
     {
-        if (!json_.is_object()) throw failure("this must be an object; it is no study that Vitrine wrote.");
+        if (!json_.is_object()) throw failure("this must be an object; it is not a study that Vitrine wrote.");
         if (!json_.contains(key))
-            throw failure("the key \"" + std::string(key) + "\" is missing; it is no study that Vitrine wrote.");
+            throw failure("the key \"" + std::string(key) + "\" is missing; it is not a study that Vitrine wrote.");
         return {document_, json_[key], inside(key)};
     }
     [[nodiscard]] std::vector<Place> elements(std::size_t most) const
@@ -164,7 +164,7 @@ bool isMoment(const std::string& text)
 void readHead(const Place& root, KeptStudy& study)
 {
     if (root.at("format").text() != "vitrine-study")
-        throw root.at("format").failure("this is no study; choose a file that `vitrine study` wrote.");
+        throw root.at("format").failure("this is not a study; choose a file that `vitrine study` wrote.");
     if (root.at("version").whole(1, 1'000'000) > version)
         throw root.at("version").failure("this was written by a newer Vitrine; open it there.");
     if (root.has("name")) study.name = root.at("name").text(mostNameBytes);
@@ -178,14 +178,14 @@ void readHead(const Place& root, KeptStudy& study)
     if (size.size() != 2) throw root.at("size").failure("this must be width and height; correct it there.");
     study.size = {static_cast<int>(size[0].whole(1, 65536)), static_cast<int>(size[1].whole(1, 65536))};
     for (const Place& view : root.at("views").elements(mostViews)) study.views.push_back(view.text());
-    if (study.views.empty()) throw root.at("views").failure("there is no view; it is no study that Vitrine wrote.");
+    if (study.views.empty()) throw root.at("views").failure("there is no view; it is not a study that Vitrine wrote.");
     for (const Place& each : root.at("parameters").elements(mostParameters))
         study.parameters.push_back({each.at("name").text(200), textIn(each, "label"), textIn(each, "unit")});
     if (study.parameters.empty())
-        throw root.at("parameters").failure("there is no parameter; it is no study that Vitrine wrote.");
+        throw root.at("parameters").failure("there is no parameter; it is not a study that Vitrine wrote.");
     const std::string metric = root.at("metric").text();
     const std::optional<render::Metric> known = render::metricNamed(metric);
-    if (!known) throw root.at("metric").failure("\"" + metric + "\" is no metric; correct it there.");
+    if (!known) throw root.at("metric").failure("\"" + metric + "\" is not a metric; correct it there.");
     study.metric = *known;
     study.cost = root.at("cost").text(200);
 }

@@ -27,13 +27,13 @@ struct SettingPart {
 
 /// One setting of a study that was read from a file.
 struct KeptPoint {
-    std::vector<render::Json> values;  ///< By parameter, as in the file: in SI units, choices by name.
-    double error = 0;                  ///< Over all views; infinite if the file has none.
+    std::vector<render::Json> values;  ///< Values of the parameters, as in the file: in SI units, choices by name.
+    double error = 0;                  ///< Error over all views; infinite if the file has none.
     double lowestError = 0, worstError = 0;
     std::optional<double> modelError;  ///< Error relative to everything exact; unset if not measured.
     double cost = 0;                   ///< In the unit `KeptStudy::cost`; 0 if not measured.
     bool uncertain = false;
-    std::map<std::string, double> counters;  ///< Over all views.
+    std::map<std::string, double> counters;  ///< Counters, summed over all views.
     struct Time {
         double median = 0, spread = 0;
         render::Interval interval;  ///< Confidence interval of the median.

@@ -35,13 +35,14 @@ Study::Study(const Museum& museum, render::RenderBackend& backend, StudyRequest 
           [this] { judge(); })
 {
     if (request_.axes.empty())
-        throw Failure(Blame::usage,
+        throw Failure(ErrorKind::usage,
                       "A study needs a parameter that is marked as quality; `vitrine list --json` names them.");
     if (render::metricInfo(request_.metric).falls)
-        throw Failure(Blame::usage, "A study needs a measure that falls to 0, and psnr rises without end; give rmse, "
-                                    "the same error not in decibels.");
+        throw Failure(ErrorKind::usage,
+                      "A study needs a measure that falls to 0, and psnr rises without end; give rmse, "
+                      "the same error not in decibels.");
     if (queue_.isPart() && request_.axes.size() > 2)
-        throw Failure(Blame::usage,
+        throw Failure(ErrorKind::usage,
                       "A study over three parameters or more searches: which settings it measures depends on those "
                       "before, so it cannot be split; study one or two parameters.");
     request_.runs = std::max(request_.runs, 1);
@@ -94,7 +95,7 @@ void Study::addViews()
             turned.view.camera.target + glm::dvec3(std::cos(angle) * arm.x + std::sin(angle) * arm.z, arm.y,
                                                    std::cos(angle) * arm.z - std::sin(angle) * arm.x);
         turned.view.time += 0.37;
-        turned.view.name += ", from aside";
+        turned.view.name += ", from the side";
         turned.heldOut = true;
         views_.push_back(std::move(turned));
     }
@@ -330,7 +331,7 @@ void Study::findDependentPasses()
         const FrameRequest frame = pictureRequest(sceneState, 0).frame;
         const render::FramePlan plan = museum_.plan(museum_.prepare(sceneState, frame), frame);
         for (const render::Pass& pass : plan.passes())
-            if (pass.key) keys[pass.name] = *pass.key;
+            if (pass.contentHash) keys[pass.name] = *pass.contentHash;
         return keys;
     };
     const Keys exact = keysAt(result_.exact);
@@ -451,7 +452,7 @@ render::FrameReport Study::drawTimed(const SceneState& sceneState, std::size_t v
     for (const std::string& pass : dependentPasses_) kept.passes.erase(pass);
     FrameRequest frame = pictureRequest(sceneState, view).frame;
     frame.channels = {};
-    frame.cut = frame.finished = true;  // The same as for the pictures whose time this is.
+    frame.resetHistory = frame.finished = true;  // The same as for the pictures whose time this is.
     const Prepared prepared = museum_.prepare(sceneState, frame);
     if (studiesMotion()) {
         // The timed frame uses the history of a previous frame.
@@ -459,7 +460,7 @@ render::FrameReport Study::drawTimed(const SceneState& sceneState, std::size_t v
         (void)backend_.draw(museum_.plan(prepared, frame, kept));
         kept = backend_.persistentState();
         frame.movingFrame = 2;
-        frame.cut = false;
+        frame.resetHistory = false;
     }
     return backend_.draw(museum_.plan(prepared, frame, kept));
 }

@@ -20,8 +20,8 @@ namespace vitrine {
 class Study {
 public:
     /// The museum, the backend and the parts must outlive it. Without parts everything is measured here. Throws Failure
-    /// (Blame::usage) if there is nothing to measure. Also throws for a part of a search, whose next settings depend on
-    /// earlier results.
+    /// (ErrorKind::usage) if there is nothing to measure. Also throws for a part of a search, whose next settings
+    /// depend on earlier results.
     Study(const Museum&, render::RenderBackend&, StudyRequest, StudyParts* parts = nullptr);
     ~Study();
     Study(const Study&) = delete;  // The search refers to the study.

@@ -134,7 +134,7 @@ std::string StudyJudge::convergenceSentence(const StudyResult& result, std::size
                     axisValueText(request_.sceneState, axes[i], values[i]);
         return text;
     };
-    if (studiesMotion(request_)) return "The reference is the picture at rest, whose own error is not checked.";
+    if (studiesMotion(request_)) return "The reference is the picture without motion, whose own error is not checked.";
     const std::vector<StudyAxis> unchecked = uncheckedAxes(request_.sceneState, request_.axes);
     std::vector<double> takenFor;
     for (const StudyAxis& axis : unchecked) takenFor.push_back(exactness(rowOf(request_.sceneState, axis)).exact);

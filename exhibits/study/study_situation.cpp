@@ -218,7 +218,7 @@ StudiedRow declaredOf(const SceneState& sceneState, const StudyAxis& axis)
 StudySituation studySituation(Subjects subjects, const StudyRequest& request)
 {
     StudySituation situation{request.sceneState, {}, {}, {}};
-    const Subject& subject = *subjects[request.subject];
+    const SceneObject& subject = *subjects[request.subject];
     if (keepsSettings(request)) {
         situation.views = subject.studyViews(request.sceneState.values[request.subject]);
         return situation;

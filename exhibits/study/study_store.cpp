@@ -80,7 +80,7 @@ void StudyStore::makeRoomFor(std::uintmax_t bytes) const
         --count;
     }
     if (!fits())
-        throw Failure(Blame::file,
+        throw Failure(ErrorKind::file,
                       "This study was not kept: those with names in " + folder_.string() +
                           " take all the room that there is; delete one of them, or save this one elsewhere.");
     std::error_code ignored;
@@ -106,9 +106,10 @@ void StudyStore::makeRoomForPictures(const fs::path& added) const
     std::error_code ignored;
     if (taken > limits_.pictureBytes) {
         fs::remove(picturesOf(added), ignored);
-        throw Failure(Blame::file, "The pictures of this study were not kept, its numbers were: pictures of studies "
-                                   "with names in " +
-                                       folder_.string() + " take all the room that there is; delete one of those.");
+        throw Failure(ErrorKind::file,
+                      "The pictures of this study were not kept, its numbers were: pictures of studies "
+                      "with names in " +
+                          folder_.string() + " take all the room that there is; delete one of those.");
     }
     for (const fs::path& path : leaving) fs::remove(path, ignored);
 }
@@ -127,7 +128,7 @@ ContactSheet StudyStore::pictures(const fs::path& path, const KeptStudy& study) 
     if (!fs::exists(file, ignored)) return {};
     ContactSheet sheet{render::readImage(file), study.size, study.views.size(), study.points.size()};
     if (glm::ivec2(sheet.image.width, sheet.image.height) != sheet.extent() || sheet.image.channels != 3)
-        throw Failure(Blame::file,
+        throw Failure(ErrorKind::file,
                       file.string() + " does not hold the pictures of " + path.filename().string() + "; delete it.");
     return sheet;
 }

@@ -27,7 +27,7 @@ StudyAxis axisNamed(const Museum& museum, const SceneState& sceneState, std::siz
     if (const std::size_t dot = text.find('.'); dot != std::string::npos) {
         const auto found = museum.find(text.substr(0, dot));
         if (!found || (*found != hallIndex && *found != subject))
-            throw Failure(Blame::usage,
+            throw Failure(ErrorKind::usage,
                           "study " + text +
                               ": a parameter is the exhibit's own or the hall's, as in hall.supersamples.");
         exhibit = *found;
@@ -36,7 +36,7 @@ StudyAxis axisNamed(const Museum& museum, const SceneState& sceneState, std::siz
     const auto row = sceneState.values[exhibit].table().find(name);
     std::optional<StudyAxis> axis = row ? studyAxis(sceneState, exhibit, *row, points) : std::nullopt;
     if (!axis)
-        throw Failure(Blame::usage,
+        throw Failure(ErrorKind::usage,
                       "study " + text + ": " + std::string(museum.subject(exhibit).name()) +
                           (row ? " has it, but no value of it is more exact than another" : " has no such parameter") +
                           "; give one of " + qualityNames(sceneState, exhibit) + '.');
@@ -52,14 +52,14 @@ void setValues(const SceneState& sceneState, StudyAxis& axis, const std::string&
         const std::optional<Value> value = optionValue(row, part);
         const std::optional<Value> legal = value ? nearestLegal(row, *value) : std::nullopt;
         if (!legal || *legal != *value)
-            throw Failure(Blame::usage, "--values: \"" + part + "\" is no value for " + std::string(row.name) +
-                                            "; give " + whatItTakes(row, part) + '.');
+            throw Failure(ErrorKind::usage, "--values: \"" + part + "\" is not a value for " + std::string(row.name) +
+                                                "; give " + whatItTakes(row, part) + '.');
         axis.values.push_back(std::get<double>(*legal));
     }
     std::sort(axis.values.begin(), axis.values.end());
     axis.values.erase(std::unique(axis.values.begin(), axis.values.end()), axis.values.end());
     if (axis.values.empty())
-        throw Failure(Blame::usage, "--values: give values separated by commas, such as --values 16,64,256.");
+        throw Failure(ErrorKind::usage, "--values: give values separated by commas, such as --values 16,64,256.");
 }
 
 /// Sets the axes of the request, whose subject and scene state are set.
@@ -72,17 +72,17 @@ void setAxes(const ParameterValues& values, const Museum& museum, StudyRequest& 
         StudyAxis axis = axisNamed(museum, request.sceneState, request.subject, name, points);
         for (const StudyAxis& other : request.axes)
             if (axis.subject == other.subject && axis.row == other.row)
-                throw Failure(Blame::usage, "study " + name + ": named twice; name each parameter once.");
+                throw Failure(ErrorKind::usage, "study " + name + ": named twice; name each parameter once.");
         request.axes.push_back(std::move(axis));
     }
     if (!values[t.values].empty()) {
-        if (names.size() != 1) throw Failure(Blame::usage, "--values: name exactly one parameter before it.");
+        if (names.size() != 1) throw Failure(ErrorKind::usage, "--values: name exactly one parameter before it.");
         setValues(request.sceneState, request.axes.front(), values[t.values]);
     }
     if (request.axes.empty()) request.axes = qualityAxes(request.sceneState, request.subject, values[t.points]);
     if (request.axes.empty())
         throw Failure(
-            Blame::usage,
+            ErrorKind::usage,
             std::string(museum.subject(request.subject).name()) +
                 " has no parameter on which accuracy depends; name one of the hall, such as hall.supersamples.");
 }

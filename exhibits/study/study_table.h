@@ -40,10 +40,10 @@ struct StudyTable final : Parameters {
         "Measure the exhibit without the hall, in the environment's light: quicker, but without sun and shadows.");
     Toggle asSet =
         toggle("asSet", false, "Do not adjust other parameters or skip views to make the studied parameter visible.",
-               called("Keep all settings"));
+               labeled("Keep all settings"));
 
     Group measureGroup = group("Measurement");
-    Choice<int> metric = choice("metric", 0, studyMetrics(), "Measure of the error.");
+    Choice<int> metric = choice("metric", 0, studyMetrics(), "Metric by which errors are measured.");
     Real pixelsPerDegree = real("pixelsPerDegree", render::flipPixelsPerDegree, none, Range{1, 1000}.soft(20, 100),
                                 "Pixels per degree of the viewer's field of view, for the metric flip.");
     Toggle modelError = toggle(
@@ -56,12 +56,12 @@ struct StudyTable final : Parameters {
                                         "Setting to choose: the cheapest within an error, or the best within a time.");
     Real maxError =
         real("maxError", 0.02, none, Range{0, 1e6}.soft(0, 1),
-             "Largest error allowed in any view: the cheapest setting within it is chosen.", called("Largest error"),
+             "Largest error allowed in any view: the cheapest setting within it is chosen.", labeled("Largest error"),
              when(choosing, StudyFind::cheapest), implies(choosing, StudyFind::cheapest));
     Real maxMilliseconds = real(
         "maxMilliseconds", 10, none, Range{0, 1e9}.soft(0, 100),
         "Longest frame time allowed, in milliseconds: the most exact setting within it is chosen.",
-        called("Longest time"), option("max-ms"), when(choosing, StudyFind::best), implies(choosing, StudyFind::best));
+        labeled("Longest time"), option("max-ms"), when(choosing, StudyFind::best), implies(choosing, StudyFind::best));
     Choice<ChartCost> cost = choice("cost", ChartCost::automatic, {"auto", "ms", "work"},
                                     "Cost in chart.svg and chart.png: ms (milliseconds per picture) or work (counted). "
                                     "Auto: ms if the clock is reliable. The page shows both.");
@@ -69,8 +69,8 @@ struct StudyTable final : Parameters {
 
 [[nodiscard]] const StudyTable& studyTable();
 
-/// Returns the study that values of `StudyTable` describe. Throws Failure (Blame::usage) naming what cannot be and what
-/// to give.
+/// Returns the study that values of `StudyTable` describe. Throws Failure (ErrorKind::usage) naming what cannot be and
+/// what to give.
 [[nodiscard]] StudyRequest studyRequest(const ParameterValues&, const Museum&, SceneState, std::size_t subject);
 
 /// Returns the cost axis of a study's chart: the one that is set, else time, if its clock is exact enough or no count

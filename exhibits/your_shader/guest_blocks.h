@@ -13,7 +13,7 @@
 // Uniform blocks of a visitor's shader, in the layout that guest_glsl.h declares.
 namespace vitrine::guest {
 
-/// Moment that a step shows.
+/// Time that a step shows.
 struct StepTime {
     double seconds = 0;
     double delta = 0;  ///< Since the step before; 0 in the first one.

@@ -19,7 +19,7 @@ struct PassText {
 struct PictureUse {
     enum class Source : std::uint8_t { input, target, import, channel };
     Source source = Source::input;
-    std::size_t index = 0;  ///< Of the input, pass, import or channel.
+    std::size_t index = 0;  ///< Index of the input, pass, import or channel.
     std::string name;       ///< As the visitor wrote it.
     std::string glslType;
 };

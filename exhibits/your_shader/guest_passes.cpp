@@ -101,7 +101,7 @@ private:
     const Work& work_;
     const render::PersistentState& kept_;
     render::FramePlan& plan_;
-    std::vector<glm::ivec2> sizes_;  ///< Of the targets.
+    std::vector<glm::ivec2> sizes_;  ///< Sizes of the targets.
 };
 
 std::optional<double> WorkPlan::inputNumber(std::string_view name) const
@@ -191,7 +191,7 @@ std::uint64_t WorkPlan::identity(double rate) const
     for (const glm::ivec2& size : sizes_) hash.addValue(size);
     for (const auto* pictures : {&shot_.ofInputs, &shot_.files})
         for (const LoadedPicture& picture : *pictures) hash.addValue(picture.id);
-    const bool goesOn = !plan_.allParts && shot_.values[shot_.table.afterChange] == ShaderChange::goesOn;
+    const bool goesOn = !plan_.allSlices && shot_.values[shot_.table.afterChange] == ShaderChange::goesOn;
     if (!work_.isKept || goesOn) return hash.value();
     // Events depend on the step, so that the rows count.
     for (const std::vector<std::size_t>& rows : shot_.table.ofInputs)
@@ -222,7 +222,7 @@ std::int64_t WorkPlan::planSteps(std::int64_t wanted, double rate)
     const std::uint64_t id = identity(rate);
     const std::int64_t held = heldStep(id, wanted);
     std::int64_t last = wanted;
-    if (!plan_.allParts && shot_.values[shot_.table.animate]) last = std::min(wanted, held + stepsPerFrame);
+    if (!plan_.allSlices && shot_.values[shot_.table.animate]) last = std::min(wanted, held + stepsPerFrame);
     if (held < 0) clearBefore0();
     const std::int64_t first = std::min(held + 1, last);
     for (std::int64_t step = first; step <= last; ++step) {
@@ -309,7 +309,7 @@ void WorkPlan::planStep(const std::string& namePrefix, const std::string& reason
     }
     key.add(viewOf(inputs));
     for (render::Pass& pass : passes) {
-        if (hasKey) pass.key = key.value();
+        if (hasKey) pass.contentHash = key.value();
         plan_.add(std::move(pass));
     }
 }
@@ -327,7 +327,7 @@ void WorkPlan::markStep(std::int64_t step, std::uint64_t identity, bool isOnly)
     for (std::size_t i = 0; i < work_.targets.size(); ++i)
         for (const std::int64_t each : {step, step + 1})
             if (work_.targets[i].isKept && (each == step || !isOnly)) pass.writes.push_back(imageOf(i, each));
-    pass.key = keyOf(identity, step);
+    pass.contentHash = keyOf(identity, step);
     plan_.add(std::move(pass));
 }
 

@@ -29,7 +29,7 @@ struct WorkShot {
     const ParameterValues& values;  ///< With the inputs of the work.
     const std::vector<LoadedPicture>& ofInputs;
     const std::vector<LoadedPicture>& files;
-    glm::ivec2 size{1};  ///< Of the picture, in pixels.
+    glm::ivec2 size{1};  ///< Size of the picture, in pixels.
     double time = 0;     ///< Seconds.
     bool inHall = false;
 };

@@ -60,9 +60,10 @@ void readForm(Reading& reading, const std::string& text, const std::string& name
     }
     if (defines(tokens, "mainImage") && !defines(tokens, "main")) return readShadertoyText(reading, 0);
     if (defines(tokens, "main")) return readPlain(reading, 0);
-    throw refused(reading, 0, 1, "",
-                  message("This is no shader: it has neither main() nor mainImage(), and no JSON in its first comment; "
-                          "write one of them."));
+    throw refused(
+        reading, 0, 1, "",
+        message("This is not a shader: it has neither main() nor mainImage(), and no JSON in its first comment; "
+                "write one of them."));
 }
 
 }  // namespace

@@ -71,9 +71,9 @@ struct Input {
     /// Limits and initial value, one number for each component; empty for pictures and buttons.
     std::vector<double> low, high, initial;
     std::optional<double> exact;       ///< Value that counts as exact, of an accuracy setting.
-    std::vector<InputChoice> choices;  ///< Of `choice`, in the order shown.
+    std::vector<InputChoice> choices;  ///< Choices of an input of type `choice`, in the order shown.
     std::string unit;                  ///< "m", "deg"; empty for plain numbers.
-    std::string source;                ///< Of a picture: file or page of the site that it came from.
+    std::string source;                ///< Source of a picture: its file or its page on the site.
 };
 
 /// Variable that the program fills for each frame.

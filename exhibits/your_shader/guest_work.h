@@ -39,7 +39,7 @@ struct PassPicture {
     };
     int unit = 0;
     From from = From::nothing;
-    std::size_t index = 0;  ///< Of the target, input or file.
+    std::size_t index = 0;  ///< Index of the target, input or file.
 };
 
 /// Names of the generated shaders in `WorkPass::sources`.

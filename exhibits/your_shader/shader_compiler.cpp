@@ -32,7 +32,7 @@ std::filesystem::path compilerFile()
     for (const fs::path& place : {here / name, here.parent_path() / name, here.parent_path() / "lib" / "vitrine" / name,
                                   fs::path(VITRINE_SHADER_COMPILER_BUILT)})
         if (fs::exists(place, error)) return place;
-    throw Failure(Blame::file,
+    throw Failure(ErrorKind::file,
                   message("Cannot start {1}, which translates shaders: it is not beside the program; install or "
                           "build Vitrine again.",
                           name));
@@ -89,7 +89,7 @@ void ShaderCompiler::start()
     const std::filesystem::path file = compilerFile();
     std::array<int, 2> sockets{};
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets.data()) != 0)
-        throw Failure(Blame::file, message("Cannot start {1}: {2}", file, std::strerror(errno)));
+        throw Failure(ErrorKind::file, message("Cannot start {1}: {2}", file, std::strerror(errno)));
     posix_spawn_file_actions_t actions;
     ::posix_spawn_file_actions_init(&actions);
     ::posix_spawn_file_actions_adddup2(&actions, sockets[1], STDIN_FILENO);
@@ -105,7 +105,7 @@ void ShaderCompiler::start()
     if (error == 0) return;
     process_ = -1;
     stop();
-    throw Failure(Blame::file, message("Cannot start {1}: {2}", file, std::strerror(error)));
+    throw Failure(ErrorKind::file, message("Cannot start {1}: {2}", file, std::strerror(error)));
 }
 
 void ShaderCompiler::stop()

@@ -162,7 +162,7 @@ private:
     {
         const std::string name(tokens_.text(at));
         if (name.size() != 9 || name.back() < '0' || name.back() > '3')
-            refuse(at, message("“{1}” is no channel; there are iChannel0 to iChannel3.", name));
+            refuse(at, message("“{1}” is not a channel; there are iChannel0 to iChannel3.", name));
         Channel& channel =
             channels_.try_emplace(name, Channel{.name = name, .glslType = "sampler2D", .kind = "texture"})
                 .first->second;

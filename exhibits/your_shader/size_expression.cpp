@@ -45,9 +45,10 @@ PassSize passSize(std::string_view text, int width, int height, int whole, const
     const std::optional<double> value = evaluate(withPrefixes(text), Unit::none, names);
     if (!unknown.empty()) return {.problem = unknown};
     if (!value) {
-        return {.problem = message("“{1}” is no size; write an expression of numbers, $WIDTH, $HEIGHT and inputs, such "
-                                   "as floor($WIDTH/2)",
-                                   text)};
+        return {.problem =
+                    message("“{1}” is not a size; write an expression of numbers, $WIDTH, $HEIGHT and inputs, such "
+                            "as floor($WIDTH/2)",
+                            text)};
     }
     if (*value >= Limits::side + 1)
         return {.problem = message("“{1}” gives more than {2} pixels; choose a smaller size", text, Limits::side)};

@@ -88,7 +88,7 @@ double YourShader::nextChangeOf(const ExhibitState& state) const
     return nextChange(state.values, state.time);
 }
 
-CalledTable YourShader::tableFor(const ParameterValues& values, render::AssetStore& assets) const
+DynamicParameters YourShader::dynamicParameters(const ParameterValues& values, render::AssetStore& assets) const
 {
     const ParameterInfo& row = table_.rows()[table_.file.row];
     const std::string path = filePath(row, values[table_.file]);

@@ -30,7 +30,7 @@ public:
     [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;
     [[nodiscard]] double nextChangeOf(const ExhibitState&) const override;
     [[nodiscard]] bool castsShadow() const override { return false; }
-    [[nodiscard]] CalledTable tableFor(const ParameterValues&, render::AssetStore&) const override;
+    [[nodiscard]] DynamicParameters dynamicParameters(const ParameterValues&, render::AssetStore&) const override;
     [[nodiscard]] std::vector<std::string> furtherFiles(const ParameterValues&) const override;
     [[nodiscard]] std::shared_ptr<const PreparedPart> prepare(const PrepareContext&) const override;
     void plan(const PlanContext&, render::FramePlan&) const override;

@@ -112,15 +112,16 @@ std::vector<std::size_t> YourShaderTable::addInput(const Input& input)
 {
     const std::string name = freeName(*this, rowName(input.name), endingsOf(input));
     const std::string named = input.label.empty() ? input.name : input.label;
-    const auto label = called(named);
+    const auto label = labeled(named);
     switch (input.type) {
     case InputType::toggle:
-        return {toggle(name, !input.initial.empty() && input.initial[0] != 0, "Switch of the shader.", label).row};
+        return {
+            toggle(name, !input.initial.empty() && input.initial[0] != 0, "Switch that the shader reads.", label).row};
     case InputType::choice: {
         const auto isInitial = [&](const guest::InputChoice& choice) { return choice.value == input.initial[0]; };
         const auto initial = std::find_if(input.choices.begin(), input.choices.end(), isInitial);
         return {choice(name, static_cast<int>(initial - input.choices.begin()), labelsOf(input),
-                       "Choice of the shader.", label)
+                       "Choice that the shader reads.", label)
                     .row};
     }
     case InputType::event:
@@ -128,17 +129,18 @@ std::vector<std::size_t> YourShaderTable::addInput(const Input& input)
                      "Time at which the button of this event is pressed, for one step.", label, reads(-1, "never"))
                     .row};
     case InputType::color: {
-        std::vector<std::size_t> rows{color(name, linearColor(input.initial), "Color of the shader.", label).row};
+        std::vector<std::size_t> rows{
+            color(name, linearColor(input.initial), "Color that the shader reads.", label).row};
         if (input.glslType == "vec4")
             rows.push_back(real(name + "Alpha", std::clamp(input.initial.back(), 0.0, 1.0), Unit::none, {0, 1},
-                                "Opacity of the color.", called(named + " alpha"))
+                                "Opacity of the color.", labeled(named + " alpha"))
                                .row);
         return rows;
     }
     case InputType::image:
         if (input.source == "buffer") return {};
         return {this->Parameters::file(name, "Picture that the shader reads; empty: a test picture.",
-                                       endings(render::readEndings()), label)
+                                       extensions(render::readEndings()), label)
                     .row};
     case InputType::audio:
     case InputType::spectrum: return {};
@@ -155,18 +157,18 @@ std::vector<std::size_t> YourShaderTable::addNumbers(const Input& input, const s
     std::vector<std::size_t> rows;
     for (std::size_t i = 0; i < endings.size() && i < input.initial.size(); ++i) {
         const Range range = rangeOf(input.low[i], input.high[i], unit);
-        const std::string labeled = std::string(label) + (endings[i].empty() ? "" : " " + endings[i]);
-        const std::string help = "Number of the shader.";
+        const std::string shownAs = std::string(label) + (endings[i].empty() ? "" : " " + endings[i]);
+        const std::string help = "Number that the shader reads.";
         std::optional<Quality> exact;
         if (input.exact && endings.size() == 1) exact = quality(stored(*input.exact, unit));
         if (isWhole) {
             const auto initial = static_cast<int>(std::lround(std::clamp(input.initial[i], -1e9, 1e9)));
-            rows.push_back(exact ? count(name + endings[i], initial, range, help, called(labeled), *exact).row
-                                 : count(name + endings[i], initial, range, help, called(labeled)).row);
+            rows.push_back(exact ? count(name + endings[i], initial, range, help, labeled(shownAs), *exact).row
+                                 : count(name + endings[i], initial, range, help, labeled(shownAs)).row);
         } else {
             const double initial = stored(input.initial[i], unit);
-            rows.push_back(exact ? real(name + endings[i], initial, unit, range, help, called(labeled), *exact).row
-                                 : real(name + endings[i], initial, unit, range, help, called(labeled)).row);
+            rows.push_back(exact ? real(name + endings[i], initial, unit, range, help, labeled(shownAs), *exact).row
+                                 : real(name + endings[i], initial, unit, range, help, labeled(shownAs)).row);
         }
     }
     return rows;

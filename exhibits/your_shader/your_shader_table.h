@@ -22,11 +22,11 @@ struct YourShaderTable final : Parameters {
     explicit YourShaderTable(std::shared_ptr<const guest::Work> = {});
 
     Group show = group("Display");
-    File file =
-        this->Parameters::file("file",
-                               "Path of a shader: ISF (.fs), Shadertoy code or its JSON, or a plain fragment shader. "
-                               "Its inputs become sliders.",
-                               endings("fs frag glsl json txt"), givesRows(), shippedIn("shaders"), essential());
+    File file = this->Parameters::file(
+        "file",
+        "Path of a shader: ISF (.fs), Shadertoy code or its JSON, or a plain fragment shader. "
+        "Its inputs become sliders.",
+        extensions("fs frag glsl json txt"), addsParameters(), inAssetFolder("shaders"), essential());
     Toggle animate =
         toggle("animate", false, "Whether time runs; it shows only in shaders that read the time.", essential());
     Real moment = real("moment", 0, second, Range{-1e6, 1e6}.soft(0, 60),
@@ -41,22 +41,22 @@ struct YourShaderTable final : Parameters {
     Toggle mouseDown = toggle("mouseDown", false, "Whether the button of the mouse is held, for Shadertoy's iMouse.");
 
     Group steps = group("Steps");
-    Real rate =
-        real("rate", 60, hertz, {1, 240},
-             "Number of steps a second of shaders that continue their last picture, and of the frames counted.");
-    Choice<ShaderChange> afterChange = choice(
-        "afterChange", ShaderChange::goesOn, {"continue", "recompute"},
-        "After a change of an input, a shader with persistent buffers continues from what they hold, or begins again. "
-        "Pictures for files always begin again.");
+    Real rate = real("rate", 60, hertz, {1, 240},
+                     "Number of steps per second of shaders that continue from their last picture; frame counters "
+                     "advance at this rate, too.");
+    Choice<ShaderChange> afterChange =
+        choice("afterChange", ShaderChange::goesOn, {"continue", "recompute"},
+               "Behavior of persistent buffers when an input changes: the shader continues from their content, or "
+               "begins again. Pictures for files always begin again.");
 
     Group accuracy = group("Accuracy");
     Count loopRounds = count("loopRounds", 65536, {16, 262144, logarithmic},
-                             "Largest number of loop rounds of one pixel, all loops together: low cuts long loops off, "
-                             "high lets them end.",
+                             "Largest number of loop iterations per pixel, in all loops together: low cuts long loops "
+                             "off, high lets them end.",
                              quality(262144), essential());
     Count screenWidth =
         count("screenWidth", 960, {64, 4096, logarithmic}, "Width of the picture in its frame in the hall, in pixels.");
-    StudiedRows studied{*this, {{.name = "loopRounds", .settles = "The loops of the shader end before."}}};
+    StudiedRows studied{*this, {{.name = "loopRounds", .settles = "The loops of the shader end earlier."}}};
 
     const std::shared_ptr<const guest::Work> work;
     /// Parameters of each input, in the order of its components; empty for inputs without any.

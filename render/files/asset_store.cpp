@@ -116,7 +116,7 @@ struct AssetStore::Shared {
 
 AssetStore::AssetStore(std::uint64_t mostBytes) : shared_(std::make_shared<Shared>(mostBytes)) {}
 
-AssetStore AssetStore::waitless() const
+AssetStore AssetStore::nonBlocking() const
 {
     AssetStore store = *this;
     store.waits_ = false;

@@ -39,7 +39,7 @@ template <typename T> struct Asset {
     /// Hash of the source (file state or key): changes when the file changes, and is the same in every run. 0: no
     /// value.
     std::uint64_t id = 0;
-    bool pending = false;  ///< Neither value nor failure yet; only from `AssetStore::waitless`.
+    bool pending = false;  ///< Neither value nor failure yet; only from `AssetStore::nonBlocking`.
 };
 
 /// An asset that is not loaded or made yet.
@@ -59,14 +59,14 @@ struct PendingAsset {
 /// last entry of each use always stays, and so does any object that is still referenced elsewhere.
 ///
 /// Thread-safe: several threads may make different objects at the same time. A thread that requests an object which
-/// another is making waits for it, except through `waitless()`. Copies refer to the same store.
+/// another is making waits for it, except through `nonBlocking()`. Copies refer to the same store.
 class AssetStore {
 public:
     explicit AssetStore(std::uint64_t mostBytes = 256ULL << 20U);
 
     /// Returns the same store for a thread that must not block: it reads no file and waits for none. Missing objects
     /// are returned as `pending`, and the returned store lists them.
-    [[nodiscard]] AssetStore waitless() const;
+    [[nodiscard]] AssetStore nonBlocking() const;
     [[nodiscard]] const std::vector<PendingAsset>& pending() const { return pending_; }
 
     template <typename T> struct Made {

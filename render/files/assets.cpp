@@ -24,9 +24,10 @@ fs::path findAssets()
     candidates.emplace_back(VITRINE_ASSET_DIR);
     for (const fs::path& candidate : candidates)
         if (fs::exists(candidate / "models" / "materials.json", error)) return candidate;
-    throw Failure(Blame::file, message("The program's assets were not found beside it (looked last in {1}); reinstall "
-                                       "it, or set VITRINE_ASSETS to the folder that holds models/materials.json.",
-                                       candidates.back()));
+    throw Failure(ErrorKind::file,
+                  message("The program's assets were not found beside it (looked last in {1}); reinstall "
+                          "it, or set VITRINE_ASSETS to the folder that holds models/materials.json.",
+                          candidates.back()));
 }
 
 }  // namespace

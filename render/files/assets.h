@@ -6,7 +6,7 @@
 namespace vitrine::render {
 
 /// Returns the folder of the program's own assets: $VITRINE_ASSETS, else share/vitrine or ../../assets beside the
-/// executable, else the source tree that it was built from. Throws Failure (Blame::file) if none has them.
+/// executable, else the source tree that it was built from. Throws Failure (ErrorKind::file) if none has them.
 [[nodiscard]] const std::filesystem::path& assetFolder();
 
 /// assetFolder() / relative.

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void refuse(const fs::path& path, const Message& why)
 {
-    throw Failure(Blame::file, message("Cannot write {1}: {2}", path, why));
+    throw Failure(ErrorKind::file, message("Cannot write {1}: {2}", path, why));
 }
 
 Message advice(int error)
@@ -164,8 +164,8 @@ PartFile::~PartFile()
 
 void PartFile::fail(const Message& doing, int error) const
 {
-    throw Failure(Blame::file, message("Cannot write {1}: {2} failed ({3}); the old content is untouched; {4}.",
-                                       target_, doing, std::strerror(error), advice(error)));
+    throw Failure(ErrorKind::file, message("Cannot write {1}: {2} failed ({3}); the old content is untouched; {4}.",
+                                           target_, doing, std::strerror(error), advice(error)));
 }
 
 void PartFile::prepare() const

@@ -31,12 +31,12 @@ void* openModule(const ModuleFile& file, const std::function<void*(void*)>& made
     }
     if (problems.empty()) {
         throw Failure(
-            Blame::file,
+            ErrorKind::file,
             message("Cannot open {1}, which {2}: it is not beside the program; install {3} or build Vitrine again.",
                     file.name, file.purpose, file.needs));
     }
-    throw Failure(Blame::file, message("Cannot open {1}, which {2}: {3}install {4} or build Vitrine again.", file.name,
-                                       file.purpose, problems, file.needs));
+    throw Failure(ErrorKind::file, message("Cannot open {1}, which {2}: {3}install {4} or build Vitrine again.",
+                                           file.name, file.purpose, problems, file.needs));
 }
 
 }  // namespace vitrine::render

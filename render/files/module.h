@@ -20,7 +20,7 @@ struct ModuleFile {
 /// Opens a module. Searches beside the executable, one folder up, in ../lib/vitrine/modules, and where it was built.
 /// Takes the first library for whose symbol `made` returns an object (null: it belongs to another version), and returns
 /// that object. The library is never closed, because threads of its dependencies would outlive their code. Throws
-/// Failure (Blame::file) if none can be opened.
+/// Failure (ErrorKind::file) if none can be opened.
 [[nodiscard]] void* openModule(const ModuleFile&, const std::function<void*(void* symbol)>& made);
 
 }  // namespace vitrine::render

@@ -16,7 +16,7 @@ namespace {
 
 [[noreturn]] void failReading(const std::string& name, const Message& cause)
 {
-    throw Failure(Blame::file, message("Cannot read {1}: {2}", name, cause));
+    throw Failure(ErrorKind::file, message("Cannot read {1}: {2}", name, cause));
 }
 
 Message causeOf(int error)
@@ -104,7 +104,7 @@ std::string readFileBeneath(const std::filesystem::path& folder, std::string_vie
 {
     const std::string shown = (folder / reference).string();
     if (const Message why = whyRefused(reference, reach); !why.empty()) {
-        throw Failure(Blame::file,
+        throw Failure(ErrorKind::file,
                       message("Cannot follow the reference \"{1}\" inside {2}: {3}; use a plain relative path.",
                               reference, folder, why));
     }

@@ -25,7 +25,7 @@ std::filesystem::path scratchFolder()
     std::error_code error;
     const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
     if (!error) return folder;
-    throw Failure(Blame::file,
+    throw Failure(ErrorKind::file,
                   message("There is no folder for temporary files ({1}); let TMPDIR name one that you may write to.",
                           error.message()));
 }
@@ -42,9 +42,10 @@ ScratchFile::ScratchFile() : folder_(scratchFolder())
 
 void ScratchFile::fail(const Message& doing) const
 {
-    throw Failure(Blame::file, message("Cannot keep the views in {1}: {2} failed ({3}); free some space there, or let "
-                                       "TMPDIR name a folder with more.",
-                                       folder_, doing, std::strerror(errno)));
+    throw Failure(ErrorKind::file,
+                  message("Cannot keep the views in {1}: {2} failed ({3}); free some space there, or let "
+                          "TMPDIR name a folder with more.",
+                          folder_, doing, std::strerror(errno)));
 }
 
 void ScratchFile::append(const void* bytes, std::size_t count)

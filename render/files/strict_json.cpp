@@ -357,7 +357,7 @@ std::vector<JsonSpan> JsonReader::places(const std::string& name)
 }  // namespace
 
 JsonFailure::JsonFailure(const std::string& file, int line, int column, const std::string& key, const Message& problem)
-    : Failure(Blame::file,
+    : Failure(ErrorKind::file,
               key.empty() ? vitrine::message("{1}, line {2}, column {3}: {4}.", file, line, column, problem)
                           : vitrine::message("{1}, line {2}, column {3}, {4}: {5}.", file, line, column, key, problem)),
       line_(line), column_(column), key_(key), problem_(problem)
@@ -374,8 +374,8 @@ int JsonDocument::lineOf(std::string_view keyPath) const
 
 Failure JsonDocument::failure(std::string_view keyPath, const Message& problem) const
 {
-    if (keyPath.empty()) return Failure(Blame::file, message("{1}: {2}", name_, problem));
-    return Failure(Blame::file, message("{1}, line {2}, {3}: {4}", name_, lineOf(keyPath), keyPath, problem));
+    if (keyPath.empty()) return Failure(ErrorKind::file, message("{1}: {2}", name_, problem));
+    return Failure(ErrorKind::file, message("{1}, line {2}, {3}: {4}", name_, lineOf(keyPath), keyPath, problem));
 }
 
 JsonDocument parseJson(std::string text, std::string name, const JsonLimits& limits)
@@ -424,8 +424,8 @@ public:
 private:
     [[noreturn]] void fail(const Message& problem) const
     {
-        throw Failure(Blame::file, path_.empty() ? message("Cannot write JSON: the value {1}", problem)
-                                                 : message("Cannot write JSON: {1} {2}", path_, problem));
+        throw Failure(ErrorKind::file, path_.empty() ? message("Cannot write JSON: the value {1}", problem)
+                                                     : message("Cannot write JSON: {1} {2}", path_, problem));
     }
 
     void newline(int depth) { out += '\n' + std::string(2 * static_cast<std::size_t>(depth), ' '); }
@@ -508,7 +508,7 @@ std::string asciiJson(std::string_view utf8Json)
             const std::string escaped = quoted(std::string(beyond, at), true);
             out.append(escaped, 1, escaped.size() - 2);
         } catch (const Json::type_error&) {
-            throw Failure(Blame::file, message("Cannot write JSON: the text is not UTF-8."));
+            throw Failure(ErrorKind::file, message("Cannot write JSON: the text is not UTF-8."));
         }
     }
     return out;

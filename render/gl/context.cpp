@@ -150,7 +150,7 @@ HeadlessContext::HeadlessContext(bool debug) : state_(std::make_unique<State>())
         eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         eglDestroyContext(display, context);
     }
-    throw Failure(Blame::openGl, found.empty() ? whyUnusable({}) : found);
+    throw Failure(ErrorKind::openGl, found.empty() ? whyUnusable({}) : found);
 }
 
 namespace {
@@ -180,7 +180,7 @@ std::shared_ptr<SharedContext> HeadlessContext::shared() const
 {
     const EGLContext context = makeContext(state_->display, false, state_->context);
     if (context == EGL_NO_CONTEXT)
-        throw Failure(Blame::openGl,
+        throw Failure(ErrorKind::openGl,
                       message("The graphics driver makes no second context that shares with the first."));
     return std::make_shared<SharedEglContext>(state_->display, context);
 }

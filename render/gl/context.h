@@ -27,7 +27,7 @@ struct ContextInfo {
 [[nodiscard]] Message whyUnusable(const ContextInfo&);
 
 /// An OpenGL 4.5 core context without window or display: EGL on a device (hardware first), else Mesa's surfaceless
-/// platform. It is current on the thread that created it. Throws Failure (Blame::openGl).
+/// platform. It is current on the thread that created it. Throws Failure (ErrorKind::openGl).
 class HeadlessContext {
 public:
     explicit HeadlessContext(bool debug = false);
@@ -37,7 +37,7 @@ public:
 
     [[nodiscard]] const ContextInfo& info() const { return info_; }
     /// Creates another context that shares the objects of this one; not current on any thread. Throws Failure
-    /// (Blame::openGl).
+    /// (ErrorKind::openGl).
     [[nodiscard]] std::shared_ptr<SharedContext> shared() const;
 
 private:

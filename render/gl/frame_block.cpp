@@ -32,13 +32,13 @@ FrameBlock frameBlock(const View& view, double time, int sample, std::uint32_t s
 
 TemporalBlock temporalBlock(const Pass& pass, int part, bool valid)
 {
-    Raster raster = pass.past.lastView.raster;
+    Raster raster = pass.temporal.lastView.raster;
     raster.jitter = glm::dvec2(0);
     TemporalBlock block;
-    block.previousClipFromWorld = glm::mat4(withRaster(pass.past.lastView, raster).clipFromWorld);
+    block.previousClipFromWorld = glm::mat4(withRaster(pass.temporal.lastView, raster).clipFromWorld);
     block.isValid = valid;
-    block.part = part;
-    block.parts = pass.parts;
+    block.slice = part;
+    block.sliceCount = pass.sliceCount;
     return block;
 }
 

@@ -28,18 +28,18 @@ void ProgramCache::buildWith(std::shared_ptr<SharedContext> context)
     builder_ = context ? std::make_unique<ProgramBuilder>(source_, std::move(context)) : nullptr;
 }
 
-std::optional<ProgramInUse> ProgramCache::useBetter(const ShaderKey& key)
+std::optional<ProgramInUse> ProgramCache::useSpecialized(const ShaderKey& key)
 {
-    const std::string id = key.better ? identify(*key.better) : std::string();
-    const std::string slot = key.slot + " (better)";
-    if (!key.slot.empty()) giveUpOthers(slot, id);
-    const auto base = key.better ? programs_.find(identify(key)) : programs_.end();
+    const std::string id = key.specialized ? identify(*key.specialized) : std::string();
+    const std::string family = key.programFamily + " (specialized)";
+    if (!key.programFamily.empty()) giveUpOthers(family, id);
+    const auto base = key.specialized ? programs_.find(identify(key)) : programs_.end();
     if (base == programs_.end() || !base->second.build.program) return std::nullopt;
     auto found = programs_.find(id);
     if (found == programs_.end()) {
         if (!builder_ && !buildsInParallel()) return std::nullopt;
-        found = programs_.emplace(id, Entry{*key.better, {}, {}}).first;
-        found->second.key.slot = slot;
+        found = programs_.emplace(id, Entry{*key.specialized, {}, {}}).first;
+        found->second.key.programFamily = family;
         beginInBackground(id, found->second);
     }
     Entry& entry = found->second;
@@ -47,13 +47,13 @@ std::optional<ProgramInUse> ProgramCache::useBetter(const ShaderKey& key)
     takeWhatIsFinished(id, entry);
     if (!entry.build.program) return std::nullopt;
     base->second.lastUse = frame_;  // Kept, so that it can be used again at once when the key changes.
-    return ProgramInUse{.program = entry.build.program.name(), .better = key.better->about};
+    return ProgramInUse{.program = entry.build.program.name(), .specialized = key.specialized->about};
 }
 
 ProgramInUse ProgramCache::use(const ShaderKey& key, Building building)
 {
     if (building == Building::goesOn)
-        if (std::optional<ProgramInUse> better = useBetter(key)) return *better;
+        if (std::optional<ProgramInUse> specialized = useSpecialized(key)) return *specialized;
     const std::string id = identify(key);
     auto found = programs_.find(id);
     if (found == programs_.end()) {
@@ -68,28 +68,29 @@ ProgramInUse ProgramCache::use(const ShaderKey& key, Building building)
     takeWhatIsFinished(id, entry);
     if (entry.building && building == Building::isWaitedFor) buildNow(id, entry);
     if (entry.build.program) {
-        if (!key.slot.empty()) {
-            lastGood_[key.slot] = id;
-            giveUpOthers(key.slot, id);
+        if (!key.programFamily.empty()) {
+            lastGood_[key.programFamily] = id;
+            giveUpOthers(key.programFamily, id);
         }
         return {entry.build.program.name()};
     }
-    if (std::optional<ProgramInUse> other = standIn(entry)) return *other;
+    if (std::optional<ProgramInUse> other = fallback(entry)) return *other;
     const Message problem = placeOf(key, entry.build.problem);
     programs_.erase(found);
-    throw Failure(Blame::shader, message("{1} (while building {2}); correct the shader or reinstall the program.",
-                                         problem, describe(key)));
+    throw Failure(ErrorKind::shader, message("{1} (while building {2}); correct the shader or reinstall the program.",
+                                             problem, describe(key)));
 }
 
 bool ProgramCache::canWait(const ShaderKey& key) const
 {
-    if (key.slot.empty() || (!builder_ && !buildsInParallel())) return false;
-    return key.meanwhile || (lastGood_.contains(key.slot) && programs_.contains(lastGood_.at(key.slot)));
+    if (key.programFamily.empty() || (!builder_ && !buildsInParallel())) return false;
+    return key.meanwhile ||
+           (lastGood_.contains(key.programFamily) && programs_.contains(lastGood_.at(key.programFamily)));
 }
 
 void ProgramCache::beginInBackground(const std::string& id, Entry& entry)
 {
-    giveUpOthers(entry.key.slot, id);
+    giveUpOthers(entry.key.programFamily, id);
     entry.building = true;
     if (builder_)
         builder_->begin(id, entry.key);
@@ -97,11 +98,11 @@ void ProgramCache::beginInBackground(const std::string& id, Entry& entry)
         entry.pending.emplace(source_, entry.key);
 }
 
-/// Cancels all other builds of the slot: only the newest request is still useful.
-void ProgramCache::giveUpOthers(const std::string& slot, const std::string& id)
+/// Cancels all other builds of the family: only the newest request is still useful.
+void ProgramCache::giveUpOthers(const std::string& family, const std::string& id)
 {
     std::erase_if(programs_, [&](const auto& entry) {
-        if (entry.first == id || !entry.second.building || entry.second.key.slot != slot) return false;
+        if (entry.first == id || !entry.second.building || entry.second.key.programFamily != family) return false;
         if (builder_) builder_->cancel(entry.first);
         return true;
     });
@@ -131,10 +132,10 @@ void ProgramCache::buildNow(const std::string& id, Entry& entry)
     rebuild(entry);
 }
 
-std::optional<ProgramInUse> ProgramCache::standIn(const Entry& entry)
+std::optional<ProgramInUse> ProgramCache::fallback(const Entry& entry)
 {
     const ShaderKey& key = entry.key;
-    if (key.slot.empty()) return std::nullopt;
+    if (key.programFamily.empty()) return std::nullopt;
     const Message why = entry.building
                             ? message("while the new program is being built")
                             : message("because the new program does not build: {1}", placeOf(key, entry.build.problem));
@@ -142,7 +143,7 @@ std::optional<ProgramInUse> ProgramCache::standIn(const Entry& entry)
     if (key.meanwhile)
         return ProgramInUse{use(*key.meanwhile).program,
                             message("drawn with {1} {2}", describe(*key.meanwhile), why).english(), building};
-    const auto last = lastGood_.find(key.slot);
+    const auto last = lastGood_.find(key.programFamily);
     const auto good = last == lastGood_.end() ? programs_.end() : programs_.find(last->second);
     if (good == programs_.end() || !good->second.build.program) return std::nullopt;
     good->second.lastUse = frame_;
@@ -173,10 +174,11 @@ void ProgramCache::take(Entry& entry, BuiltProgram fresh)
 {
     entry.newest = newestFile(fresh.files.empty() ? entry.build.files : fresh.files);
     built_ += fresh.fromCache ? 0 : 1;
-    const std::string& slot = entry.key.slot;
-    if (!slot.empty()) std::erase_if(problems_, [&](const ShaderProblem& problem) { return problem.slot == slot; });
-    const bool kept = !fresh.program && (entry.build.program || !slot.empty());
-    if (kept) problems_.push_back({fresh.problem.file, fresh.problem.line, fresh.problem.text, slot});
+    const std::string& family = entry.key.programFamily;
+    if (!family.empty())
+        std::erase_if(problems_, [&](const ShaderProblem& problem) { return problem.programFamily == family; });
+    const bool kept = !fresh.program && (entry.build.program || !family.empty());
+    if (kept) problems_.push_back({fresh.problem.file, fresh.problem.line, fresh.problem.text, family});
     if (fresh.program || !entry.build.program)
         entry.build = std::move(fresh);
     else

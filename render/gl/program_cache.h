@@ -18,19 +18,20 @@ namespace vitrine::render::gl {
 struct ProgramInUse {
     GLuint program = 0;
     /// Reason why a fallback is used instead of the requested program; empty if it is not a fallback.
-    std::string standIn = {};
+    std::string fallback = {};
     bool building = false;  ///< The requested program is being built and will be used in a later frame.
-    /// If a fallback from the same slot is used: hash of the generated sources that it was built from, if they differ.
+    /// If a fallback from the same family is used: hash of the generated sources that it was built from, if they
+    /// differ.
     std::optional<std::uint64_t> ofSources = {};
-    /// Description of the specialized program (ShaderKey::better), if that is used; else empty.
-    std::string better = {};
+    /// Description of the specialized program (ShaderKey::specialized), if that is used; else empty.
+    std::string specialized = {};
 };
 
 /// Programs by key, built on first use. In a debug build they are rebuilt when one of their files changes. A driver
 /// needs about 2 MB for each, and options make hundreds of permutations. So the least recently used are deleted; the
-/// cache on disk restores them quickly. Programs of a slot (ShaderKey::slot) are built in the background while another
-/// program can be used in their place. That needs a context for a thread (`buildWith`) or a driver that compiles in the
-/// background.
+/// cache on disk restores them quickly. Programs of a family (ShaderKey::programFamily) are built in the background
+/// while another program can be used in their place. That needs a context for a thread (`buildWith`) or a driver that
+/// compiles in the background.
 class ProgramCache {
 public:
     /// Number of programs that are kept although the last frame did not use them.
@@ -45,12 +46,12 @@ public:
     void dropIdle();
 
     enum class Building { goesOn, isWaitedFor };
-    /// Returns the program or a fallback: its last good build, or another program of its slot. Throws Failure
-    /// (Blame::shader) if there is none.
+    /// Returns the program or a fallback: its last good build, or another program of its family. Throws Failure
+    /// (ErrorKind::shader) if there is none.
     [[nodiscard]] ProgramInUse use(const ShaderKey&, Building = Building::goesOn);
-    /// Returns the specialized program of a key (ShaderKey::better) if it is built. Otherwise starts building it and
-    /// returns nothing.
-    [[nodiscard]] std::optional<ProgramInUse> useBetter(const ShaderKey&);
+    /// Returns the specialized program of a key (ShaderKey::specialized) if it is built. Otherwise starts building it
+    /// and returns nothing.
+    [[nodiscard]] std::optional<ProgramInUse> useSpecialized(const ShaderKey&);
 
     /// Rebuilds programs whose files on disk are newer than their build. Returns whether it tried to rebuild any.
     bool reloadChanged();
@@ -76,14 +77,14 @@ private:
     void beginInBackground(const std::string& id, Entry&);
     void takeWhatIsFinished(const std::string& id, Entry&);
     void buildNow(const std::string& id, Entry&);
-    void giveUpOthers(const std::string& slot, const std::string& id);
+    void giveUpOthers(const std::string& family, const std::string& id);
     [[nodiscard]] bool canWait(const ShaderKey&) const;
-    [[nodiscard]] std::optional<ProgramInUse> standIn(const Entry&);
+    [[nodiscard]] std::optional<ProgramInUse> fallback(const Entry&);
     [[nodiscard]] std::filesystem::file_time_type newestFile(const std::vector<std::string>& files) const;
 
     ShaderSource source_;
     Programs programs_;
-    std::map<std::string, std::string> lastGood_;  ///< Slot -> id of the program that was last used successfully.
+    std::map<std::string, std::string> lastGood_;  ///< Family -> id of the program that was last used successfully.
     std::vector<ShaderProblem> problems_;
     int built_ = 0;
     std::uint64_t frame_ = 0;

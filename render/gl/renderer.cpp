@@ -3,6 +3,7 @@
 #include "render/failure.h"
 #include "render/gl/context.h"
 #include "render/gl/draw_scopes.h"
+#include "render/gl/family_inputs.h"
 #include "render/gl/frame_block.h"
 #include "render/gl/frame_clock.h"
 #include "render/gl/framebuffers.h"
@@ -11,7 +12,6 @@
 #include "render/gl/program_cache.h"
 #include "render/gl/resources.h"
 #include "render/gl/screen.h"
-#include "render/gl/slot_inputs.h"
 #include "render/gl/uniform_allocator.h"
 #include "render/gl/uploads.h"
 #include "render/measure/clock.h"
@@ -31,7 +31,7 @@ struct PassRanges {
     std::vector<UniformAllocator::Range> temporal;  ///< One for each slice that runs in this frame.
     std::vector<std::pair<int, UniformAllocator::Range>> blocks;
     std::vector<UniformAllocator::Range> objects;
-    // Replace `blocks` and `objects` if the last good program of the slot is used.
+    // Replace `blocks` and `objects` if the last good program of the family is used.
     std::vector<std::pair<int, UniformAllocator::Range>> lastBlocks;
     std::vector<UniformAllocator::Range> lastObjects;
 };
@@ -72,7 +72,7 @@ struct Renderer::State {
     std::map<std::string, std::set<std::string>> writersOfKept;  ///< Image -> passes with a key that wrote it.
     bool timeSteps = false;
     std::thread::id thread = std::this_thread::get_id();
-    std::function<bool()> unwanted;
+    std::function<bool()> isCanceled;
     Screen screen;  ///< Target of `screenPixels`.
 
     explicit State(std::shared_ptr<Shared> common)
@@ -101,22 +101,22 @@ struct Renderer::State {
     {
         PassRanges ranges;
         ranges.frame = frameRange(pass, plan, planFrame);
-        if (pass.past.used) {
+        if (pass.temporal.used) {
             const std::vector<std::string> inputs = inputsOf(pass);
             // The plan may have been made for the state of another renderer, or for an earlier state of this one.
             const bool missing = std::any_of(lost.begin(), lost.end(), [&](const std::string& image) {
                 return std::any_of(inputs.begin(), inputs.end(), [&](const std::string& name) {
-                    return name == previous(image) || (name == image && plan.imagesInParts().contains(image) &&
-                                                       pass.parts == 1 && !madeByNow(plan, image));
+                    return name == previous(image) || (name == image && plan.slicedImages().contains(image) &&
+                                                       pass.sliceCount == 1 && !madeByNow(plan, image));
                 });
             });
-            for (int part = pass.past.firstPart; part < pass.past.endPart; ++part)
+            for (int part = pass.temporal.firstSlice; part < pass.temporal.endSlice; ++part)
                 ranges.temporal.push_back(
-                    arena.add(std140Bytes(temporalBlock(pass, part, pass.past.valid && !missing))));
+                    arena.add(std140Bytes(temporalBlock(pass, part, pass.temporal.valid && !missing))));
         }
         ranges.blocks = blockRanges(pass.blocks);
         for (const Draw& draw : pass.draws) ranges.objects.push_back(objectRange(draw.object));
-        if (const SlotInputs* last = lastInputs.ofOthers(pass)) {
+        if (const FamilyInputs* last = lastInputs.ofOthers(pass)) {
             ranges.lastBlocks = blockRanges(last->blocks);
             for (const Bytes& object : last->objects) ranges.lastObjects.push_back(objectRange(object));
         }
@@ -159,7 +159,7 @@ struct Renderer::State {
     {
         return std::any_of(plan.passes().begin(), plan.passes().end(), [&](const Pass& pass) {
             const std::vector<std::string> written = outputsOf(pass);
-            return pass.parts > 1 && pass.past.endPart == pass.parts &&
+            return pass.sliceCount > 1 && pass.temporal.endSlice == pass.sliceCount &&
                    std::find(written.begin(), written.end(), image) != written.end();
         });
     }
@@ -190,7 +190,7 @@ struct Renderer::State {
     {
         if (pass.work == Work::simulation) return {};
         ProgramInUse used = programs.use(pass.shader, building);
-        const SlotInputs* last = used.ofSources ? lastInputs.ofOthers(pass) : nullptr;
+        const FamilyInputs* last = used.ofSources ? lastInputs.ofOthers(pass) : nullptr;
         // Another renderer drew with that program, so its inputs are not known here.
         if (used.ofSources && (!last || last->sources != *used.ofSources)) {
             used = programs.use(pass.shader, ProgramCache::Building::isWaitedFor);
@@ -201,23 +201,23 @@ struct Renderer::State {
         for (const auto& [binding, range] : last ? ranges.lastBlocks : ranges.blocks) arena.bind(binding, range);
         bindInputs(pass.inputs);
         if (last) bindInputs(last->textures);
-        if (used.standIn.empty()) lastInputs.keep(pass);
+        if (used.fallback.empty()) lastInputs.keep(pass);
         bindBuffers(pass.buffers);
         if (last) bindBuffers(last->buffers);
-        for (int part = pass.past.firstPart; part < pass.past.endPart; ++part) {
-            if (pass.past.used)
-                arena.bind(BLOCK_TEMPORAL, ranges.temporal[static_cast<std::size_t>(part - pass.past.firstPart)]);
+        for (int part = pass.temporal.firstSlice; part < pass.temporal.endSlice; ++part) {
+            if (pass.temporal.used)
+                arena.bind(BLOCK_TEMPORAL, ranges.temporal[static_cast<std::size_t>(part - pass.temporal.firstSlice)]);
             if (pass.work == Work::compute)
                 dispatch(pass, resources);
             else
-                raster(pass, last ? ranges.lastObjects : ranges.objects, part == pass.past.firstPart);
+                raster(pass, last ? ranges.lastObjects : ranges.objects, part == pass.temporal.firstSlice);
         }
         if (std::any_of(pass.buffers.begin(), pass.buffers.end(),
                         [](const BufferUse& use) { return use.access != Access::read; }))
             glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
         for (const std::string& name : pass.mipmaps) makeMipmaps(resources.target(name), programs);
         // A slice drawn by a fallback program is drawn again with the right one.
-        if (pass.parts == 1 || (pass.past.endPart == pass.parts && used.standIn.empty()))
+        if (pass.sliceCount == 1 || (pass.temporal.endSlice == pass.sliceCount && used.fallback.empty()))
             for (const std::string& name : outputsOf(pass)) resources.finished(name);
         return used;
     }
@@ -250,7 +250,7 @@ struct Renderer::State {
         for (const std::string& image : images) {
             for (const std::string& pass : writersOfKept[image]) {
                 kept.passes.erase(pass);
-                kept.parts.erase(pass);
+                kept.slices.erase(pass);
             }
             writersOfKept.erase(image);
             kept.histories.erase(image);
@@ -261,7 +261,7 @@ struct Renderer::State {
     void forgetFrom(const FramePlan& plan, std::size_t first)
     {
         for (std::size_t i = first; i < plan.passes().size(); ++i)
-            if (plan.passes()[i].key) {
+            if (plan.passes()[i].contentHash) {
                 const std::vector<std::string> outputs = outputsOf(plan.passes()[i]);
                 forget({outputs.begin(), outputs.end()});
             }
@@ -269,34 +269,34 @@ struct Renderer::State {
 
     [[nodiscard]] bool abandoned() const
     {
-        if (!unwanted) return false;
+        if (!isCanceled) return false;
         // A software renderer draws only when it is waited for. Without the wait, all work would still be pending at
         // the last check.
         if (info.software) glFinish();
-        return unwanted();
+        return isCanceled();
     }
 
     void remember(const Pass& pass, const FramePlan& plan, const std::set<std::string>& lost)
     {
         const std::vector<std::string> written = outputsOf(pass);
         // If the image with the first slices was lost, the later slices are useless.
-        if (pass.past.firstPart > 0 &&
+        if (pass.temporal.firstSlice > 0 &&
             std::any_of(written.begin(), written.end(), [&](const std::string& image) { return lost.contains(image); }))
             return;
         for (const std::string& image : written)
             if (const auto state = plan.histories().find(image); state != plan.histories().end())
                 kept.histories[image] = recordOf(state->second.history, plan);
-        if (!pass.key) return;
+        if (!pass.contentHash) return;
         for (const std::string& image : written) writersOfKept[image].insert(pass.name);
-        const bool complete = pass.past.endPart == pass.parts;
-        if (pass.parts > 1) {
-            PartProgress& progress = kept.parts[pass.name];
-            progress = {*pass.key, pass.past.endPart, progress.completedOnce || complete};
+        const bool complete = pass.temporal.endSlice == pass.sliceCount;
+        if (pass.sliceCount > 1) {
+            SliceProgress& progress = kept.slices[pass.name];
+            progress = {*pass.contentHash, pass.temporal.endSlice, progress.completedOnce || complete};
         }
-        if (pass.past.provisional)
+        if (pass.temporal.provisional)
             kept.passes.erase(pass.name);
         else if (complete)
-            kept.passes[pass.name] = *pass.key;
+            kept.passes[pass.name] = *pass.contentHash;
     }
 
     /// Runs the passes in order. An exception, `Abandoned` included, leaves the renderer as if the remaining passes had
@@ -304,7 +304,7 @@ struct Renderer::State {
     void runPasses(const FramePlan& plan, const std::vector<PassRanges>& ranges, const std::set<std::string>& lost,
                    FrameClock& clock, std::vector<SamplesQuery>& samplesQueries, FrameReport& report)
     {
-        const auto building = plan.allParts ? ProgramCache::Building::isWaitedFor : ProgramCache::Building::goesOn;
+        const auto building = plan.allSlices ? ProgramCache::Building::isWaitedFor : ProgramCache::Building::goesOn;
         std::size_t next = 0;
         try {
             for (; next < plan.passes().size(); ++next) {
@@ -314,9 +314,9 @@ struct Renderer::State {
                 if (pass.countSamples) samplesQueries.emplace_back();
                 const ProgramInUse used = run(pass, ranges[next], building);
                 if (pass.countSamples) SamplesQuery::end();
-                if (used.standIn.empty()) remember(pass, plan, lost);
+                if (used.fallback.empty()) remember(pass, plan, lost);
                 report.unfinished = report.unfinished || used.building;
-                const std::string& how = used.standIn.empty() ? used.better : used.standIn;
+                const std::string& how = used.fallback.empty() ? used.specialized : used.fallback;
                 report.ran.push_back({pass.name, how.empty() ? pass.reason : pass.reason + ", " + how, pass.work, -1,
                                       pass.bound, pass.effects, pass.variant});
                 if (timeSteps) clock.mark();
@@ -333,7 +333,7 @@ Renderer::Renderer() : Renderer(std::make_unique<State>(std::make_shared<Shared>
 
 Renderer::Renderer(std::unique_ptr<State> state) : state_(std::move(state))
 {
-    if (const Message why = whyUnusable(state_->info); !why.empty()) throw Failure(Blame::openGl, why);
+    if (const Message why = whyUnusable(state_->info); !why.empty()) throw Failure(ErrorKind::openGl, why);
 }
 
 Renderer::~Renderer() = default;
@@ -436,9 +436,9 @@ int Renderer::largestSide() const
     return std::min(state_->info.maxTextureSize, 16384);
 }
 
-void Renderer::abandonWhen(std::function<bool()> unwanted)
+void Renderer::abandonWhen(std::function<bool()> isCanceled)
 {
-    state_->unwanted = std::move(unwanted);
+    state_->isCanceled = std::move(isCanceled);
 }
 
 ScreenPixels Renderer::screenPixels(const std::string& image, glm::ivec2 screen, glm::ivec2 offset, glm::ivec2 part)
@@ -463,7 +463,7 @@ void Renderer::buildInBackground(std::shared_ptr<SharedContext> context)
 void Renderer::buildBetter(const FramePlan& plan)
 {
     for (const Pass& pass : plan.passes())
-        if (pass.shader.better) (void)state_->programs.useBetter(pass.shader);
+        if (pass.shader.specialized) (void)state_->programs.useSpecialized(pass.shader);
 }
 
 void Renderer::timeSteps(bool on)

@@ -25,7 +25,7 @@ struct ShaderProblem {
     std::string file;
     int line = 0;
     std::string message;
-    std::string slot = {};  ///< Slot of the failed program (ShaderKey::slot); empty if it has none.
+    std::string programFamily = {};  ///< Family of the failed program (ShaderKey::programFamily); empty if it has none.
 };
 
 /// Executes frame plans on the current OpenGL 4.5 core context, on one thread. The context must be current at
@@ -43,7 +43,7 @@ public:
     FrameReport draw(const FramePlan&) override;
     /// Sets a function that is polled between passes. When it returns true, `draw` throws `Abandoned`; the remaining
     /// passes count as not drawn. Empty: every frame is finished.
-    void abandonWhen(std::function<bool()> unwanted);
+    void abandonWhen(std::function<bool()> isCanceled);
     [[nodiscard]] Image read(const std::string& image) override;
     /// Returns the content of a buffer of the last frame. Throws std::out_of_range for a name that was not used.
     [[nodiscard]] Bytes readBuffer(const std::string& name);
@@ -60,11 +60,11 @@ public:
     /// use it only while the frame report is shown.
     void timeSteps(bool on);
 
-    /// Builds programs of slots on a thread with this context, while their last good programs are used; null: no
+    /// Builds programs of families on a thread with this context, while their last good programs are used; null: no
     /// longer. Applies to siblings, too.
     void buildInBackground(std::shared_ptr<SharedContext>);
 
-    /// Starts building the specialized programs (ShaderKey::better) of a plan in the background. Draws nothing.
+    /// Starts building the specialized programs (ShaderKey::specialized) of a plan in the background. Draws nothing.
     void buildBetter(const FramePlan&);
 
     /// Debug builds: rebuilds programs whose files changed on disk. A program that fails keeps its last good build and

@@ -34,7 +34,7 @@ BufferName makeBuffer(const BufferInfo& info)
                          GL_DYNAMIC_STORAGE_BIT);
     if (glGetError() != GL_NO_ERROR) {
         throw Failure(
-            Blame::openGl,
+            ErrorKind::openGl,
             message("The graphics driver cannot store the buffer \"{1}\" of {2} bytes; choose fewer or smaller things.",
                     info.name, info.bytes));
     }
@@ -67,9 +67,9 @@ void Resources::prepareImages(const FramePlan& plan, const std::set<std::string>
     for (const auto& [name, info] : plan.images()) {
         if (!used.contains(name)) continue;
         const glm::ivec2 size = sizeOf(info, plan.view.raster);
-        const Pair pair = plan.histories().contains(name)       ? Pair::history
-                          : plan.imagesInParts().contains(name) ? Pair::parts
-                                                                : Pair::none;
+        const Pair pair = plan.histories().contains(name)      ? Pair::history
+                          : plan.slicedImages().contains(name) ? Pair::slices
+                                                               : Pair::none;
         const auto stored = images_.find(name);
         if (stored != images_.end() && sameStorage(stored->second.info, info) &&
             stored->second.texture.size() == size && stored->second.pair == pair) {
@@ -124,7 +124,7 @@ const Texture& Resources::image(const std::string& name) const
 const Texture& Resources::target(const std::string& name) const
 {
     const StoredImage& stored = images_.at(name);
-    return stored.pair == Pair::parts ? *stored.other : stored.texture;
+    return stored.pair == Pair::slices ? *stored.other : stored.texture;
 }
 
 GLuint Resources::framebuffer(const Pass& pass)
@@ -142,7 +142,7 @@ void Resources::finished(const std::string& name)
     const auto stored = images_.find(name);
     if (stored == images_.end()) return;
     stored->second.written = true;
-    if (stored->second.pair == Pair::parts) std::swap(stored->second.texture, *stored->second.other);
+    if (stored->second.pair == Pair::slices) std::swap(stored->second.texture, *stored->second.other);
 }
 
 std::vector<Stored> Resources::stored() const

@@ -41,7 +41,7 @@ public:
     void abandon();
 
 private:
-    enum class Pair : std::uint8_t { none, history, parts };
+    enum class Pair : std::uint8_t { none, history, slices };
     struct StoredImage {
         ImageInfo info;
         Pair pair = Pair::none;

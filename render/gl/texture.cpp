@@ -119,7 +119,7 @@ Texture::Texture(const ImageInfo& info, glm::ivec2 size)
         glTextureStorage2D(name, info.levels, internalFormat(info.format), size.x, size.y);
     if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
         throw Failure(
-            Blame::openGl,
+            ErrorKind::openGl,
             message("The graphics driver cannot store the image \"{1}\" of {2} × {3} pixels; choose a smaller size.",
                     info.name, size.x, size.y));
     }

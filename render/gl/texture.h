@@ -10,7 +10,7 @@ namespace vitrine::render::gl {
 /// GL texture with immutable storage: an image of a frame, or a picture to sample.
 class Texture {
 public:
-    /// Allocates an image of a frame; `size` is that of level 0, in pixels. Throws Failure (Blame::openGl) if the
+    /// Allocates an image of a frame; `size` is that of level 0, in pixels. Throws Failure (ErrorKind::openGl) if the
     /// driver has no memory for it.
     Texture(const ImageInfo&, glm::ivec2 size);
     /// Uploads a picture, with mipmaps if it asks for them.

@@ -31,11 +31,11 @@
 
 #include "shaders/lib/local_light.glsl"
 
-#include "shaders/lib/standing_block.glsl"
+#include "shaders/lib/standing_shape_block.glsl"
 
 #include "shaders/lib/contact.glsl"
 
-#include "shaders/lib/standing.glsl"
+#include "shaders/lib/floor_reflection.glsl"
 
 #include "shaders/lib/sdf.glsl"
 

@@ -29,13 +29,13 @@ public:
     {
         if (!seen_.insert(file).second) return;
         if (depth > 16)
-            throw Failure(Blame::shader,
+            throw Failure(ErrorKind::shader,
                           "shaders/" + file + ": #include is nested deeper than 16 files; break the circle.");
         const std::optional<std::string> text = read(file);
         if (!text)
-            throw Failure(Blame::shader, "shaders/" + file + " is missing" +
-                                             (from.empty() ? "" : ", included from shaders/" + from) +
-                                             "; restore it or correct the path.");
+            throw Failure(ErrorKind::shader, "shaders/" + file + " is missing" +
+                                                 (from.empty() ? "" : ", included from shaders/" + from) +
+                                                 "; restore it or correct the path.");
         const std::size_t index = result_.files.size();
         result_.files.push_back(file);
         line(1, index);

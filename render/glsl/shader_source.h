@@ -29,8 +29,8 @@ public:
 
     /// Returns the complete text of a shader: `#version 450 core`, one `#define` per entry of `defines`, the prelude,
     /// then the file. Every `#include "path"` (relative to shaders/) is replaced by its text, once per file. An entry
-    /// of `generated` takes precedence over a file of the same path. Throws Failure (Blame::shader) for a missing file
-    /// or an include nested deeper than 16.
+    /// of `generated` takes precedence over a file of the same path. Throws Failure (ErrorKind::shader) for a missing
+    /// file or an include nested deeper than 16.
     [[nodiscard]] ShaderText load(std::string_view file, const std::vector<std::string>& defines,
                                   std::string_view prelude = {}, const ShaderSources* generated = nullptr) const;
 

@@ -24,7 +24,7 @@ namespace {
 
 [[noreturn]] void fail(const std::string& name, const std::string& why)
 {
-    throw Failure(Blame::file, "Cannot read " + name + ": " + why + "; choose another picture.");
+    throw Failure(ErrorKind::file, "Cannot read " + name + ": " + why + "; choose another picture.");
 }
 
 /// Roles of the channels: which carry color or alpha, and which of them is alpha.

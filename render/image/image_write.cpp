@@ -16,7 +16,7 @@ namespace {
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why)
 {
-    throw Failure(Blame::file, "Cannot write " + path.string() + ": " + why + ".");
+    throw Failure(ErrorKind::file, "Cannot write " + path.string() + ": " + why + ".");
 }
 
 constexpr std::size_t mostJpegComment = 65532;  ///< Bytes: the longest marker segment, without the final zero.

@@ -64,11 +64,11 @@ struct PictureFileFormat {
 [[nodiscard]] std::string writtenExtensions(std::optional<int> bits = std::nullopt);
 /// Returns the extensions of streamed formats as a text for people: ".png or .tif".
 [[nodiscard]] std::string streamedExtensions();
-/// Returns all extensions of streamed formats in the form of `ParameterInfo::endings`: "png tif tiff".
+/// Returns all extensions of streamed formats in the form of `ParameterInfo::extensions`: "png tif tiff".
 [[nodiscard]] std::string_view streamedEndings();
-/// Returns all extensions of written formats, which carry settings, in the form of `ParameterInfo::endings`.
+/// Returns all extensions of written formats, which carry settings, in the form of `ParameterInfo::extensions`.
 [[nodiscard]] std::string_view settingsEndings();
-/// Returns all extensions of readable formats in the form of `ParameterInfo::endings`: "png jpg jpeg tif".
+/// Returns all extensions of readable formats in the form of `ParameterInfo::extensions`: "png jpg jpeg tif".
 [[nodiscard]] std::string_view readEndings();
 /// Returns the names of all readable formats as a text for people: "PNG, JPEG, TIFF or OpenEXR".
 [[nodiscard]] const std::string& readFormats();

@@ -15,7 +15,7 @@ PictureRows::PictureRows(const std::filesystem::path& path) : path_(path)
     std::array<char, 16> bytes{};
     std::error_code error;
     if (!std::filesystem::is_regular_file(path, error))
-        throw Failure(Blame::file, "Cannot read " + path.string() + ": there is no such file.");
+        throw Failure(ErrorKind::file, "Cannot read " + path.string() + ": there is no such file.");
     std::ifstream file(path, std::ios::binary);
     file.read(bytes.data(), bytes.size());
     const auto format = sniffImage({bytes.data(), static_cast<std::size_t>(file.gcount())});
@@ -34,7 +34,7 @@ PictureRows::PictureRows(const std::filesystem::path& path) : path_(path)
         channels_ = static_cast<std::size_t>(tiff_->channels);
         json_ = tiff_->description;
     } else {
-        throw Failure(Blame::file, "Cannot read " + path.string() + ": it is neither a TIFF nor a PNG.");
+        throw Failure(ErrorKind::file, "Cannot read " + path.string() + ": it is neither a TIFF nor a PNG.");
     }
     if (width_ < 1 || height_ < 1) check("it is empty");
     if ((tiff_ ? tiff_->orientation : png_->orientation()) > 1)
@@ -45,7 +45,7 @@ PictureRows::PictureRows(const std::filesystem::path& path) : path_(path)
 
 void PictureRows::check(const std::string& why) const
 {
-    if (!why.empty()) throw Failure(Blame::file, "Cannot read " + path_.string() + ": " + why + ".");
+    if (!why.empty()) throw Failure(ErrorKind::file, "Cannot read " + path_.string() + ": " + why + ".");
 }
 
 void PictureRows::readRow(std::int64_t row, std::uint16_t* out)

@@ -39,10 +39,10 @@ void requireStreamSides(const std::filesystem::path& path, std::int64_t width, s
 {
     const std::int64_t most = isPng(path) ? 2147483647 : tiffSide;
     if (width > most || height > most) {
-        throw Failure(Blame::usage, "Cannot write " + path.string() + ": " + std::to_string(width) + " x " +
-                                        std::to_string(height) +
-                                        " pixels are too many for this format, which ends at " + std::to_string(most) +
-                                        " per side; print it in parts.");
+        throw Failure(ErrorKind::usage, "Cannot write " + path.string() + ": " + std::to_string(width) + " x " +
+                                            std::to_string(height) +
+                                            " pixels are too many for this format, which ends at " +
+                                            std::to_string(most) + " per side; print it in parts.");
     }
 }
 
@@ -58,13 +58,13 @@ PictureStream::PictureStream(const std::filesystem::path& path, const StreamSpec
     : path_(path), spec_(spec), part_(std::make_unique<PartFile>(path, ops))
 {
     if (const PictureFileFormat* format = formatNamed(path); !format || !format->isStreamed)
-        throw Failure(Blame::usage,
+        throw Failure(ErrorKind::usage,
                       "Cannot write " + path.string() + ": give a name that ends in " + streamedExtensions() + '.');
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
     std::error_code error;
     if (!std::filesystem::is_directory(folder, error))
-        throw Failure(Blame::file, "Cannot write " + path.string() + ": there is no folder " + folder.string() +
-                                       "; create it first.");
+        throw Failure(ErrorKind::file, "Cannot write " + path.string() + ": there is no folder " + folder.string() +
+                                           "; create it first.");
     requireStreamSides(path, spec.width, spec.height);
     requireSpace(path, streamBytes(path, spec), ops);
     if (isPng(path)) {
@@ -89,8 +89,8 @@ PictureStream::PictureStream(const std::filesystem::path& path, const StreamSpec
 
 void PictureStream::refuse(const std::string& why) const
 {
-    throw Failure(Blame::file, "Cannot write " + path_.string() + ": " + why +
-                                   "; the old content is untouched; free some space or choose another disk.");
+    throw Failure(ErrorKind::file, "Cannot write " + path_.string() + ": " + why +
+                                       "; the old content is untouched; free some space or choose another disk.");
 }
 
 void PictureStream::write(const void* rows, std::int64_t count)
@@ -138,7 +138,7 @@ std::optional<std::string> embeddedPrint(const std::filesystem::path& path)
         if (format == ImageFormat::png) return textInPng(bytes, printKey, path.string());
         if (format != ImageFormat::tiff) return std::nullopt;
         if (const std::string why = oiioCodec().readText(bytes, format, "ImageDescription", text); !why.empty())
-            throw Failure(Blame::file, "Cannot read " + path.string() + ": " + why + ".");
+            throw Failure(ErrorKind::file, "Cannot read " + path.string() + ": " + why + ".");
     }
     if (text.empty()) return std::nullopt;
     return text;
@@ -153,7 +153,7 @@ std::string embeddedProfile(const std::filesystem::path& path)
     if (format == ImageFormat::bmp || format == ImageFormat::gif) return {};
     std::string profile;
     if (const std::string why = oiioCodec().readProfile(bytes, format, profile); !why.empty())
-        throw Failure(Blame::file, "Cannot read " + path.string() + ": " + why + ".");
+        throw Failure(ErrorKind::file, "Cannot read " + path.string() + ": " + why + ".");
     return profile;
 }
 

@@ -31,7 +31,7 @@ struct StreamSpec {
     int threads = 1;           ///< Number of threads that deflate a PNG; the file does not depend on it.
 };
 
-/// Checks that the format of the name's extension allows these sides. Throws Failure (Blame::usage) with the limit.
+/// Checks that the format of the name's extension allows these sides. Throws Failure (ErrorKind::usage) with the limit.
 void requireStreamSides(const std::filesystem::path&, std::int64_t width, std::int64_t height);
 /// Returns the free space that such a file needs, in bytes: all of an uncompressed TIFF, a quarter of that if
 /// compressed.

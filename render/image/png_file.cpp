@@ -129,7 +129,7 @@ PictureColor colorOf(Reader& reader)
 
 [[noreturn]] void failReading(const std::string& name, std::string_view why)
 {
-    throw Failure(Blame::file, "Cannot read " + name + ": " + std::string(why) + "; choose another picture.");
+    throw Failure(ErrorKind::file, "Cannot read " + name + ": " + std::string(why) + "; choose another picture.");
 }
 
 /// Checks that every chunk lies inside the file. libpng 1.6 only warns about a longer one, and then allocates its size,
@@ -296,7 +296,7 @@ std::string encodePng(const StoredPicture& picture, const PngText& extra, const 
                     picture.rowSamples() * (wide ? 2U : 1U), header.height};
     const auto perMeter = static_cast<png_uint_32>(std::lround(std::clamp(extra.pixelsPerMeter, 0.0, 1e9)));
     if (!writeHeader(writer, header, texts.data(), textCount, perMeter, &out) || !writeRows(writer, rows)) {
-        throw Failure(Blame::file,
+        throw Failure(ErrorKind::file,
                       "Cannot write " + name + ": " + writer.problem.text.data() + "; try a smaller picture.");
     }
     return out;

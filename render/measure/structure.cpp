@@ -12,7 +12,7 @@ namespace vitrine::render {
 namespace ssim {
 namespace {
 
-constexpr int radius = 5;  // Of the window.
+constexpr int radius = 5;  // Radius of the window, in pixels.
 
 struct LumaPlane {
     int width = 0, height = 0;

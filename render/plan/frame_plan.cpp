@@ -55,10 +55,10 @@ std::vector<std::string> buffersOf(const Pass& pass)
 /// ", part 3 of 8"; ", parts 3 to 8 of 8".
 std::string partsText(const Pass& pass)
 {
-    const std::string first = std::to_string(pass.past.firstPart + 1);
-    const std::string of = " of " + std::to_string(pass.parts);
-    if (pass.past.endPart == pass.past.firstPart + 1) return ", part " + first + of;
-    return ", parts " + first + " to " + std::to_string(pass.past.endPart) + of;
+    const std::string first = std::to_string(pass.temporal.firstSlice + 1);
+    const std::string of = " of " + std::to_string(pass.sliceCount);
+    if (pass.temporal.endSlice == pass.temporal.firstSlice + 1) return ", part " + first + of;
+    return ", parts " + first + " to " + std::to_string(pass.temporal.endSlice) + of;
 }
 
 }  // namespace
@@ -137,9 +137,9 @@ void FramePlan::add(Pass pass)
                             .boundIsZero = true});
         return;
     }
-    if (pass.parts > 1) {
-        assert(pass.key && "work for several frames needs a key");
-        for (std::string& name : outputsOf(pass)) imagesInParts_.insert(std::move(name));
+    if (pass.sliceCount > 1) {
+        assert(pass.contentHash && "work for several frames needs a key");
+        for (std::string& name : outputsOf(pass)) slicedImages_.insert(std::move(name));
     }
     passes_.push_back(std::move(pass));
 }
@@ -187,18 +187,18 @@ void FramePlan::warnOfFile(std::string name, std::string unreadable, const std::
 void FramePlan::prune(const std::vector<std::string>& outputs, const PersistentState& kept)
 {
     std::stable_sort(passes_.begin(), passes_.end(), [](const Pass& a, const Pass& b) { return a.phase < b.phase; });
-    for (auto& [name, info] : images_) info.persistent = info.persistent || imagesInParts_.contains(name);
-    for (auto& [name, info] : buffers_) info.persistent = info.persistent || imagesInParts_.contains(name);
+    for (auto& [name, info] : images_) info.persistent = info.persistent || slicedImages_.contains(name);
+    for (auto& [name, info] : buffers_) info.persistent = info.persistent || slicedImages_.contains(name);
     if (!runEverything) drop(outputs, kept);
-    for (Pass& pass : passes_) takePart(pass, kept);
-    lookBack(kept);
+    for (Pass& pass : passes_) takeSlice(pass, kept);
+    readTemporalState(kept);
 }
 
 bool FramePlan::isUnchanged(const Pass& pass, const PersistentState& kept) const
 {
-    if (!pass.key) return false;
+    if (!pass.contentHash) return false;
     const auto last = kept.passes.find(pass.name);
-    if (last == kept.passes.end() || last->second != *pass.key) return false;
+    if (last == kept.passes.end() || last->second != *pass.contentHash) return false;
     const std::vector<std::string> written = outputsOf(pass);
     return std::all_of(written.begin(), written.end(), [&](const std::string& name) {
         if (const auto buffer = buffers_.find(name); buffer != buffers_.end()) return buffer->second.persistent;
@@ -260,28 +260,28 @@ void FramePlan::drop(const std::vector<std::string>& outputs, const PersistentSt
     passes_ = std::move(surviving);
 }
 
-void FramePlan::takePart(Pass& pass, const PersistentState& kept) const
+void FramePlan::takeSlice(Pass& pass, const PersistentState& kept) const
 {
-    pass.past = {.lastView = view};
-    if (pass.parts <= 1) return;
-    const auto progress = kept.parts.find(pass.name);
-    const bool begun = progress != kept.parts.end() && progress->second.hash == pass.key.value_or(0) &&
-                       progress->second.done < pass.parts;
-    pass.past.used = true;
-    pass.past.firstPart = begun ? progress->second.done : 0;
-    pass.past.endPart = allParts || runEverything ? pass.parts : pass.past.firstPart + 1;
+    pass.temporal = {.lastView = view};
+    if (pass.sliceCount <= 1) return;
+    const auto progress = kept.slices.find(pass.name);
+    const bool begun = progress != kept.slices.end() && progress->second.hash == pass.contentHash.value_or(0) &&
+                       progress->second.done < pass.sliceCount;
+    pass.temporal.used = true;
+    pass.temporal.firstSlice = begun ? progress->second.done : 0;
+    pass.temporal.endSlice = allSlices || runEverything ? pass.sliceCount : pass.temporal.firstSlice + 1;
     pass.reason += partsText(pass);
-    if (pass.past.firstPart == 0) return;
+    if (pass.temporal.firstSlice == 0) return;
     for (Attachment& a : pass.colors) a.load = Load::keep;
     if (pass.depth) pass.depth->load = Load::keep;
 }
 
-void FramePlan::lookBack(const PersistentState& kept)
+void FramePlan::readTemporalState(const PersistentState& kept)
 {
     std::map<std::string, const HistoryState*> byPrevious;
     for (auto& [name, state] : histories_) {
         const auto last = kept.histories.find(name);
-        state = historyState(state.history, state.history.view.value_or(view), time, cut,
+        state = historyState(state.history, state.history.view.value_or(view), time, resetHistory,
                              last == kept.histories.end() ? nullptr : &last->second);
         byPrevious[previous(name)] = &state;
     }
@@ -294,29 +294,30 @@ void FramePlan::lookBack(const PersistentState& kept)
         };
         for (const std::string& name : inputsOf(pass)) {
             if (const auto state = byPrevious.find(name); state != byPrevious.end()) {
-                pass.past.used = true;
-                pass.past.lastView = state->second->lastView;
-                if (pass.past.valid && !state->second->valid)
+                pass.temporal.used = true;
+                pass.temporal.lastView = state->second->lastView;
+                if (pass.temporal.valid && !state->second->valid)
                     pass.reason += ", its history starts again: " + state->second->reset;
-                pass.past.valid = pass.past.valid && state->second->valid;
+                pass.temporal.valid = pass.temporal.valid && state->second->valid;
             }
-            if (!imagesInParts_.contains(name) || (pass.parts > 1 && writes(name))) continue;
-            pass.past.used = true;
-            pass.past.provisional = pass.past.provisional || unfinishedImages.contains(name);
-            pass.past.valid = pass.past.valid && !emptyImages.contains(name);
+            if (!slicedImages_.contains(name) || (pass.sliceCount > 1 && writes(name))) continue;
+            pass.temporal.used = true;
+            pass.temporal.provisional = pass.temporal.provisional || unfinishedImages.contains(name);
+            pass.temporal.valid = pass.temporal.valid && !emptyImages.contains(name);
         }
-        if (pass.past.provisional || pass.past.endPart < pass.parts)
+        if (pass.temporal.provisional || pass.temporal.endSlice < pass.sliceCount)
             unfinishedImages.insert(written.begin(), written.end());
-        if (pass.past.endPart >= pass.parts) continue;
-        const auto progress = kept.parts.find(pass.name);
-        if (progress == kept.parts.end() || !progress->second.completedOnce)
+        if (pass.temporal.endSlice >= pass.sliceCount) continue;
+        const auto progress = kept.slices.find(pass.name);
+        if (progress == kept.slices.end() || !progress->second.completedOnce)
             emptyImages.insert(written.begin(), written.end());
     }
 }
 
 bool FramePlan::unfinished() const
 {
-    return std::any_of(passes_.begin(), passes_.end(), [](const Pass& pass) { return pass.past.endPart < pass.parts; });
+    return std::any_of(passes_.begin(), passes_.end(),
+                       [](const Pass& pass) { return pass.temporal.endSlice < pass.sliceCount; });
 }
 
 std::vector<std::string> FramePlan::errors() const

@@ -153,26 +153,27 @@ struct Pass {
     std::vector<Effect> effects;
 
     /// Hash of everything that the outputs depend on. When it is set, and all outputs are persistent images last
-    /// written under the same key, the pass is skipped as unchanged.
-    std::optional<std::uint64_t> key;
+    /// written under the same hash, the pass is skipped as unchanged.
+    std::optional<std::uint64_t> contentHash;
 
     /// Number of slices of a pass that is spread over several frames; 1: an ordinary pass. Each frame runs the next
-    /// slice until all have run. They start again when `key` changes, which such a pass must have. The outputs are
-    /// persistent; until the last slice is done, readers get the last complete result. The shader reads the number of
-    /// the slice from lib/temporal.glsl. Attachments are cleared only before the first slice.
-    int parts = 1;
+    /// slice until all have run. They start again when `contentHash` changes, which such a pass must have. The outputs
+    /// are persistent; until the last slice is done, readers get the last complete result. The shader reads the number
+    /// of the slice from lib/temporal.glsl. Attachments are cleared only before the first slice.
+    int sliceCount = 1;
 
     /// State of earlier frames, filled in by `FramePlan::prune`.
-    struct Past {
-        int firstPart = 0;  ///< Runs the slices from `firstPart` (from 0) to before `endPart`.
-        int endPart = 1;
+    struct TemporalState {
+        int firstSlice = 0;  ///< Runs the slices from `firstSlice` (from 0) to before `endSlice`.
+        int endSlice = 1;
         bool used = false;  ///< It reads histories or outputs of a sliced pass, or is sliced itself: lib/temporal.glsl
                             ///< is filled.
         bool valid = true;  ///< All histories and sliced outputs that it reads have usable content.
         View lastView;      ///< View of the frame that drew the histories.
-        /// True if the pass reads an unfinished output, so that it must run again even if its `key` is unchanged.
+        /// True if the pass reads an unfinished output, so that it must run again even if its `contentHash` is
+        /// unchanged.
         bool provisional = false;
-    } past = {};
+    } temporal = {};
 };
 
 struct CulledPass {
@@ -194,9 +195,9 @@ public:
     std::uint32_t seed = 1;
     int sample = 0;              ///< Index of the supersample being drawn.
     bool runEverything = false;  ///< Diagnostic switch: no pass is pruned or skipped as unchanged.
-    bool cut = false;            ///< This frame does not continue the last one: histories start again.
-    bool allParts = false;  ///< Runs all slices of a sliced pass in this frame and waits for programs to be built: for
-                            ///< pictures that are drawn only once.
+    bool resetHistory = false;   ///< This frame does not continue the last one: histories start again.
+    bool allSlices = false;  ///< Runs all slices of a sliced pass in this frame and waits for programs to be built: for
+                             ///< pictures that are drawn only once.
 
     ResourceId image(ImageInfo);
     ResourceId buffer(BufferInfo);
@@ -231,7 +232,7 @@ public:
     /// States by image name; known after `prune`.
     [[nodiscard]] const std::map<std::string, HistoryState>& histories() const { return histories_; }
     /// Images that sliced passes write. Readers of them get the last complete result.
-    [[nodiscard]] const std::set<std::string>& imagesInParts() const { return imagesInParts_; }
+    [[nodiscard]] const std::set<std::string>& slicedImages() const { return slicedImages_; }
     /// Returns whether sliced passes need another frame to finish; known after `prune`.
     [[nodiscard]] bool unfinished() const;
     /// Returns the errors of the plan itself, a sentence each: passes that use images or buffers which the plan does
@@ -245,15 +246,15 @@ private:
     [[nodiscard]] std::vector<bool> calledFor(const std::vector<std::string>& outputs,
                                               const std::vector<bool>& unchanged) const;
     void drop(const std::vector<std::string>& outputs, const PersistentState&);
-    void takePart(Pass&, const PersistentState&) const;
-    void lookBack(const PersistentState&);
+    void takeSlice(Pass&, const PersistentState&) const;
+    void readTemporalState(const PersistentState&);
 
     std::vector<Pass> passes_;
     std::vector<CulledPass> skipped_;
     std::map<std::string, ImageInfo> images_;
     std::map<std::string, BufferInfo> buffers_;
     std::map<std::string, HistoryState> histories_;
-    std::set<std::string> imagesInParts_;
+    std::set<std::string> slicedImages_;
 };
 
 /// Returns the passes in order, the form that tests compare: "hall/walls > sdf_morph/march > present".

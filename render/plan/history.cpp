@@ -21,10 +21,10 @@ std::string whyCameraLost(const History& history, const View& now, const View& l
     return {};
 }
 
-std::string whyLost(const History& history, const View& now, double time, bool cut, const HistoryRecord* last)
+std::string whyLost(const History& history, const View& now, double time, bool resetHistory, const HistoryRecord* last)
 {
     if (!last) return "nothing was drawn before";
-    if (cut) return "the frame does not continue the last one";
+    if (resetHistory) return "the frame does not continue the last one";
     if (!sameStorage(history.image, last->image)) return "the image has another form";
     if (std::string why = whyCameraLost(history, now, last->view); !why.empty()) return why;
     const bool clockRuns = time >= last->time && time - last->time <= history.cutSeconds;
@@ -46,9 +46,10 @@ std::string previous(const std::string& image)
     return image + "@previous";
 }
 
-HistoryState historyState(const History& history, const View& now, double time, bool cut, const HistoryRecord* last)
+HistoryState historyState(const History& history, const View& now, double time, bool resetHistory,
+                          const HistoryRecord* last)
 {
-    HistoryState state{history, false, whyLost(history, now, time, cut, last), now};
+    HistoryState state{history, false, whyLost(history, now, time, resetHistory, last), now};
     state.valid = state.reset.empty();
     if (state.valid) state.lastView = last->view;
     if (history.image.hasOwnPixels()) state.lastView = viewOfOwnPixels(state.lastView, history.image);

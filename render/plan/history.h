@@ -49,13 +49,13 @@ struct HistoryState {
     View lastView;      ///< View of the last frame; this frame's view when not valid.
 };
 
-/// Compares a history with its record. `last` is null if there is none. `cut`: this frame does not continue the last
-/// one, so the history is discarded.
-[[nodiscard]] HistoryState historyState(const History&, const View& now, double time, bool cut,
+/// Compares a history with its record. `last` is null if there is none. `resetHistory`: this frame does not continue
+/// the last one, so the history is discarded.
+[[nodiscard]] HistoryState historyState(const History&, const View& now, double time, bool resetHistory,
                                         const HistoryRecord* last);
 
 /// Progress of a sliced pass, which takes several frames.
-struct PartProgress {
+struct SliceProgress {
     std::uint64_t hash = 0;
     int done = 0;
     bool completedOnce = false;  ///< Its outputs hold a complete result, of this hash or of the one before.
@@ -65,7 +65,7 @@ struct PartProgress {
 struct PersistentState {
     std::map<std::string, std::uint64_t> passes = {};  ///< Pass -> key under which it last wrote its persistent images.
     std::map<std::string, HistoryRecord> histories = {};  ///< By image name.
-    std::map<std::string, PartProgress> parts = {};       ///< By pass name.
+    std::map<std::string, SliceProgress> slices = {};     ///< By pass name.
 };
 
 }  // namespace vitrine::render

@@ -39,7 +39,7 @@ class RenderBackend {
 public:
     virtual ~RenderBackend() = default;
 
-    /// Throws Failure (Blame::shader) when a program does not build; images drawn before stay readable.
+    /// Throws Failure (ErrorKind::shader) when a program does not build; images drawn before stay readable.
     virtual FrameReport draw(const FramePlan&) = 0;
     /// Returns an image of the last frame. Throws std::out_of_range for a name that was not drawn.
     [[nodiscard]] virtual Image read(const std::string& image) = 0;

@@ -72,8 +72,9 @@ tinygltf::Model parse(const JsonDocument& document)
     if (!good) {
         while (!error.empty() && (error.back() == '\n' || error.back() == '.')) error.pop_back();
         if (error.empty())
-            throw Failure(Blame::file, message("Cannot read {1}: it is not glTF; export it again.", document.name()));
-        throw Failure(Blame::file, message("Cannot read {1}: {2}; export it again.", document.name(), error));
+            throw Failure(ErrorKind::file,
+                          message("Cannot read {1}: it is not glTF; export it again.", document.name()));
+        throw Failure(ErrorKind::file, message("Cannot read {1}: {2}; export it again.", document.name(), error));
     }
     model.bufferViews.pop_back();
     for (std::size_t i = 0; i < model.accessors.size(); ++i)
@@ -87,7 +88,7 @@ GltfFile readGltfFile(const std::string& bytes, const std::filesystem::path& pat
 {
     const std::string name = path.string();
     if (bytes.size() > std::min<std::uint64_t>(limits.fileBytes, 0x7FFFFFFF)) {
-        throw Failure(Blame::file, message("Cannot read {1}: the file is too large; simplify the model.", name));
+        throw Failure(ErrorKind::file, message("Cannot read {1}: the file is too large; simplify the model.", name));
     }
     JsonDocument document = guardGltf(bytes, name, limits);
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");

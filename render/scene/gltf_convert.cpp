@@ -103,7 +103,7 @@ public:
             const glm::dmat4 modelFromNode = visit.modelFromParent * nodeTransform(node);
             if (!isFinite(modelFromNode)) {
                 throw document_.failure("nodes[" + std::to_string(visit.node) + "]",
-                                        message("its place overflows; export the file again."));
+                                        message("its transform overflows; export the file again."));
             }
             add(visit.node, modelFromNode);
             for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)

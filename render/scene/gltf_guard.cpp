@@ -17,7 +17,7 @@ constexpr std::uint64_t binChunk = 0x004E4942;
 
 [[noreturn]] void fail(const std::string& name, const Message& problem)
 {
-    throw Failure(Blame::file, message("Cannot read {1}: {2}; export it again.", name, problem));
+    throw Failure(ErrorKind::file, message("Cannot read {1}: {2}; export it again.", name, problem));
 }
 
 /// Type and length of a chunk, and the offset of its first byte.
@@ -233,7 +233,7 @@ JsonDocument guardGltf(const std::string& bytes, const std::string& name, const 
     json.bytes = limits.jsonBytes;
     json.stringBytes = limits.jsonBytes;
     if (!beginsAsGltf(bytes))
-        throw Failure(Blame::file, message("Cannot read {1}: this is not a glTF file; choose another file.", name));
+        throw Failure(ErrorKind::file, message("Cannot read {1}: this is not a glTF file; choose another file.", name));
     JsonDocument document = parseJson(isGlb(bytes) ? jsonOf(bytes, name) : bytes, name, json);
     if (!document.root().is_object()) fail(name, message("its JSON is not an object"));
     checkStrings(document, document.root(), {}, limits.stringBytes);

@@ -34,9 +34,9 @@ Ray Ray::transformed(const glm::dmat4& transform) const
     return {glm::dvec3(transform * glm::dvec4(origin, 1)), glm::dvec3(transform * glm::dvec4(direction, 0))};
 }
 
-Stretch insideBox(const Ray& ray, const Box& box)
+RayInterval insideBox(const Ray& ray, const Box& box)
 {
-    Stretch s{0, never};
+    RayInterval s{0, never};
     for (int axis = 0; axis < 3; ++axis) {
         if (ray.direction[axis] == 0) {
             // The ray is parallel to the faces: always inside this slab, or never. A division would be 0 / 0 on a face.
@@ -53,7 +53,7 @@ Stretch insideBox(const Ray& ray, const Box& box)
 
 double firstHit(const Ray& ray, const Box& box)
 {
-    const Stretch s = insideBox(ray, box);
+    const RayInterval s = insideBox(ray, box);
     return s.enter <= s.exit ? s.enter : never;
 }
 

@@ -19,10 +19,10 @@ struct Ray {
 
 /// Interval of a ray inside a box, from `enter` (0 if the ray starts inside) to `exit`. `enter > exit`: the ray misses
 /// the box.
-struct Stretch {
+struct RayInterval {
     double enter = 0, exit = 0;
 };
-[[nodiscard]] Stretch insideBox(const Ray&, const Box&);
+[[nodiscard]] RayInterval insideBox(const Ray&, const Box&);
 
 enum class Faces : std::uint8_t { front, both };
 

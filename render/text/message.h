@@ -36,7 +36,7 @@ template <class... Arguments> struct MessageText {
 /// arguments. Made by `message` where the text is written; `english` gives the text of files and logs, `translated`
 /// (render/text/translation.h) that of the window.
 ///
-///     throw Failure(Blame::file, message("Cannot read {1}: {2}", path, why));
+///     throw Failure(ErrorKind::file, message("Cannot read {1}: {2}", path, why));
 ///
 /// The extraction (assets/translations/update.py) finds the literal by the name `message`.
 class Message {

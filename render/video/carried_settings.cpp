@@ -19,7 +19,7 @@ constexpr std::uintmax_t mostComment = 4U << 20U;  ///< Bytes, the maximum size 
 
 [[noreturn]] void refuseToRead(const fs::path& path, const std::string& why)
 {
-    throw Failure(Blame::file, "Cannot read " + path.string() + ": " + why + "; choose another file.");
+    throw Failure(ErrorKind::file, "Cannot read " + path.string() + ": " + why + "; choose another file.");
 }
 
 /// Returns the last bytes of a file, at most `most`.

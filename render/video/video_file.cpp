@@ -23,7 +23,7 @@ bool storesHalfChroma(VideoFormat format)
 
 VideoSpec legal(const VideoSpec& spec)
 {
-    if (const std::string why = whyNoVideo(spec); !why.empty()) throw Failure(Blame::usage, why);
+    if (const std::string why = whyNoVideo(spec); !why.empty()) throw Failure(ErrorKind::usage, why);
     return spec;
 }
 
@@ -149,8 +149,8 @@ void VideoFile::require(const std::string& problem)
 {
     if (state_->output.error() != 0) state_->part->fail("writing", state_->output.error());
     if (problem.empty()) return;
-    throw Failure(Blame::file, "Cannot write " + state_->part->target().string() + ": " + problem +
-                                   "; the old content is untouched; choose another kind of file, such as .apng.");
+    throw Failure(ErrorKind::file, "Cannot write " + state_->part->target().string() + ": " + problem +
+                                       "; the old content is untouched; choose another kind of file, such as .apng.");
 }
 
 void VideoFile::add(const Image& image)

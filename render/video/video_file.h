@@ -14,7 +14,7 @@ namespace vitrine::render {
 
 /// Returns the format of the name's extension: .mp4, .webm, .gif, .webp, .apng; nothing for others.
 [[nodiscard]] std::optional<VideoFormat> videoFormatOf(const std::filesystem::path&);
-/// All extensions of videos, as `ParameterInfo::endings` has them: "mp4 webm".
+/// All extensions of videos, as `ParameterInfo::extensions` has them: "mp4 webm".
 [[nodiscard]] std::string videoEndings();
 
 /// Returns why such a video cannot be made, as a full sentence with an alternative; empty if it can. Videos in 4:2:0
@@ -31,7 +31,7 @@ class PartFile;
 /// in .gif a comment extension, in .webp a chunk "VTRN" at its end.
 class VideoFile {
 public:
-    /// Throws Failure: Blame::usage if `whyNoVideo` refuses it, Blame::file if nothing can be written there.
+    /// Throws Failure: ErrorKind::usage if `whyNoVideo` refuses it, ErrorKind::file if nothing can be written there.
     VideoFile(const std::filesystem::path&, const VideoSpec&, FileOps& = systemFileOps());
     ~VideoFile();
     VideoFile(const VideoFile&) = delete;

@@ -2,7 +2,7 @@
 // SCREEN (a gathered image), POLAR (the running sum, looked up here), HAZE (extinction by the dust, and scattered light
 // of the hall), BEAMS (marched sunbeams), REPLACE (shows the added light alone, or the mask).
 #include "lib/light.glsl"
-#include "crepuscular_rays/air.glsl"
+#include "crepuscular_rays/participating_media.glsl"
 #include "lib/display_light.glsl"
 #include "crepuscular_rays/gather.glsl"
 #include "crepuscular_rays/coarse.glsl"

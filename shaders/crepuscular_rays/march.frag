@@ -2,7 +2,7 @@
 // window or oculus, with lookups in the shadow maps. The light that a step scatters equals the light that its dust
 // removes from the ray, in closed form. So the result does not depend on the number of steps.
 #include "lib/light.glsl"
-#include "crepuscular_rays/air.glsl"
+#include "crepuscular_rays/participating_media.glsl"
 #include "crepuscular_rays/gather.glsl"
 #include "crepuscular_rays/coarse.glsl"
 #include "crepuscular_rays/dust.glsl"

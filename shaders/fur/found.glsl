@@ -1,13 +1,13 @@
 // Strand data that the shells pass to the lighting pass: four floats per pixel, each an integer below 2^24 except the
 // last. All 0 if nothing was found.
-//   x: the strand's direction, y: the normal of the coat, body space; z: height, rank, place across and number of the
-//   body; w: distance along the view axis, meters
+//   x: the strand's direction, y: the normal of the coat, body space; z: height, rank (random number that sets the
+//   length and color of the strand), place across and number of the body; w: distance along the view axis, meters
 
 struct FoundStrand {
     vec3 along;      // direction of the strand, from root to tip
     vec3 coatNormal;
     float height;    // 0 to 1, in steps of 1/1023; 0: bare skin
-    float rank;      // 0 to 1, in steps of 1/64
+    float rank;      // random number of the strand, 0 to 1, in steps of 1/64
     float across;    // in strand radii from its center along cross(along, ray): -1 to 1, in steps of 2/63
     int body;        // from 1; 0: nothing
     float viewDepth;

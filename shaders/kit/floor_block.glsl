@@ -1,6 +1,6 @@
-// A floor at y = 0 with objects on it (lib/standing_block.glsl). GLSL and C++: render/glsl/std140.h.
+// A floor at y = 0 with objects on it (lib/standing_shape_block.glsl). GLSL and C++: render/glsl/std140.h.
 #ifndef __cplusplus
-#include "lib/standing_block.glsl"
+#include "lib/standing_shape_block.glsl"
 #endif
 
 // One shape as drawn into the map of contact shadows.

@@ -1,13 +1,13 @@
 // Shades a mesh with a material. Permutations: those of kit/material.glsl, NORMAL_MAP, ORM_MAP, OCCLUSION_MAP,
 // ALPHA_MASK, BLENDED (opacity in alpha), LIGHTMAP, BOUNCED_LIGHT (of the sun, with LIGHTMAP), LAMP_LIGHT (of the
 // vault, with LIGHTMAP), FLAT_PROBE (for the probe's own capture: no reflections), WRITE_NORMAL, WRITE_EVALUATIONS, and
-// POLISHED_FLOOR with those of kit/standing.glsl.
+// POLISHED_FLOOR with those of kit/polished_floor.glsl.
 #include "lib/frame.glsl"
 #include "lib/surface.glsl"
 #include "kit/surface_object.glsl"
 #include "kit/material.glsl"
 #ifdef POLISHED_FLOOR
-#include "kit/standing.glsl"
+#include "kit/polished_floor.glsl"
 #endif
 
 layout(binding = UNIT_NORMAL) uniform sampler2D normalMap;

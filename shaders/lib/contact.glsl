@@ -4,7 +4,7 @@
 #include "lib/bindings.glsl"
 #include "lib/numerics.glsl"
 #include "lib/local_light.glsl"
-#include "lib/standing_block.glsl"
+#include "lib/standing_shape_block.glsl"
 #endif
 
 // Number of corners of a shape's outline on the floor. A cylinder is replaced by a prism of equal area.

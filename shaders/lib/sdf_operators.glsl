@@ -10,7 +10,7 @@
 const float SDF_WIDEST_BLEND = 1000.0;
 const float SDF_NARROWEST_BLEND = 1.0e-20;
 
-// ---- Combining: keep 1 ---------------------------------------------------------------------------
+// ---- Combining two fields: 1-Lipschitz if both are ----------------------------------------------
 
 // a without b. Bound. If a face of b coincides with a face of a, a sheet of distance zero remains: see
 // sdfCleanSubtraction.
@@ -69,7 +69,7 @@ float sdfMix(float a, float b, float t)
     return (a * (1.0 - t) + b * t) / (abs(1.0 - t) + abs(t));
 }
 
-// ---- Changing one field: keep 1 ------------------------------------------------------------------
+// ---- Changing one field: 1-Lipschitz if it is ---------------------------------------------------
 
 // Wall of `thickness` around the surface.
 float sdfOnion(float d, float thickness)
@@ -96,7 +96,7 @@ float sdfExtrude(float profile, float z, float halfHeight)
     return length(max(d, vec2(0.0))) + min(max(d.x, d.y), 0.0);
 }
 
-// ---- Changing the point: keep 1 ------------------------------------------------------------------
+// ---- Changing the point: 1-Lipschitz if the field is --------------------------------------------
 
 // Stretches a solid along the axes by `halfSize` each way; flat pieces fill the gap. Exact outside for solids that are
 // symmetric about the origin.

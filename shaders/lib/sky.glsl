@@ -1,7 +1,7 @@
 // Background outside the hall: a clear sky that depends on the sun's height, with scenery, or the studio, or the user's
 // panorama.
 #include "lib/light.glsl"
-#include "lib/grounds.glsl"
+#include "lib/terrain.glsl"
 #include "lib/panorama.glsl"
 
 // A soft box of the studio: a bright rectangle `size` (tangents of half angles) around `center`.

@@ -13,10 +13,10 @@ bool temporalIsValid()
     return temporal.isValid;
 }
 
-// Slice of the pass that this frame draws, 0 to temporal.parts - 1.
-int temporalPart()
+// Slice of the pass that this frame draws, 0 to temporal.sliceCount - 1.
+int temporalSlice()
 {
-    return temporal.part;
+    return temporal.slice;
 }
 
 // Texture coordinates of a world point in the history image; outside 0 to 1 it was not in view. Points behind the eye

@@ -2,6 +2,6 @@
 #define TEMPORAL_FIELDS(FIELD, ARRAY) \
     FIELD(mat4, previousClipFromWorld)  /* that of the frame that drew the histories, without its jitter */ \
     FIELD(bool, isValid)                /* everything that the pass reads of earlier frames is usable */ \
-    FIELD(int, part)                    /* slice of a sliced pass, from 0 */ \
-    FIELD(int, parts)
+    FIELD(int, slice)                   /* slice of a sliced pass, from 0 */ \
+    FIELD(int, sliceCount)
 BLOCK_STRUCT(TemporalBlock, TEMPORAL_FIELDS)

@@ -21,9 +21,9 @@ Lantern lanternAt(ivec2 cell)
 
 #include "paper_lanterns/walk.glsl"
 #include "paper_lanterns/fibers.glsl"
-#include "paper_lanterns/air.glsl"
+#include "paper_lanterns/participating_media.glsl"
 #include "paper_lanterns/night_sky.glsl"
-#include "paper_lanterns/surfaces.glsl"
+#include "paper_lanterns/water_and_paper.glsl"
 #ifdef REFERENCE
 #include "paper_lanterns/reference_shading.glsl"
 #endif

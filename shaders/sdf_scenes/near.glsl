@@ -10,7 +10,7 @@ layout(std430, binding = STORAGE_EXHIBIT_B) readonly buffer SceneLists {
     uvec4 sceneLists[];
 };
 
-// Filled by exhibits/sdf_scenes/near_scene.h.
+// Filled by exhibits/sdf_scenes/scene_grid.h.
 layout(std430, binding = STORAGE_EXHIBIT_C) readonly buffer SceneNear {
     vec4 low;                           // low corner of the grid; w: cells per meter along x
     vec4 high;                          // high corner of the grid; w: cells per meter along y

@@ -25,20 +25,20 @@ int evaluations;  // Calls of the field for this pixel.
 PortalSeen portalSeen(PortalRay ray)
 {
     evaluations = 0;
-    shapesAsked = 0;
+    primitiveEvaluations = 0;
     SceneSeen found = sceneSeen(ray);
     PortalSeen seen;
     seen.radiance = found.radiance;
     seen.normal = found.normal;
     seen.distance = found.distance;
 #ifdef COUNT_SHAPES
-    seen.evaluations = float(shapesAsked);
+    seen.evaluations = float(primitiveEvaluations);
 #else
     seen.evaluations = float(evaluations);
 #endif
 #ifdef HEAT_MAP
     float count = parameters.heatMap == heatMap_steps ? float(found.steps) : float(evaluations);
-    if (parameters.heatMap == heatMap_shapes) count = float(shapesAsked);
+    if (parameters.heatMap == heatMap_shapes) count = float(primitiveEvaluations);
     vec3 shown = heatColor(count / parameters.heatScale);
     if (parameters.heatMap == heatMap_normals) shown = found.normal * 0.5 + 0.5;
     seen.radiance = shown;

@@ -58,7 +58,7 @@ grep -q "manual *$root/elsewhere/share/doc/vitrine/README.md" "$root/doctor" || 
 mv "$root/elsewhere" "$root/usr"
 
 
-# What the desktop shows is said in German, too.
+# Texts of the desktop file are translated into German.
 for key in 'GenericName[de]=' 'Comment[de]=' 'Keywords[de]='; do
     grep -qF "$key" "$share/applications/org.vitrine.Vitrine.desktop" || fail "the desktop file lacks $key"
 done
@@ -77,7 +77,7 @@ released=$(sed -n 's/.*<release version="\([^"]*\)".*/\1/p' "$share/metainfo/org
 version=$("$root/usr/bin/vitrine" --version | sed 's/^vitrine //; s/+.*//')
 [ "$(echo "$logged" | head -n 1)" = "$version" ] || fail "the change log begins with $logged, and the program is $version"
 
-# Where its pictures are published, the screenshots are named; each is a picture that there is.
+# With an address of published pictures, the AppStream file names screenshots, each of which exists.
 cmake -DVITRINE_PICTURES_URL=https://example.org/pictures -DOUT="$root/published.metainfo.xml" -P "$source/app/install/metainfo.cmake"
 shown=$(sed -n 's|.*<image type="source">https://example.org/pictures/\(.*\)</image>|\1|p' "$root/published.metainfo.xml")
 [ "$(echo "$shown" | wc -l)" -ge 3 ] || fail "the AppStream file names too few screenshots: $shown"

@@ -209,6 +209,7 @@ TEST(SceneMeshCommand, TakesParametersWithUnitsAndSaysWhatIsNone)
     EXPECT_EQ(meshing({"--set", "r=2"}).code, 2);
     test::expectOneSentence(meshing({"--set", "r=2"}), {"0.1 to 1 m"});
     test::expectOneSentence(meshing({"--set", "s=2"}), {"--set s", "it has r"});
+    test::expectOneSentence(meshing({"--set", "ra=2"}), {"--set ra", "did you mean r?", "it has r"});
     test::expectOneSentence(test::vitrine({"mesh", ball, "--cell", "soup", "--out", folder / "b.stl"}),
                             {"--cell", "a number from"});
     EXPECT_EQ(meshing({"--low", "0,0,0"}).code, 2);

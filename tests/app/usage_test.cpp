@@ -172,7 +172,7 @@ std::vector<std::string> commandsIn(const std::string& help)
 struct NumberOption {
     std::vector<std::string> command;
     std::string name;
-    std::string words;  ///< That it takes besides numbers: "|inf|auto".
+    std::string words;  ///< Words that it accepts besides numbers: "|inf|auto".
 };
 
 /// Returns all options of all commands that take a number, from their help texts.
@@ -233,10 +233,10 @@ TEST(UsageOfNumbers, TakesUnitsAndNamesTheRangeInTheUnitThatWasTyped)
         return test::vitrine({"list", "--set", "noise.sunElevation=" + typed}).err;
     };
     const std::string plain = noteOf("12"), withUnit = noteOf("95deg");
-    EXPECT_NE(plain.find("12 was brought to 1.57"), std::string::npos) << plain;
+    EXPECT_NE(plain.find("12 was changed to 1.57"), std::string::npos) << plain;
     EXPECT_NE(plain.find(" rad; degrees are written 12deg)"), std::string::npos) << plain;
     EXPECT_EQ(plain.find("°"), std::string::npos) << plain;
-    EXPECT_NE(withUnit.find("95deg was brought to 90°, the nearest that is allowed (a number from -5 to 90°)"),
+    EXPECT_NE(withUnit.find("95deg was changed to 90°, the nearest allowed value (a number from -5 to 90°)"),
               std::string::npos)
         << withUnit;
     for (const char* angle : {"200deg", "4rad", "200"}) {
@@ -359,7 +359,7 @@ TEST(Usage, ErrorsAreOneExactSentenceOnTheWordThatWasTypedFirst)
         {{"record", "fur", "--out", "x.mp4", "--pace", "ease"},
          "--pace \"ease\": did you mean eased? give one of auto, constant, eased.\n"},
         {{"render", "sdf_morph", "--set", "material=glas", "--out", "x.png"},
-         "--set material: \"glas\" is no value for it; did you mean glass? give one of opaque, glass.\n"},
+         "--set material: \"glas\" is not a value for it; did you mean glass? give one of opaque, glass.\n"},
         {{"render", "sdf_morph", "--set", "mroph=1", "--out", "x.png"},
          "--set mroph: sdf_morph has no parameter of that name; did you mean morph? `vitrine list --json` names "
          "them.\n"},

@@ -6,7 +6,7 @@
 
 #include "exhibits/printing/interlace.h"
 #include "exhibits/printing/print_file.h"
-#include "exhibits/printing/taps.h"
+#include "exhibits/printing/view_weights.h"
 #include "render/image/srgb.h"
 
 #include <algorithm>
@@ -71,14 +71,14 @@ double report(const char* name, double pixels, const std::function<void()>& work
 /// Simple implementation: weights per pixel, the view column nearest to the lens's axis, floats, pow.
 void plainLoop(const PrintLayout& layout, const ViewSet& views, std::vector<std::uint8_t>& out)
 {
-    std::vector<Tap> taps;
+    std::vector<ViewWeight> taps;
     std::uint8_t* at = out.data();
     for (std::int64_t y = 0; y < layout.height(); ++y) {
         const int row = static_cast<int>(y * views.height() / layout.height());
         for (std::int64_t x = 0; x < layout.width(); ++x) {
-            tapsAt(layout, static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5, taps);
+            viewWeightsAt(layout, static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5, taps);
             double sum[3] = {0, 0, 0};
-            for (const Tap& tap : taps) {
+            for (const ViewWeight& tap : taps) {
                 const double axis =
                     static_cast<double>(tap.lens) / layout.lensesPerPixelX() + static_cast<double>(layout.width()) / 2;
                 const int width = views.view(tap.view).width;

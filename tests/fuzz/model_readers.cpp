@@ -47,7 +47,7 @@ bool readScene(std::string_view bytes)
     scenes::SceneLimits limits;
     limits.nodes = 256;
     const auto noFile = [](const std::string& path) -> std::string {
-        throw Failure(Blame::file, "There is no file " + path + ".");
+        throw Failure(ErrorKind::file, "There is no file " + path + ".");
     };
     const scenes::ReadScene read = scenes::readScene(std::string(bytes), "fuzz.json", noFile, limits);
     require(read.scene != nullptr || !read.findings.empty(), "a refusal says why");

@@ -11,7 +11,7 @@ namespace vitrine::fuzz {
 bool readShader(std::string_view bytes)
 {
     const auto noFile = [](const std::string& path) -> std::string {
-        throw Failure(Blame::file, "There is no file " + path + ".");
+        throw Failure(ErrorKind::file, "There is no file " + path + ".");
     };
     const guest::ReadShader read = guest::readShader(std::string(bytes), "fuzz.fs", noFile);
     require(read.shader != nullptr || !read.errors.empty(), "a refusal says why");

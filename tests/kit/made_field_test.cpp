@@ -98,20 +98,20 @@ TEST(MadeFieldOnPaper, CompilesForAShapeAndNotForItsNumbers)
     const render::FramePlan larger = planned();
     shot.values().set(madeTable().kind, MadeShape::box);
     const render::FramePlan other = planned();
-    std::set<std::string> slots;
+    std::set<std::string> families;
     for (const char* step : {"made/march", "made/cone", "made/shadow"}) {
         ASSERT_TRUE(first.find(step) && larger.find(step) && other.find(step)) << step;
         const render::ShaderKey& key = first.find(step)->shader;
         EXPECT_EQ(key, larger.find(step)->shader) << step << ": a number compiles";
         EXPECT_NE(key.sources->hash(), other.find(step)->shader.sources->hash()) << step;
-        EXPECT_FALSE(key.slot.empty()) << step << ": the picture would wait for its program";
-        EXPECT_EQ(key.slot, other.find(step)->shader.slot) << step;
-        slots.insert(key.slot);
+        EXPECT_FALSE(key.programFamily.empty()) << step << ": the picture would wait for its program";
+        EXPECT_EQ(key.programFamily, other.find(step)->shader.programFamily) << step;
+        families.insert(key.programFamily);
     }
-    slots.insert(first.find("made/march")->depthOnly->shader.slot);
-    EXPECT_EQ(slots.size(), 4U) << "programs of one slot take the same inputs";
+    families.insert(first.find("made/march")->depthOnly->shader.programFamily);
+    EXPECT_EQ(families.size(), 4U) << "programs of one family take the same inputs";
     const render::FramePlan fixed = test::planned(test::ballMuseum(), BallShot().sceneState, BallShot().request.frame);
-    EXPECT_TRUE(fixed.find("ball/march")->shader.slot.empty()) << "shaders that never change are waited for";
+    EXPECT_TRUE(fixed.find("ball/march")->shader.programFamily.empty()) << "shaders that never change are waited for";
 }
 
 }  // namespace

@@ -34,11 +34,11 @@ const Museum& floorMuseum()
     return *opened;
 }
 
-/// What the floor shows on a ray beyond `start` meters, at float64.
+/// Appearance of the floor on a ray beyond `start` meters, at float64.
 struct Seen {
     dvec3 color{0, 0, 0.5};
-    double distance = std::numeric_limits<double>::infinity();  ///< Of the hall, meters.
-    bool nearEdge = false;                                      ///< Of a square: rounding decides.
+    double distance = std::numeric_limits<double>::infinity();  ///< Distance of the hall, in meters.
+    bool nearEdge = false;  ///< The point is near the edge of a square of the floor: rounding decides.
 };
 
 Seen seenAlong(const dvec3& eye, const dvec3& ray, const glm::dmat4& worldFromExhibit, double pixel, double start)
@@ -72,7 +72,7 @@ protected:
 
 TEST_F(PortalTest, ShowsTheWorldBeyondInTheVisitorsPerspective)
 {
-    constexpr double adaptation = 7.5;  // Of the hall.
+    constexpr double adaptation = 7.5;  // Adaptation of the hall.
     for (const dvec3& eye : {dvec3(0, 0, 1.5), dvec3(1.2, -0.2, 1.0), dvec3(-2.5, 0.4, 3)}) {
         BallShot s = shot();
         s.inHall();

@@ -350,7 +350,7 @@ TEST(Layers, NoMoreThanThreeFilesFormACircle)
          "exhibits/printing/interlace", "exhibits/printing/interlace_kernels", "exhibits/printing/kernel_sets",
          "exhibits/printing/lens_plan", "exhibits/printing/print_json", "exhibits/printing/print_layout",
          "exhibits/printing/print_raster", "exhibits/printing/print_table", "exhibits/printing/proof",
-         "exhibits/printing/taps", "exhibits/printing/view_place", "exhibits/printing/view_set"},
+         "exhibits/printing/view_weights", "exhibits/printing/view_place", "exhibits/printing/view_set"},
         {"ui/window/focus_areas", "ui/window/main_window", "ui/window/own_objects_menu", "ui/window/search_entries",
          "ui/window/session_keeper", "ui/window/window_actions", "ui/window/window_preferences"}};
     std::set<Circle> large;

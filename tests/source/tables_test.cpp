@@ -11,10 +11,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <map>
 #include <regex>
 #include <set>
+#include <string_view>
 
 namespace vitrine {
 namespace {
@@ -136,6 +138,8 @@ TEST(Tables, EveryExhibitAndTheHallNameSixEssentialsOfLookAndTechnique)
 
 TEST(Tables, HelpIsOneOrTwoSentences)
 {
+    constexpr std::array<std::string_view, 8> notFirst = {"Of",    "What", "Where", "Whoever",
+                                                          "Whose", "Who",  "That",  "Those"};
     for (const auto& [exhibit, table] : tables()) {
         for (const ParameterInfo& row : table->rows()) {
             const std::string help(row.help);
@@ -143,6 +147,9 @@ TEST(Tables, HelpIsOneOrTwoSentences)
             EXPECT_TRUE(help.back() == '.') << exhibit << '.' << row.name << ": " << help;
             EXPECT_FALSE(std::islower(static_cast<unsigned char>(help.front())))
                 << exhibit << '.' << row.name << ": " << help;
+            const std::string first = help.substr(0, help.find(' '));
+            EXPECT_EQ(std::find(notFirst.begin(), notFirst.end(), first), notFirst.end())
+                << exhibit << '.' << row.name << " does not begin with its subject: " << help;
         }
     }
 }
@@ -234,7 +241,7 @@ TEST(Tables, EveryRowIsReadByItsOwnExhibit)
 }
 
 /// Returns the table whose fields a shader may use; null: none.
-const Parameters* tableFor(const std::string& file, const std::string& exhibit)
+const Parameters* dynamicParameters(const std::string& file, const std::string& exhibit)
 {
     // Shaders of fields use the parameters of every field, and those of a material kind the parameters of a material.
     struct FieldTable final : SdfRows {};
@@ -255,7 +262,7 @@ TEST(Tables, ShadersUseOnlyFieldsThatTheirTableHas)
         const std::string text = test::withoutComments(test::sourceText(file));
         for (auto match = std::sregex_iterator(text.begin(), text.end(), field); match != std::sregex_iterator();
              ++match) {
-            const Parameters* table = tableFor(file, exhibit);
+            const Parameters* table = dynamicParameters(file, exhibit);
             ASSERT_TRUE(table) << file << " uses " << match->str() << " but belongs to no exhibit";
             const std::string name = (*match)[1];
             ++found;

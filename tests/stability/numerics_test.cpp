@@ -137,7 +137,7 @@ TEST(Hash, LatticePointsFarFromTheOriginStayDistinct)
             fromPcg.insert(f32::hashCell(glm::ivec3(1000000 + x, 1000000 + y, -5), 1).x);
         }
     EXPECT_LT(fromSine.size(), 2000U);
-    EXPECT_GE(fromPcg.size(), 4095U);  // Of 4096 draws of 32 bits, two are equal once in 500 tries.
+    EXPECT_GE(fromPcg.size(), 4095U);  // Two of 4096 draws of 32 bits are equal once in 500 tries.
 }
 
 TEST(Hash, NeighborsAreDistinctBeyondTheIntegersOfAFloat)

@@ -43,7 +43,7 @@ struct BallTable final : Parameters {
     }
 
     const std::vector<Ball> scene;
-    File file = this->Parameters::file("scene", "Balls, as JSON.", endings("json"), givesRows());
+    File file = this->Parameters::file("scene", "Balls, as JSON.", extensions("json"), addsParameters());
     Real spin = real("spin", 1, none, {0, 10}, "How fast all turn.");
     std::vector<Real> radii;  ///< Indices are those of the balls.
     std::vector<Count> rings;
@@ -63,7 +63,8 @@ public:
     {
         return std::numeric_limits<double>::infinity();
     }
-    [[nodiscard]] CalledTable tableFor(const ParameterValues& values, render::AssetStore& assets) const override
+    [[nodiscard]] DynamicParameters dynamicParameters(const ParameterValues& values,
+                                                      render::AssetStore& assets) const override
     {
         const std::string file = values[none_.file];
         if (file.empty()) return {{std::shared_ptr<const Parameters>(), &none_}, {}};

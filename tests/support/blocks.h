@@ -37,7 +37,7 @@ struct BlockTable final : Parameters {
     explicit BlockTable(std::vector<Block> read) : blocks(std::move(read)) {}
 
     const std::vector<Block> blocks;
-    File pile = file("pile", "Blocks, as JSON.", endings("json"), givesRows());
+    File pile = file("pile", "Blocks, as JSON.", extensions("json"), addsParameters());
     File document = this->Parameters::document("document", pile, "The blocks as they were edited.");
 };
 
@@ -55,7 +55,8 @@ public:
     {
         return std::numeric_limits<double>::infinity();
     }
-    [[nodiscard]] CalledTable tableFor(const ParameterValues& values, render::AssetStore& assets) const override
+    [[nodiscard]] DynamicParameters dynamicParameters(const ParameterValues& values,
+                                                      render::AssetStore& assets) const override
     {
         const std::string text = values[none_.document], file = values[none_.pile];
         if (text.empty() && file.empty()) return {{std::shared_ptr<const Parameters>(), &none_}, {}};
@@ -99,7 +100,7 @@ public:
             else if (edit.what == TreeEdit::What::rename)
                 all[at].name = node = edit.word;
             else
-                throw Failure(Blame::check, "Cubes know no such change.");
+                throw Failure(ErrorKind::check, "Cubes know no such change.");
         }
         return {with(values, all, assets), node};
     }
@@ -180,7 +181,7 @@ private:
     [[nodiscard]] static std::size_t indexOf(const ParameterValues& values, std::string_view node)
     {
         const Block* block = find(values, node);
-        if (!block) throw Failure(Blame::check, "There is no such cube.");
+        if (!block) throw Failure(ErrorKind::check, "There is no such cube.");
         return static_cast<std::size_t>(block - blocks(values).data());
     }
     [[nodiscard]] static render::Box boxOf(const Block& block)
@@ -192,8 +193,8 @@ private:
     {
         ParameterValues next = values;
         next.set(none_.document, textOfBlocks(all));
-        const CalledTable called = tableFor(next, assets);
-        if (!called.table) throw Failure(Blame::check, called.why);
+        const DynamicParameters called = dynamicParameters(next, assets);
+        if (!called.table) throw Failure(ErrorKind::check, called.why);
         std::vector<std::string> notes;
         return underTable(next, called.table, notes);
     }

@@ -53,7 +53,7 @@ std::string whyNotTested(Gallery& (*open)())
         if (info.version.find("Mesa 22.") != std::string::npos) forgiveLavapipe();
         return {};
     } catch (const Failure& failure) {
-        if (failure.blame() != Blame::openGl) throw;
+        if (failure.kind() != ErrorKind::openGl) throw;
         return std::string("no OpenGL 4.5 from zink here: ") + failure.what();
     }
 }

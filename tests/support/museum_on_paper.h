@@ -54,7 +54,7 @@ inline render::PersistentState keptAfter(const render::FramePlan& plan)
 {
     render::PersistentState kept;
     for (const render::Pass& pass : plan.passes())
-        if (pass.key) kept.passes[pass.name] = *pass.key;
+        if (pass.contentHash) kept.passes[pass.name] = *pass.contentHash;
     return kept;
 }
 

@@ -115,7 +115,7 @@ std::string textOf(const Pass& p)
     for (const auto& [name, count] : p.counts) line << name << count;
     line << p.countSamples << p.bound;
     line.all(p.effects);
-    if (p.key) line << *p.key;
+    if (p.contentHash) line << *p.contentHash;
     return line.text.str();
 }
 

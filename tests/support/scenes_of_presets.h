@@ -17,7 +17,7 @@ inline std::map<std::string, Scene> scenesOfPresets()
     const fs::path presetsFolder = fs::path(VITRINE_SOURCE_DIR) / "assets" / "presets";
     std::map<std::string, Scene> scenes;
     for (std::size_t i = 0; i < museum().subjects().size(); ++i) {
-        const Subject& subject = museum().subject(i);
+        const SceneObject& subject = museum().subject(i);
         const fs::path folder = presetsFolder / subject.name();
         if (!fs::is_directory(folder)) continue;
         for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {

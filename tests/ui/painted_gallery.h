@@ -135,11 +135,11 @@ public:
     }
     void close() override { ++closed; }
     render::FrameReport draw(const SceneState& sceneState, const FrameRequest& request,
-                             const Unwanted& unwanted) override
+                             const IsCanceled& isCanceled) override
     {
         strangers += std::this_thread::get_id() == thread ? 0 : 1;
         const Prepared prepared = museum().prepare(sceneState, request);
-        if (beforeDrawing) beforeDrawing(request, unwanted);
+        if (beforeDrawing) beforeDrawing(request, isCanceled);
         if (thrown) std::rethrow_exception(thrown);
         red_ = static_cast<float>(prepared.sceneState.values[1][table().roughness]);
         green_ = green(request);
@@ -166,7 +166,7 @@ public:
         return image;
     }
     [[nodiscard]] QImage drawRegion(const SceneState&, const FrameRequest&, const PictureRegion& region, int,
-                                    const Unwanted&) override
+                                    const IsCanceled&) override
     {
         strangers += std::this_thread::get_id() == thread ? 0 : 1;
         QImage image(region.size.x, region.size.y, QImage::Format_RGBX8888);
@@ -216,7 +216,7 @@ public:
     void buildBetter(const SceneState&, const FrameRequest& request) override
     {
         strangers += std::this_thread::get_id() == thread ? 0 : 1;
-        betterBuilds += request.rests ? 1 : 100;
+        betterBuilds += request.idle ? 1 : 100;
     }
     void timeSteps(bool) override {}
     bool reloadChangedShaders() override { return false; }
@@ -259,7 +259,7 @@ public:
     /// Number of requests for specialized programs while values were idle; requests at other times add a hundred.
     std::atomic<int> betterBuilds = 0;
     std::atomic<int> strangers = 0;  ///< Number of pictures drawn on another thread.
-    std::function<void(const FrameRequest&, const Unwanted&)> beforeDrawing;  ///< Set only while nothing is drawn.
+    std::function<void(const FrameRequest&, const IsCanceled&)> beforeDrawing;  ///< Set only while nothing is drawn.
     std::atomic<int> pictureReads = 0;
     std::atomic<int> othersForgotten = 0;
     std::atomic<int> smallDrawn = 0, smallForgotten = 0;

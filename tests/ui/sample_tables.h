@@ -10,7 +10,7 @@ enum class Method { forward, tetrahedron, central };
 struct IdleTable final : Parameters {
     Group sun = group("Sun");
     Choice<Method> sunBy =
-        choice("sunBy", Method::forward, {"angles", "hour", "nothing"}, "How the sun is set.", called("Set sun by"));
+        choice("sunBy", Method::forward, {"angles", "hour", "nothing"}, "How the sun is set.", labeled("Set sun by"));
     Real height = real("sunHeight", 0.5, none, {0, 1}, "Above the horizon.", when(sunBy, Method::forward));
     Real hourOfDay = real("hourOfDay", 16.1, hour, {0, 24}, "Of the day.", when(sunBy, Method::tetrahedron));
     Real gap = real("convergence", 0, meter, {0, 10}, "Where the views meet.", reads(0, "auto"));
@@ -56,7 +56,8 @@ struct SampleTable final : Parameters {
     Choice<Method> material =
         choice("material", Method::forward, {"chrome", "glazed ceramic", "glass"}, "What it is made of.");
     Direction light = direction("lightDirection", {0.4, 0.7, -0.6}, "Where the light comes from.");
-    File environment = file("environment", "A panorama (EXR, HDR, PNG) in place of the sky.", endings("hdr exr png"));
+    File environment =
+        file("environment", "A panorama (EXR, HDR, PNG) in place of the sky.", extensions("hdr exr png"));
 
     Group tracing = group("Tracing");
     Count stepLimit = count("stepLimit", 96, {1, 512, logarithmic},

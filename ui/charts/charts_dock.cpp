@@ -2,9 +2,9 @@
 
 #include "exhibits/framework/scene/capabilities.h"
 #include "exhibits/museum/museum.h"
+#include "ui/kit/accessible_plot.h"
 #include "ui/kit/language.h"
 #include "ui/kit/progress_job.h"
-#include "ui/kit/spoken_plot.h"
 #include "ui/kit/text.h"
 #include "ui/kit/theme.h"
 #include "ui/model/history.h"
@@ -76,24 +76,24 @@ QString sentences(const Chart& chart)
             return number(curve.x[static_cast<std::size_t>(which - curve.y.begin())]);
         };
         all << ChartsDock::tr("%1: from %2 at %3 to %4 at %5.")
-                   .arg(curve.name.empty() ? ChartsDock::tr("The curve") : said(curve.name), number(*least),
+                   .arg(curve.name.empty() ? ChartsDock::tr("The curve") : translatedText(curve.name), number(*least),
                         place(least), number(*most), place(most));
     }
     return all.join(QLatin1Char(' '));
 }
 
-void fill(SpokenPlot& plot, const Chart& chart)
+void fill(AccessiblePlot& plot, const Chart& chart)
 {
     plot.setSentences(sentences(chart));
     plot.clearGraphs();
-    plot.setAccessibleName(said(chart.title));
-    plot.xAxis->setLabel(ChartsDock::tr("%1: %2").arg(said(chart.title), said(chart.xTitle)));
-    plot.yAxis->setLabel(said(chart.yTitle));
+    plot.setAccessibleName(translatedText(chart.title));
+    plot.xAxis->setLabel(ChartsDock::tr("%1: %2").arg(translatedText(chart.title), translatedText(chart.xTitle)));
+    plot.yAxis->setLabel(translatedText(chart.yTitle));
     for (QCPAxis* axis : {plot.xAxis, plot.yAxis}) scale(*axis, chart.logarithmic);
     for (std::size_t i = 0; i < chart.curves.size(); ++i) {
         const ChartCurve& curve = chart.curves[i];
         QCPGraph* graph = plot.addGraph();
-        graph->setName(said(curve.name));
+        graph->setName(translatedText(curve.name));
         graph->setPen(penOf(i));
         QVector<double> x, y;
         for (std::size_t k = 0; k < curve.x.size() && k < curve.y.size(); ++k) {
@@ -189,13 +189,13 @@ void ChartsDock::draw()
         plots_.pop_back();
     }
     while (plots_.size() < charts_.size()) {
-        auto* plot = new SpokenPlot(this);
+        auto* plot = new AccessiblePlot(this);
         plot->setMinimumSize(180, 120);
         putLegendAbove(*plot);
         plots_.push_back(plot);
         row_->addWidget(plot, 1);
     }
-    for (std::size_t i = 0; i < charts_.size(); ++i) fill(static_cast<SpokenPlot&>(*plots_[i]), charts_[i]);
+    for (std::size_t i = 0; i < charts_.size(); ++i) fill(static_cast<AccessiblePlot&>(*plots_[i]), charts_[i]);
 }
 
 void ChartsDock::sayWhyEmpty()

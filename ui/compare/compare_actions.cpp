@@ -1,11 +1,11 @@
 #include "ui/compare/compare_actions.h"
 
 #include "exhibits/museum/museum.h"
-#include "ui/compare/compare_desk.h"
+#include "ui/compare/compare_controller.h"
 #include "ui/compare/compare_overlay.h"
 #include "ui/kit/language.h"
 #include "ui/kit/menu_text.h"
-#include "ui/model/other_settings.h"
+#include "ui/model/settings_b.h"
 #include "ui/model/workbench.h"
 
 #include <QAction>
@@ -34,7 +34,7 @@ constexpr std::array<ModeWords, 5> modeWords{
      {CompareMode::sideBySide, "compare-side-by-side",
       QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "Side by &side"),
       QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "Whole pictures of A and B, side by side.")},
-     {CompareMode::flicker, "compare-flicker", QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "&Flicker"),
+     {CompareMode::flicker, "compare-flicker", QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "A/B &flicker"),
       QT_TRANSLATE_NOOP("vitrine::ui::CompareActions",
                         "A, with B kept ready: hold the key B in the picture to see it.")},
      {CompareMode::flip, "compare-flip", QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "FLI&P"),
@@ -47,7 +47,7 @@ constexpr std::array<ModeWords, 5> modeWords{
 
 }  // namespace
 
-CompareActions::CompareActions(CompareDesk& desk) : QObject(&desk), desk_(desk)
+CompareActions::CompareActions(CompareController& controller) : QObject(&controller), controller_(controller)
 {
     addSources();
     all_ << nullptr;
@@ -61,10 +61,10 @@ CompareActions::CompareActions(CompareDesk& desk) : QObject(&desk), desk_(desk)
     giveAll_ = add(tr("Copy all &to B"), {}, tr("Copies all settings of A to B. Can be undone."));
     letGo_ = add(tr("&End the comparison"), {}, tr("Ends the comparison and shows A alone."));
     nameAll();
-    connect(swap_, &QAction::triggered, this, [this] { desk_.other().swap(); });
-    connect(takeAll_, &QAction::triggered, this, [this] { desk_.other().takeAll(); });
-    connect(giveAll_, &QAction::triggered, this, [this] { desk_.other().giveAll(); });
-    connect(letGo_, &QAction::triggered, this, [this] { desk_.letGo(); });
+    connect(swap_, &QAction::triggered, this, [this] { controller_.other().swap(); });
+    connect(takeAll_, &QAction::triggered, this, [this] { controller_.other().takeAll(); });
+    connect(giveAll_, &QAction::triggered, this, [this] { controller_.other().giveAll(); });
+    connect(letGo_, &QAction::triggered, this, [this] { controller_.letGo(); });
     refresh();
 }
 
@@ -100,9 +100,9 @@ void CompareActions::addSources()
     preset_ = add(tr("Selected p&reset as B"), {}, tr("Sets B to the preset selected in the list."));
     file_ = add(tr("&Open as B…"), {}, tr("Sets B to a preset, an exhibition, or the settings inside a picture."));
     step_ = add(tr("&Undo step as B…"), {}, tr("Sets B to the parameters before or after an edit."));
-    connect(hold_, &QAction::triggered, this, [this] { desk_.holdPresent(); });
-    connect(preset_, &QAction::triggered, this, [this] { desk_.holdSelectedPreset(); });
-    connect(file_, &QAction::triggered, this, [this] { desk_.chooseFile(); });
+    connect(hold_, &QAction::triggered, this, [this] { controller_.setToCurrent(); });
+    connect(preset_, &QAction::triggered, this, [this] { controller_.holdSelectedPreset(); });
+    connect(file_, &QAction::triggered, this, [this] { controller_.chooseFile(); });
     connect(step_, &QAction::triggered, this, [this] {
         fillSources();
         for (QAction* action : sources_->actions())
@@ -113,24 +113,24 @@ void CompareActions::addSources()
         all_.removeOne(source);
         more_ << source;
     }
-    sources_ = new QMenu(tr("Ta&ke B from"), desk_.window());
+    sources_ = new QMenu(tr("Ta&ke B from"), controller_.window());
     sources_->setAccessibleName(tr("Where B comes from"));
     connect(sources_, &QMenu::aboutToShow, this, &CompareActions::fillSources);
 }
 
 void CompareActions::addOffers()
 {
-    const Museum& museum = desk_.workbench().museum();
+    const Museum& museum = controller_.workbench().museum();
     for (std::size_t subject = 0; subject < museum.subjects().size(); ++subject)
         for (const OfferedComparison& offered : offeredComparisons(museum.subject(subject))) {
-            QAction* action =
-                add(tr("Compare with: %1").arg(menuText(said(offered.title))), {},
-                    tr("%1 B follows the current settings; drag the line between the two.").arg(said(offered.help)));
+            QAction* action = add(tr("Compare with: %1").arg(menuText(translatedText(offered.title))), {},
+                                  tr("%1 B follows the current settings; drag the line between the two.")
+                                      .arg(translatedText(offered.help)));
             action->setObjectName(
                 QStringLiteral("compare-%1-with-%2")
                     .arg(QString::fromUtf8(museum.subject(subject).name()), QString::fromStdString(offered.name)));
             connect(action, &QAction::triggered, this,
-                    [this, subject, offered] { desk_.compareWith(subject, offered); });
+                    [this, subject, offered] { controller_.compareWith(subject, offered); });
             offers_.emplace_back(subject, action);
         }
     refreshOffers();
@@ -138,7 +138,7 @@ void CompareActions::addOffers()
 
 void CompareActions::refreshOffers()
 {
-    const std::size_t chosen = desk_.workbench().chosen();
+    const std::size_t chosen = controller_.workbench().chosen();
     for (const auto& [subject, action] : offers_) {
         action->setVisible(subject == chosen);
         action->setEnabled(subject == chosen);
@@ -153,12 +153,12 @@ void CompareActions::addModes()
         action->setCheckable(true);
         modes_.at(static_cast<std::size_t>(words.mode)) = action;
         connect(action, &QAction::triggered, this,
-                [this, mode = words.mode](bool on) { desk_.setMode(on ? mode : CompareMode::off); });
+                [this, mode = words.mode](bool on) { controller_.setMode(on ? mode : CompareMode::off); });
     }
     otherAlone_ =
         add(tr("Show B a&lone"), {}, tr("Shows B instead of A. Holding the key B in the picture does the same."));
     otherAlone_->setCheckable(true);
-    connect(otherAlone_, &QAction::triggered, this, [this](bool on) { desk_.overlay().setOtherAlone(on); });
+    connect(otherAlone_, &QAction::triggered, this, [this](bool on) { controller_.overlay().setOtherAlone(on); });
 }
 
 void CompareActions::fillSources()
@@ -169,17 +169,17 @@ void CompareActions::fillSources()
     for (const auto& [subject, action] : offers_)
         if (action->isVisible()) sources_->addAction(action);
     QMenu* presets = sources_->addMenu(tr("&Preset"));
-    for (const auto& [name, id] : desk_.presets())
-        presets->addAction(menuText(name), this, [this, id = id] { desk_.holdFile(id); });
+    for (const auto& [name, id] : controller_.presets())
+        presets->addAction(menuText(name), this, [this, id = id] { controller_.holdFile(id); });
     presets->setEnabled(!presets->isEmpty());
     QMenu* steps = sources_->addMenu(tr("&Undo step"));
     steps->setObjectName(QStringLiteral("steps"));
-    const QUndoStack& stack = desk_.steps();
+    const QUndoStack& stack = controller_.steps();
     const int last = stack.count();
     for (int step = last; step >= std::max(0, last - mostSteps); --step) {
         const QString what = step == 0 ? tr("At the start") : tr("After “%1”").arg(stack.text(step - 1));
         steps->addAction(menuText(step == stack.index() ? tr("%1 (current)").arg(what) : what), this,
-                         [this, step, what] { desk_.holdStep(step, what); });
+                         [this, step, what] { controller_.holdStep(step, what); });
     }
     sources_->addAction(file_);
     sources_->addSeparator();
@@ -189,10 +189,10 @@ void CompareActions::fillSources()
 
 void CompareActions::refresh()
 {
-    const bool held = desk_.other().held();
+    const bool held = controller_.other().isSet();
     for (QAction* action : {otherAlone_, swap_, takeAll_, giveAll_, letGo_}) action->setEnabled(held);
-    for (const CompareMode mode : compareModes) this->mode(mode).setChecked(desk_.overlay().mode() == mode);
-    otherAlone_->setChecked(held && desk_.overlay().otherAlone());
+    for (const CompareMode mode : compareModes) this->mode(mode).setChecked(controller_.overlay().mode() == mode);
+    otherAlone_->setChecked(held && controller_.overlay().otherAlone());
 }
 
 }  // namespace vitrine::ui

@@ -14,14 +14,14 @@ class QMenu;
 
 namespace vitrine::ui {
 
-class CompareDesk;
+class CompareController;
 
 /// Commands of the comparison. The menu, the search and the bar are made from them.
 class CompareActions final : public QObject {
     Q_OBJECT
 
 public:
-    explicit CompareActions(CompareDesk&);
+    explicit CompareActions(CompareController&);
 
     /// Returns the commands in the order of the menu; null is a separator.
     [[nodiscard]] const QList<QAction*>& all() const { return all_; }
@@ -52,7 +52,7 @@ private:
     void addModes();
     void fillSources();
 
-    CompareDesk& desk_;
+    CompareController& controller_;
     QList<QAction*> all_, more_;
     QAction* hold_ = nullptr;
     QAction* preset_ = nullptr;

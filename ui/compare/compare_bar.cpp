@@ -1,15 +1,15 @@
 #include "ui/compare/compare_bar.h"
 
 #include "ui/compare/compare_actions.h"
-#include "ui/compare/compare_desk.h"
+#include "ui/compare/compare_controller.h"
 #include "ui/compare/compare_overlay.h"
 #include "ui/compare/compare_rows.h"
 #include "ui/compare/morph_control.h"
+#include "ui/kit/flat_style.h"
 #include "ui/kit/language.h"
 #include "ui/kit/menu_text.h"
-#include "ui/kit/quiet_style.h"
 #include "ui/kit/type_size.h"
-#include "ui/model/other_settings.h"
+#include "ui/model/settings_b.h"
 #include "ui/parameters/value_slider.h"
 
 #include <QAction>
@@ -27,7 +27,7 @@ constexpr std::size_t mostRows = 30;  ///< Most parameters in the menu of differ
 constexpr int widestName = 140;
 constexpr std::array<const char*, 5> modeNames{
     QT_TRANSLATE_NOOP("vitrine::ui::CompareBar", "Wipe"), QT_TRANSLATE_NOOP("vitrine::ui::CompareBar", "Side by side"),
-    QT_TRANSLATE_NOOP("vitrine::ui::CompareBar", "Flicker"), QT_TRANSLATE_NOOP("vitrine::ui::CompareBar", "FLIP"),
+    QT_TRANSLATE_NOOP("vitrine::ui::CompareBar", "A/B flicker"), QT_TRANSLATE_NOOP("vitrine::ui::CompareBar", "FLIP"),
     QT_TRANSLATE_NOOP("vitrine::ui::CompareBar", "Difference")};
 
 ValueSlider* sliderOver(std::uint16_t row, const QString& name, QWidget* parent)
@@ -35,7 +35,7 @@ ValueSlider* sliderOver(std::uint16_t row, const QString& name, QWidget* parent)
     const ParameterInfo& info = compareRows().rows()[row];
     auto* slider = new ValueSlider(info, parent);
     slider->setAccessibleName(name);
-    slider->setToolTip(said(info.help));
+    slider->setToolTip(translatedText(info.help));
     return slider;
 }
 
@@ -50,18 +50,18 @@ QWidget* withoutMargins(QWidget* parent)
 
 }  // namespace
 
-CompareBar::CompareBar(CompareDesk& desk, QWidget* parent)
-    : QWidget(parent), desk_(desk), gains_(withoutMargins(this)),
+CompareBar::CompareBar(CompareController& controller, QWidget* parent)
+    : QWidget(parent), controller_(controller), gains_(withoutMargins(this)),
       gain_(sliderOver(compareRows().gain.row, tr("Gain of the differences"), gains_)), times_(new QLabel(gains_)),
       rows_(new QMenu(this)), differ_(menuButton(rows_)), morphs_(withoutMargins(this)),
       morph_(sliderOver(compareRows().towardsB.row, tr("From A to B"), morphs_)),
-      source_(menuButton(&desk.actions().sources()))
+      source_(menuButton(&controller.actions().sources()))
 {
     setAccessibleName(tr("Comparison"));
     auto* line = new QHBoxLayout(this);
     line->setContentsMargins(8, 3, 8, 3);
     line->setSpacing(2);
-    CompareActions& actions = desk.actions();
+    CompareActions& actions = controller.actions();
     for (std::size_t i = 0; i < compareModes.size(); ++i) {
         buttons_.push_back(button(actions.mode(compareModes[i]), tr(modeNames[i])));
         line->addWidget(buttons_.back());
@@ -102,20 +102,20 @@ QToolButton* CompareBar::menuButton(QMenu* menu)
     made->setMenu(menu);
     made->setAutoRaise(true);
     made->setFocusPolicy(Qt::TabFocus);
-    made->setProperty(QuietStyle::hidesMenuArrow, true);
+    made->setProperty(FlatStyle::hidesMenuArrow, true);
     return made;
 }
 
 void CompareBar::addGain()
 {
     growWidth(*gain_, 80);
-    gain_->showValue(desk_.overlay().gain());
+    gain_->showValue(controller_.overlay().gain());
     followType(*times_,
                [this] { times_->setMinimumWidth(times_->fontMetrics().horizontalAdvance(QStringLiteral("× 64"))); });
     gains_->layout()->addWidget(gain_);
     gains_->layout()->addWidget(times_);
     connect(gain_, &ValueSlider::edited, this, [this](double gain) {
-        desk_.overlay().setGain(static_cast<int>(gain));
+        controller_.overlay().setGain(static_cast<int>(gain));
         refresh();
     });
 }
@@ -126,7 +126,7 @@ void CompareBar::addMorph()
     morphs_->layout()->addWidget(new QLabel(tr("A"), morphs_));
     morphs_->layout()->addWidget(morph_);
     morphs_->layout()->addWidget(new QLabel(tr("B"), morphs_));
-    new MorphControl(desk_.history(), desk_.other(), *morph_, this);
+    new MorphControl(controller_.history(), controller_.other(), *morph_, this);
 }
 
 QString CompareBar::differenceText() const
@@ -136,16 +136,16 @@ QString CompareBar::differenceText() const
 
 void CompareBar::refresh()
 {
-    const bool held = desk_.other().held();
+    const bool held = controller_.other().isSet();
     setVisible(held && !banned_);
     if (!held) return;
-    times_->setText(tr("× %1").arg(desk_.overlay().gain()));
-    const QString name = desk_.other().name();
+    times_->setText(tr("× %1").arg(controller_.overlay().gain()));
+    const QString name = controller_.other().name();
     source_->setText(menuText(fontMetrics().elidedText(tr("B: %1").arg(name), Qt::ElideRight, widestName)) +
                      QStringLiteral(" ▾"));
     source_->setToolTip(tr("B is: %1. Click for another B, or to copy all.").arg(name));
     source_->setAccessibleName(source_->toolTip());
-    const std::size_t rows = desk_.differences().size();
+    const std::size_t rows = controller_.differences().size();
     differ_->setText(rows == 0   ? tr("A and B are identical")
                      : rows == 1 ? tr("1 parameter differs")
                                  : tr("%1 parameters differ").arg(rows));
@@ -177,7 +177,7 @@ bool CompareBar::event(QEvent* event)
 
 void CompareBar::showWhatFits()
 {
-    gains_->setVisible(isDifference(desk_.overlay().mode()));
+    gains_->setVisible(isDifference(controller_.overlay().mode()));
     const std::vector<QWidget*> parts = whatMayGo();
     for (QWidget* part : parts) part->show();
     for (QWidget* part : parts) {
@@ -196,10 +196,10 @@ void CompareBar::resizeEvent(QResizeEvent* event)
 void CompareBar::fillRows()
 {
     rows_->clear();
-    const std::vector<RowDifference> differences = desk_.differences();
+    const std::vector<RowDifference> differences = controller_.differences();
     for (std::size_t i = 0; i < std::min(differences.size(), mostRows); ++i) {
         const RowDifference& row = differences[i];
-        rows_->addAction(menuText(row.text), this, [this, row] { desk_.other().take(row.exhibit, row.name); });
+        rows_->addAction(menuText(row.text), this, [this, row] { controller_.other().take(row.exhibit, row.name); });
     }
     if (differences.size() > mostRows)
         rows_->addAction(tr("… and %1 more").arg(differences.size() - mostRows))->setEnabled(false);

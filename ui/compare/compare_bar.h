@@ -11,7 +11,7 @@ class QToolButton;
 
 namespace vitrine::ui {
 
-class CompareDesk;
+class CompareController;
 class ValueSlider;
 
 /// Bar below the picture while there is a B: the mode, the number of differing parameters, a slider from A to B, and
@@ -20,8 +20,8 @@ class CompareBar final : public QWidget {
     Q_OBJECT
 
 public:
-    /// The desk must outlive the bar.
-    CompareBar(CompareDesk&, QWidget* parent);
+    /// The controller must outlive the bar.
+    CompareBar(CompareController&, QWidget* parent);
 
     /// Updates the bar to the present B and mode.
     void refresh();
@@ -46,7 +46,7 @@ private:
     [[nodiscard]] std::vector<QWidget*> whatMayGo() const;
     void showWhatFits();
 
-    CompareDesk& desk_;
+    CompareController& controller_;
     QWidget* gains_;
     ValueSlider* gain_;
     QLabel* times_;

@@ -1,10 +1,10 @@
 #include "ui/compare/compare_overlay.h"
 
 #include "ui/compare/difference_image.h"
-#include "ui/compare/other_picture.h"
+#include "ui/compare/picture_b.h"
 #include "ui/kit/progress_job.h"
 #include "ui/kit/theme.h"
-#include "ui/model/other_settings.h"
+#include "ui/model/settings_b.h"
 #include "ui/viewport/picture_place.h"
 #include "ui/viewport/viewport.h"
 
@@ -27,7 +27,7 @@ const QColor veil(0x20, 0x1e, 0x1c);  ///< Background around the pictures, as in
 
 }  // namespace
 
-CompareOverlay::CompareOverlay(Viewport& viewport, const OtherSettings& other, OtherPicture& picture)
+CompareOverlay::CompareOverlay(Viewport& viewport, const SettingsB& other, PictureB& picture)
     : QWidget(&viewport), viewport_(viewport), other_(other), picture_(picture), job_(new ProgressJob(this))
 {
     setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -38,14 +38,14 @@ CompareOverlay::CompareOverlay(Viewport& viewport, const OtherSettings& other, O
     viewport.installEventFilter(this);
     connect(&viewport, &Viewport::drawn, this, &CompareOverlay::renew);
     connect(&viewport, &Viewport::looked, this, &CompareOverlay::renew);
-    connect(&picture, &OtherPicture::drawn, this, &CompareOverlay::renew);
-    connect(&picture, &OtherPicture::gone, this, [this] {
+    connect(&picture, &PictureB::drawn, this, &CompareOverlay::renew);
+    connect(&picture, &PictureB::gone, this, [this] {
         difference_ = {};
         differenceKey_ = {};
         renew();
     });
-    connect(&other, &OtherSettings::changed, this, [this] {
-        if (!other_.held()) held_ = false;  // The key may still be down, but its release will not be seen.
+    connect(&other, &SettingsB::changed, this, [this] {
+        if (!other_.isSet()) held_ = false;  // The key may still be down, but its release will not be seen.
         renew();
     });
     lower();
@@ -79,7 +79,7 @@ void CompareOverlay::setWipe(double share)
 {
     wipe_ = std::clamp(share, 0.0, 1.0);
     update();
-    tellNumber(*this);
+    notifyNumber(*this);
 }
 
 bool CompareOverlay::showsWipe() const
@@ -87,18 +87,18 @@ bool CompareOverlay::showsWipe() const
     return isVisible() && mode_ == CompareMode::wipe && !otherAlone();
 }
 
-QAccessible::Role CompareOverlay::spokenRole() const
+QAccessible::Role CompareOverlay::accessibleRole() const
 {
     return showsWipe() ? QAccessible::Slider : QAccessible::Graphic;
 }
 
-std::optional<SpokenNumber> CompareOverlay::spokenNumber() const
+std::optional<AccessibleNumber> CompareOverlay::accessibleNumber() const
 {
     if (!showsWipe()) return std::nullopt;
-    return SpokenNumber{100 * wipe_, 0, 100, 100 * wipeStep, tr("A up to %1 %").arg(std::lround(100 * wipe_))};
+    return AccessibleNumber{100 * wipe_, 0, 100, 100 * wipeStep, tr("A up to %1 %").arg(std::lround(100 * wipe_))};
 }
 
-QString CompareOverlay::spokenText() const
+QString CompareOverlay::accessibleText() const
 {
     if (otherAlone()) return otherText();
     switch (mode_) {
@@ -115,7 +115,7 @@ QString CompareOverlay::spokenText() const
 
 void CompareOverlay::renew()
 {
-    const bool shown = other_.held() && (mode_ != CompareMode::off || otherAlone()) && !picture_.image().isNull();
+    const bool shown = other_.isSet() && (mode_ != CompareMode::off || otherAlone()) && !picture_.image().isNull();
     setVisible(shown);
     viewport_.setCovered(shown && (otherAlone() || mode_ == CompareMode::sideBySide || isDifference(mode_)));
     if (!shown) return;
@@ -283,7 +283,7 @@ bool CompareOverlay::holdKey(QEvent* event)
         if (!key.isAutoRepeat()) hold(false);
         return was;
     }
-    if (!other_.held() || (!plain && !held_)) return false;
+    if (!other_.isSet() || (!plain && !held_)) return false;
     if (event->type() == QEvent::ShortcutOverride)
         event->accept();
     else if (!key.isAutoRepeat())

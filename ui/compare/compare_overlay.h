@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/compare/compare_mode.h"
-#include "ui/kit/spoken.h"
+#include "ui/kit/accessible_content.h"
 
 #include <QImage>
 #include <QWidget>
@@ -12,19 +12,19 @@ class QMouseEvent;
 
 namespace vitrine::ui {
 
-class OtherPicture;
-class OtherSettings;
+class PictureB;
+class SettingsB;
 class ProgressJob;
 class Viewport;
 
 /// Overlay of the viewport that shows B's picture beside A's, or their difference. The wipe line is dragged, or moved
 /// with comma and period. Side by side, the pointer works in both pictures as in the whole viewport.
-class CompareOverlay final : public QWidget, public Spoken {
+class CompareOverlay final : public QWidget, public AccessibleContent {
     Q_OBJECT
 
 public:
     /// All must outlive the overlay.
-    CompareOverlay(Viewport&, const OtherSettings&, OtherPicture&);
+    CompareOverlay(Viewport&, const SettingsB&, PictureB&);
 
     void setMode(CompareMode);
     [[nodiscard]] CompareMode mode() const { return mode_; }
@@ -37,11 +37,11 @@ public:
     /// Returns the position of the wipe line, 0 (left) to 1.
     [[nodiscard]] double wipe() const { return wipe_; }
     void setWipe(double share);
-    [[nodiscard]] QAccessible::Role spokenRole() const override;
-    [[nodiscard]] QString spokenText() const override;
+    [[nodiscard]] QAccessible::Role accessibleRole() const override;
+    [[nodiscard]] QString accessibleText() const override;
     /// Returns the position of the wipe line in percent, if it is shown.
-    [[nodiscard]] std::optional<SpokenNumber> spokenNumber() const override;
-    void setSpokenNumber(double percent) override { setWipe(percent / 100); }
+    [[nodiscard]] std::optional<AccessibleNumber> accessibleNumber() const override;
+    void setAccessibleNumber(double percent) override { setWipe(percent / 100); }
     /// Returns the difference image; null if there is none yet.
     [[nodiscard]] const QImage& difference() const { return difference_; }
 
@@ -75,8 +75,8 @@ private:
     void hold(bool down);
 
     Viewport& viewport_;
-    const OtherSettings& other_;
-    OtherPicture& picture_;
+    const SettingsB& other_;
+    PictureB& picture_;
     ProgressJob* job_;
     CompareMode mode_ = CompareMode::off;
     int gain_ = 8;

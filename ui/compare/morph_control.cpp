@@ -1,19 +1,19 @@
 #include "ui/compare/morph_control.h"
 
 #include "exhibits/framework/table/morph.h"
-#include "ui/model/other_settings.h"
+#include "ui/model/settings_b.h"
 #include "ui/parameters/value_slider.h"
 
 namespace vitrine::ui {
 
-MorphControl::MorphControl(History& history, const OtherSettings& other, ValueSlider& slider, QObject* parent)
+MorphControl::MorphControl(History& history, const SettingsB& other, ValueSlider& slider, QObject* parent)
     : QObject(parent), history_(history), other_(other), slider_(slider)
 {
     slider.showValue(0);
     connect(&slider, &ValueSlider::edited, this, &MorphControl::morph);
     connect(&history, &History::changed, this, &MorphControl::beginAnew);
     connect(&history, &History::replaced, this, &MorphControl::beginAnew);
-    connect(&other, &OtherSettings::changed, this, &MorphControl::beginAnew);
+    connect(&other, &SettingsB::changed, this, &MorphControl::beginAnew);
 }
 
 void MorphControl::beginAnew()
@@ -25,7 +25,7 @@ void MorphControl::beginAnew()
 
 void MorphControl::morph(double t, Gesture gesture)
 {
-    if (!other_.held()) return;
+    if (!other_.isSet()) return;
     if (!start_) start_ = history_.sceneState();
     SceneState next = history_.sceneState();
     for (std::size_t s = 0; s < next.values.size(); ++s)

@@ -8,7 +8,7 @@
 
 namespace vitrine::ui {
 
-class OtherSettings;
+class SettingsB;
 class ValueSlider;
 
 /// Slider from A to B. At its left end A is as it was when the slider was first moved, at its right end it equals B.
@@ -18,14 +18,14 @@ class MorphControl final : public QObject {
 
 public:
     /// All must outlive this object. The slider must have the parameter `CompareRows::towardsB`.
-    MorphControl(History&, const OtherSettings&, ValueSlider&, QObject* parent);
+    MorphControl(History&, const SettingsB&, ValueSlider&, QObject* parent);
 
 private:
     void morph(double t, Gesture);
     void beginAnew();
 
     History& history_;
-    const OtherSettings& other_;
+    const SettingsB& other_;
     ValueSlider& slider_;
     std::optional<SceneState> start_;  // A at the left end; unset: the present A.
     bool moving_ = false;

@@ -54,8 +54,9 @@ private:
 
 }  // namespace
 
-ExploreDock::ExploreDock(Workbench& workbench, PresetShelf& shelf, const ParameterPanel& panel, QWidget* parent)
-    : QWidget(parent), workbench_(workbench), corners_(new PadCorners(workbench, shelf, this)),
+ExploreDock::ExploreDock(Workbench& workbench, PresetController& presetController, const ParameterPanel& panel,
+                         QWidget* parent)
+    : QWidget(parent), workbench_(workbench), corners_(new PadCorners(workbench, presetController, this)),
       pad_(new MorphPad(*corners_, this)), variations_(new Variations(workbench, panel, this)),
       grid_(new VariationGrid(*variations_, this)), number_(new QSpinBox(this)),
       strength_(new ValueSlider(exploreRows().rows()[exploreRows().strength.row], this)), percent_(new QLabel(this)),
@@ -151,7 +152,7 @@ void ExploreDock::addVariations(QVBoxLayout& all)
     auto* strength = new QLabel(tr("S&trength"), this);
     strength->setBuddy(strength_);
     strength_->setAccessibleName(tr("Strength"));
-    strength_->setToolTip(said(exploreRows().rows()[exploreRows().strength.row].help));
+    strength_->setToolTip(translatedText(exploreRows().rows()[exploreRows().strength.row].help));
     strength_->showValue(variations_->strength());
     percent_->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("100 %")));
     line->addWidget(number);

@@ -18,7 +18,7 @@ namespace vitrine::ui {
 class MorphPad;
 class PadControl;
 class ParameterPanel;
-class PresetShelf;
+class PresetController;
 class ValueSlider;
 class VariationGrid;
 class Variations;
@@ -31,7 +31,7 @@ class ExploreDock final : public QWidget {
 
 public:
     /// All must outlive the dock.
-    ExploreDock(Workbench&, PresetShelf&, const ParameterPanel&, QWidget* parent = nullptr);
+    ExploreDock(Workbench&, PresetController&, const ParameterPanel&, QWidget* parent = nullptr);
 
     /// Updates the dock. Call when another exhibit's parameters may be shown.
     void follow();

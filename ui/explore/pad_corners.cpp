@@ -4,15 +4,15 @@
 #include "ui/kit/language.h"
 #include "ui/kit/tile_delegate.h"
 #include "ui/model/workbench.h"
-#include "ui/presets/preset_shelf.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/viewport/viewport.h"
 
 #include <algorithm>
 
 namespace vitrine::ui {
 
-PadCorners::PadCorners(Workbench& workbench, PresetShelf& shelf, QObject* parent)
-    : QObject(parent), workbench_(workbench), shelf_(shelf)
+PadCorners::PadCorners(Workbench& workbench, PresetController& presetController, QObject* parent)
+    : QObject(parent), workbench_(workbench), presetController_(presetController)
 {
 }
 
@@ -44,7 +44,7 @@ void PadCorners::keep(std::size_t corner)
 
 void PadCorners::takePreset(std::size_t corner, const QString& id)
 {
-    const std::optional<ReadSettings> found = shelf_.settingsIn(id);
+    const std::optional<ReadSettings> found = presetController_.settingsIn(id);
     if (!found || found->exhibit != workbench_.shown()) {
         emit changed();  // The chooser shows the corner's present entry again.
         return;
@@ -59,7 +59,7 @@ void PadCorners::takePreset(std::size_t corner, const QString& id)
         return [this, read, exhibit, corner, number] {
             if (number != readings_.at(corner)) return;
             QStringList unreadable;
-            for (const Message& why : read.unreadable) unreadable << said(why);
+            for (const Message& why : read.unreadable) unreadable << translatedText(why);
             workbench_.setProblems(QStringLiteral("files of corner %1").arg(corner), unreadable);
             corners_.at(corner).values = read.sceneState.values[exhibit];
             emit changed();
@@ -84,7 +84,7 @@ bool PadCorners::ready() const
 
 std::vector<std::pair<QString, QString>> PadCorners::presets() const
 {
-    return shelf_.choices(workbench_.shown());
+    return presetController_.choices(workbench_.shown());
 }
 
 std::array<double, PadCorners::count> PadCorners::weightsAt(const QPointF& place)

@@ -15,7 +15,7 @@
 
 namespace vitrine::ui {
 
-class PresetShelf;
+class PresetController;
 class Workbench;
 
 /// Settings at the four corners of the pad, row by row: upper left, upper right, lower left, lower right. Each corner
@@ -35,7 +35,7 @@ public:
     };
 
     /// Both must outlive this object.
-    PadCorners(Workbench&, PresetShelf&, QObject* parent);
+    PadCorners(Workbench&, PresetController&, QObject* parent);
 
     /// Resets the corners for the shown exhibit: the present values and its first presets.
     void begin();
@@ -66,7 +66,7 @@ private:
     [[nodiscard]] QPixmap pictureOnShow() const;
 
     Workbench& workbench_;
-    PresetShelf& shelf_;
+    PresetController& presetController_;
     std::array<Corner, count> corners_;
     std::array<int, count> readings_{};  // Number of the latest reading of each corner; older ones are dropped.
 };

@@ -107,14 +107,14 @@ void Variations::order()
     request.samples = std::min(pictureQuality(work->looks.front().hall()).supersamples, mostSamples);
     request.movingFrame = 0;
     request.mostExhibits = std::numeric_limits<int>::max();
-    request.cut = request.finished = true;
-    request.rests = request.waitless = request.runEverything = false;
-    auto step = [this, work, &renderers = workbench_.renderers()](const RenderThread::Tell& tell) {
+    request.resetHistory = request.finished = true;
+    request.idle = request.nonBlocking = request.runEverything = false;
+    auto step = [this, work, &renderers = workbench_.renderers()](const RenderThread::Notify& notify) {
         const auto left = static_cast<std::size_t>(count - work->next);
         const SceneState& look = work->looks[work->looks.size() - left];
         QImage image = renderers.drawSmall(look, work->request, work->screen);
         const bool whole = ++work->request.sample >= work->request.samples;
-        tell([this, number = work->next, image = std::move(image), whole] {
+        notify([this, number = work->next, image = std::move(image), whole] {
             images_.at(static_cast<std::size_t>(number)) = image;
             if (whole) finished_ = number + 1;
             emit changed();

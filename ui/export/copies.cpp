@@ -28,8 +28,8 @@ QString commandLineOf(Workbench& window)
         QString::fromStdString(renderCommand(window.museum(), window.history().sceneState(), viewport.presentRequest(),
                                              viewport.schedule().samples(), "picture.png"));
     // The plaques in the picture depend on the language.
-    const QString asked = QStringLiteral("vitrine --language %1 ").arg(spokenLanguage());
-    if (spokenLanguage() != QLatin1String("en")) line.replace(0, static_cast<qsizetype>(sizeof "vitrine"), asked);
+    const QString asked = QStringLiteral("vitrine --language %1 ").arg(languageCode());
+    if (languageCode() != QLatin1String("en")) line.replace(0, static_cast<qsizetype>(sizeof "vitrine"), asked);
     return line;
 }
 

@@ -32,8 +32,8 @@ std::filesystem::path freeScreenshotPath(const QObject& window, const QString& e
     return folder.filePath(name).toStdString();
 }
 
-PictureExport::PictureExport(Workbench& window, ExportWish wish, QObject* parent)
-    : QObject(parent), window_(window), wish_(std::move(wish)),
+PictureExport::PictureExport(Workbench& window, ExportRequest exportRequest, QObject* parent)
+    : QObject(parent), window_(window), exportRequest_(std::move(exportRequest)),
       preset_(pictureSettings(window.museum(), window.chosen(), window.history().sceneState(), request(), "Picture",
                               &window.history().sceneState().camera)),
       sceneState_(window.history().sceneState()), request_(request())
@@ -48,27 +48,29 @@ PictureExport::~PictureExport()
 PictureRequest PictureExport::request() const
 {
     PictureRequest request;
-    request.frame.camera =
-        widened(window_.history().sceneState().camera, static_cast<double>(wish_.size.x) / std::max(wish_.size.y, 1));
-    request.frame.raster.size = wish_.size;
+    request.frame.camera = widened(window_.history().sceneState().camera,
+                                   static_cast<double>(exportRequest_.size.x) / std::max(exportRequest_.size.y, 1));
+    request.frame.raster.size = exportRequest_.size;
     request.frame.time = window_.viewport().time();
-    request.frame.transparent = wish_.transparent;
-    if (wish_.transparent) request.frame.cutOut = window_.chosen();
-    request.frame.averageIn = render::fileFormat(wish_.format).isLinear ? AverageIn::radiance : AverageIn::display;
-    request.samples = wish_.samples;
+    request.frame.transparent = exportRequest_.transparent;
+    if (exportRequest_.transparent) request.frame.cutOut = window_.chosen();
+    request.frame.averageIn =
+        render::fileFormat(exportRequest_.format).isLinear ? AverageIn::radiance : AverageIn::display;
+    request.samples = exportRequest_.samples;
     request.largestTile = RenderThread::taskTile;
     return request;
 }
 
 void PictureExport::writeShown()
 {
-    window_.viewport().renderThread().post([self = QPointer(this), &renderers = window_.renderers(), wish = wish_,
+    window_.viewport().renderThread().post([self = QPointer(this), &renderers = window_.renderers(),
+                                            exportRequest = exportRequest_,
                                             preset = preset_]() -> std::function<void()> {
         QString failure;
         try {
             render::PictureMetadata inside;
             inside.preset = preset;
-            render::writePicture(wish.path, renderers.shownPicture(), wish.format, inside);
+            render::writePicture(exportRequest.path, renderers.shownPicture(), exportRequest.format, inside);
         } catch (const std::exception& thrown) {
             failure = messageOf(thrown);
         }
@@ -82,7 +84,7 @@ void PictureExport::start()
 {
     elapsed_.start();
     running_ = true;
-    if (wish_.asShown) {
+    if (exportRequest_.asShown) {
         *stage_ = Stage::writing;
         writeShown();
         return;
@@ -93,21 +95,22 @@ void PictureExport::start()
     };
     auto work = std::make_shared<Work>();
     auto step = [this, work, &renderers = window_.renderers(), stage = stage_, sceneState = sceneState_,
-                 request = request_, wish = wish_, preset = preset_](const RenderThread::Tell& tell) {
+                 request = request_, exportRequest = exportRequest_,
+                 preset = preset_](const RenderThread::Notify& notify) {
         if (!work->job.maker) work->job = renderers.makePicture(sceneState, request);
-        if (!work->job.maker) throw Failure(Blame::openGl, "No picture can be made: there is no graphics context.");
+        if (!work->job.maker) throw Failure(ErrorKind::openGl, "No picture can be made: there is no graphics context.");
         PictureMaker& maker = *work->job.maker;
         maker.step();
         if (!work->told.isValid() || work->told.elapsed() >= RenderThread::tellEvery) {
             work->told.start();
-            tell([this, part = maker.progress()] { note(part); });
+            notify([this, part = maker.progress()] { note(part); });
         }
         if (!maker.finished()) return true;
         Stage drawing = Stage::drawing;
         if (!stage->compare_exchange_strong(drawing, Stage::writing)) return false;
         render::PictureMetadata inside;
         inside.preset = preset;
-        render::writePicture(wish.path, maker.picture(), wish.format, inside);
+        render::writePicture(exportRequest.path, maker.picture(), exportRequest.format, inside);
         work->job = {};
         render::trimHeap();
         return false;
@@ -135,7 +138,7 @@ void PictureExport::end(const QString& failure)
     running_ = false;
     if (failure.isEmpty()) {
         emit progressed(1, 0);
-        emit finished(QString::fromStdString(wish_.path.string()));
+        emit finished(QString::fromStdString(exportRequest_.path.string()));
     } else {
         emit failed(failure);
     }

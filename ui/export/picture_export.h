@@ -18,7 +18,7 @@ namespace vitrine::ui {
 class Workbench;
 
 /// Request to export a picture.
-struct ExportWish {
+struct ExportRequest {
     std::filesystem::path path;
     render::PictureFormat format = render::PictureFormat::png8;
     glm::ivec2 size{1280, 720};
@@ -35,7 +35,7 @@ class PictureExport final : public QObject {
 
 public:
     /// The window must outlive this object.
-    PictureExport(Workbench&, ExportWish, QObject* parent);
+    PictureExport(Workbench&, ExportRequest, QObject* parent);
     ~PictureExport() override;
 
     void start();
@@ -44,9 +44,9 @@ public:
     bool cancel();
     /// Returns whether the export is not yet finished, failed or canceled.
     [[nodiscard]] bool running() const { return running_; }
-    [[nodiscard]] const std::filesystem::path& path() const { return wish_.path; }
+    [[nodiscard]] const std::filesystem::path& path() const { return exportRequest_.path; }
     /// Returns whether the file exists already, less fine.
-    [[nodiscard]] bool replaces() const { return wish_.replaces; }
+    [[nodiscard]] bool replaces() const { return exportRequest_.replaces; }
     /// Returns the text of the preset inside the file.
     [[nodiscard]] const std::string& preset() const { return preset_; }
 
@@ -68,7 +68,7 @@ private:
     void end(const QString& failure);
 
     Workbench& window_;
-    ExportWish wish_;
+    ExportRequest exportRequest_;
     std::string preset_;
     SceneState sceneState_;
     PictureRequest request_;

@@ -72,21 +72,21 @@ void writeAtOnce(Workbench& window, QObject& parent, PictureExport& refined)
 void saveScreenshot(Workbench& window, QObject& parent)
 {
     const std::string_view name = window.museum().subject(window.chosen()).name();
-    ExportWish wish;
-    wish.path = freeScreenshotPath(parent, text(name));
+    ExportRequest exportRequest;
+    exportRequest.path = freeScreenshotPath(parent, text(name));
     Viewport& viewport = window.viewport();
     const double ratio = viewport.devicePixelRatioF();
-    wish.size = {std::max(1, static_cast<int>(std::lround(viewport.width() * ratio))),
-                 std::max(1, static_cast<int>(std::lround(viewport.height() * ratio)))};
-    wish.samples = viewport.schedule().samples();
-    wish.asShown = viewport.pictureFinished();
-    wish.replaces = !wish.asShown && !viewport.shown().isNull();
-    auto* work = new PictureExport(window, wish, &parent);
+    exportRequest.size = {std::max(1, static_cast<int>(std::lround(viewport.width() * ratio))),
+                          std::max(1, static_cast<int>(std::lround(viewport.height() * ratio)))};
+    exportRequest.samples = viewport.schedule().samples();
+    exportRequest.asShown = viewport.pictureFinished();
+    exportRequest.replaces = !exportRequest.asShown && !viewport.shown().isNull();
+    auto* work = new PictureExport(window, exportRequest, &parent);
     QObject::connect(work, &PictureExport::failed, &parent, [&window](const QString& why) {
         window.setProblems(screenshotCause(), {});
         window.setProblems(screenshotCause(), {why});
     });
-    if (wish.replaces) {
+    if (exportRequest.replaces) {
         writeAtOnce(window, parent, *work);
         return;
     }

@@ -47,7 +47,8 @@ std::unique_ptr<Pads> openPads()
     static void* const symbol = openGamepadModule();
     std::unique_ptr<Pads> pads(reinterpret_cast<decltype(&vitrinePads)>(symbol)(vitrinePadsVersion));
     if (!pads)
-        throw Failure(Blame::file, "libvitrine_gamepad.so belongs to another version of Vitrine; build both together.");
+        throw Failure(ErrorKind::file,
+                      "libvitrine_gamepad.so belongs to another version of Vitrine; build both together.");
     return pads;
 }
 

@@ -96,7 +96,7 @@ JobDialog::JobDialog(const jobs::Job& job, SceneSource scene, Renderers& rendere
       full_(renderers, thread, this), plan_(this), show_(this)
 {
     setAttribute(Qt::WA_DeleteOnClose);
-    setWindowTitle(said(job_.title()));
+    setWindowTitle(translatedText(job_.title()));
     soon_.setSingleShot(true);
     soon_.setInterval(planAfter);
     build();
@@ -149,7 +149,7 @@ void JobDialog::build()
 void JobDialog::buildBar()
 {
     export_ = new ExportBar({tr("Output file. Further files take its name, and the settings lie beside it."),
-                             said(job_.title()), filtersOf(job_), extensionOf(job_)},
+                             translatedText(job_.title()), filtersOf(job_), extensionOf(job_)},
                             this);
     if (!job_.needs().carriesSettings) {
         QPushButton* load = export_->addButton(
@@ -308,19 +308,20 @@ void JobDialog::showDraft(const JobRunner::Run& run)
 void JobDialog::showFacts(const jobs::JobReport& report, bool partly)
 {
     if (!planned_->refusal.empty()) {
-        facts_->setText(said(planned_->refusal));
+        facts_->setText(translatedText(planned_->refusal));
         return;
     }
     QStringList texts;
     for (const jobs::Fact& fact : report.facts)
-        texts << said(fact.label) + QLatin1Char(' ') + withDecimalSign(QString::fromStdString(valueText(fact)));
+        texts << translatedText(fact.label) + QLatin1Char(' ') +
+                     withDecimalSign(QString::fromStdString(valueText(fact)));
     QStringList lines{texts.join(QStringLiteral(" · "))};
-    if (partly) lines << said(std::string(job_.draftNote()));
+    if (partly) lines << translatedText(std::string(job_.draftNote()));
     if (const double seconds = secondsExpected(); seconds >= leastExpected)
         lines << (seconds < 90 ? tr("It will take about %1 s.").arg(std::ceil(seconds))
                                : tr("It will take about %1 min.").arg(std::round(seconds / 60)));
-    for (const std::string& warning : planned_->warnings) lines << said(warning);
-    for (const std::string& warning : report.warnings) lines << said(warning);
+    for (const std::string& warning : planned_->warnings) lines << translatedText(warning);
+    for (const std::string& warning : report.warnings) lines << translatedText(warning);
     facts_->setText(lines.join(QLatin1Char('\n')));
 }
 
@@ -378,7 +379,7 @@ void JobDialog::load(const QString& file)
     try {
         const jobs::JobDocument document = jobs::readDocument(file.toStdString(), job_, scene_().museum);
         messages_->setProblems(jobExportCause(), {});
-        for (const std::string& note : document.notes) messages_->say(MessageStrip::Mood::notice, said(note));
+        for (const std::string& note : document.notes) messages_->say(MessageStrip::Mood::notice, translatedText(note));
         setup_.change(tr("Load settings"), document.values);
     } catch (const Failure& failure) {
         messages_->setProblems(jobExportCause(), {messageOf(failure)});
@@ -391,10 +392,10 @@ void JobDialog::startExport()
     messages_->setProblems(jobExportCause(), {});
     const jobs::JobPlan plan = job_.plan(setup_.values(), scene_(), *inputs_, output());
     if (!plan.refusal.empty()) {
-        messages_->setProblems(jobExportCause(), {said(plan.refusal)});
+        messages_->setProblems(jobExportCause(), {translatedText(plan.refusal)});
         return;
     }
-    ifStopped_ = plan.ifStopped.empty() ? tr("Canceled; no file was written.") : said(plan.ifStopped);
+    ifStopped_ = plan.ifStopped.empty() ? tr("Canceled; no file was written.") : translatedText(plan.ifStopped);
     QStringList beside;
     for (const jobs::PlannedFile& file : plan.files) beside << QString::fromStdString(file.path.string());
     beside.removeFirst();

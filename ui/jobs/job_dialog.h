@@ -92,10 +92,10 @@ private:
     JobSetup setup_;
     JobRunner draft_, full_;
     ProgressJob plan_, show_;
-    QTimer soon_;                                    ///< Not at every step of a slider.
-    std::shared_ptr<const jobs::JobInputs> inputs_;  ///< Null while they are read.
-    std::vector<std::string> files_;                 ///< That the inputs were read from.
-    QString ifStopped_;                              ///< What is left of the export when it is stopped.
+    QTimer soon_;                                    ///< Delays the draft until a slider has stopped moving.
+    std::shared_ptr<const jobs::JobInputs> inputs_;  ///< Null while they are being read.
+    std::vector<std::string> files_;                 ///< Files that the inputs were read from.
+    QString ifStopped_;                              ///< Sentence on what remains of the export when it is stopped.
     std::optional<jobs::JobPlan> planned_;
     std::optional<ParameterValues> drawn_;  ///< Values of the draft.
     bool remembered_ = false;

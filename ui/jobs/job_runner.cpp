@@ -66,15 +66,15 @@ void JobRunner::go(Run run)
 void JobRunner::draw(Run run)
 {
     task_ = thread_.start(
-        [this, run = std::move(run), told = QElapsedTimer()](const RenderThread::Tell& tell) mutable {
+        [this, run = std::move(run), told = QElapsedTimer()](const RenderThread::Notify& notify) mutable {
             run->step([](double) { return true; });
             if (run->next() != JobRun::Next::draw) {
-                tell([this, run] { drawn_ = run; });
+                notify([this, run] { drawn_ = run; });
                 return false;
             }
             if (!told.isValid() || told.elapsed() >= RenderThread::tellEvery) {
                 told.start();
-                tell([this, part = run->progress()] { note(part); });
+                notify([this, part = run->progress()] { note(part); });
             }
             return true;
         },

@@ -60,7 +60,7 @@ private:
     Run drawn_;
     bool publishes_ = false, publishing_ = false;
     bool running_ = false;
-    int turn_ = 0;  ///< Grows with each start and cancel: what comes of work before is dropped.
+    int turn_ = 0;  ///< Incremented by each start and cancel; results of an earlier number are dropped.
 };
 
 }  // namespace vitrine::ui

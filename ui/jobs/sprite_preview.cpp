@@ -69,7 +69,7 @@ void SpritePreview::setShown(std::shared_ptr<const Shown> shown)
     update();
 }
 
-QString SpritePreview::spokenText() const
+QString SpritePreview::accessibleText() const
 {
     if (!shown_) return tr("Nothing is drawn yet.");
     return tr("%1 directions of %2 frames, each %3 × %4 pixels.")

@@ -2,7 +2,7 @@
 
 #include "exhibits/jobs/sprite/sprite_sheet.h"
 #include "ui/jobs/job_preview.h"
-#include "ui/kit/spoken.h"
+#include "ui/kit/accessible_content.h"
 
 #include <QElapsedTimer>
 #include <QImage>
@@ -16,7 +16,7 @@ namespace vitrine::ui {
 
 /// Animated preview of a sprite sheet: shows the frames of one direction after the other, with large pixels. Its clock
 /// stops while it is hidden.
-class SpritePreview final : public JobPreview, public Spoken {
+class SpritePreview final : public JobPreview, public AccessibleContent {
     Q_OBJECT
 
 public:
@@ -24,10 +24,10 @@ public:
     struct Shown {
         QImage picture;
         std::vector<SpriteCell> cells;  ///< Direction by direction.
-        std::vector<QPoint> pivots;     ///< Of each, pixels of the uncut frame.
-        QSize frame;                    ///< Uncut.
-        int frames = 1;                 ///< Of each direction.
-        double seconds = 1.0 / 12;      ///< Of each frame.
+        std::vector<QPoint> pivots;     ///< Pivot of each cell, in pixels of the untrimmed frame.
+        QSize frame;                    ///< Size of the untrimmed frame.
+        int frames = 1;                 ///< Number of frames of each direction.
+        double seconds = 1.0 / 12;      ///< Duration of each frame.
     };
 
     explicit SpritePreview(QWidget* parent);
@@ -38,8 +38,8 @@ public:
     [[nodiscard]] const Shown* shown() const { return shown_.get(); }
     /// Returns the index of the displayed cell.
     [[nodiscard]] int cell() const { return cell_; }
-    [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Animation; }
-    [[nodiscard]] QString spokenText() const override;
+    [[nodiscard]] QAccessible::Role accessibleRole() const override { return QAccessible::Animation; }
+    [[nodiscard]] QString accessibleText() const override;
     [[nodiscard]] QSize sizeHint() const override { return {480, 480}; }
 
 protected:

@@ -1,6 +1,6 @@
 #include "ui/kit/appearance.h"
 
-#include "ui/kit/quiet_style.h"
+#include "ui/kit/flat_style.h"
 
 #include <QApplication>
 #include <QFont>
@@ -51,22 +51,23 @@ void applyMotion(bool reduced)
 
 }  // namespace
 
-Theme themeFor(const PreferenceValues& values, const DesktopWishes& wishes, bool desktopIsDark)
+Theme themeFor(const PreferenceValues& values, const DesktopPreferences& desktopPreferences, bool desktopIsDark)
 {
-    const bool dark = wishes.dark.value_or(desktopIsDark);
+    const bool dark = desktopPreferences.dark.value_or(desktopIsDark);
     switch (values.theme) {
     case ThemeChoice::light: return lightTheme();
     case ThemeChoice::dark: return darkTheme();
     case ThemeChoice::highContrast: return highContrastTheme(dark);
     case ThemeChoice::desktop: break;
     }
-    if (wishes.highContrast) return highContrastTheme(dark);
+    if (desktopPreferences.highContrast) return highContrastTheme(dark);
     return dark ? darkTheme() : lightTheme();
 }
 
-bool reducesMotion(const PreferenceValues& values, const DesktopWishes& wishes)
+bool reducesMotion(const PreferenceValues& values, const DesktopPreferences& desktopPreferences)
 {
-    return values.motion == MotionChoice::reduced || (values.motion == MotionChoice::desktop && wishes.reducedMotion);
+    return values.motion == MotionChoice::reduced ||
+           (values.motion == MotionChoice::desktop && desktopPreferences.reducedMotion);
 }
 
 bool reducedMotion()
@@ -74,12 +75,12 @@ bool reducedMotion()
     return motionIsReduced();
 }
 
-void applyAppearance(QApplication& app, const PreferenceValues& values, const DesktopWishes& wishes)
+void applyAppearance(QApplication& app, const PreferenceValues& values, const DesktopPreferences& desktopPreferences)
 {
     static const bool desktopIsDark = desktopPrefersDark(app);
-    applyMotion(reducesMotion(values, wishes));
-    const Theme wanted = themeFor(values, wishes, desktopIsDark);
-    if (!(wanted == theme()) || !qobject_cast<QuietStyle*>(QApplication::style())) {
+    applyMotion(reducesMotion(values, desktopPreferences));
+    const Theme wanted = themeFor(values, desktopPreferences, desktopIsDark);
+    if (!(wanted == theme()) || !qobject_cast<FlatStyle*>(QApplication::style())) {
         applyTheme(app, wanted);
         for (QWidget* widget : QApplication::allWidgets())
             widget->update();  // Widgets that paint themselves use the theme's colors.
@@ -96,7 +97,7 @@ Appearance::Appearance(const Preferences& preferences, const DesktopPortal& port
 
 void Appearance::apply()
 {
-    applyAppearance(*qApp, preferences_.values(), portal_.wishes());
+    applyAppearance(*qApp, preferences_.values(), portal_.desktopPreferences());
     emit applied();
 }
 

@@ -8,7 +8,7 @@
 
 namespace vitrine::ui {
 
-/// Patterns of a file dialog for extensions as `ParameterInfo::endings` has them: "*.glb *.gltf".
+/// Patterns of a file dialog for extensions as `ParameterInfo::extensions` has them: "*.glb *.gltf".
 [[nodiscard]] inline QString filePatterns(std::string_view endings)
 {
     QStringList patterns;

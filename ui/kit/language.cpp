@@ -138,7 +138,7 @@ QString languageOfWindow()
     return saved.isEmpty() ? languageOfLocale() : saved;
 }
 
-void speak(const QString& code)
+void setLanguage(const QString& code)
 {
     CurrentLanguage& now = currentLanguage();
     now.asked = true;
@@ -149,7 +149,7 @@ void speak(const QString& code)
         }
     now.ours = translatorFor(code);
     now.code = now.ours ? code : QStringLiteral("en");
-    setLanguage(now.code.toStdString(), now.ours ? catalogOf(code, *now.ours) : nullptr);
+    vitrine::setLanguage(now.code.toStdString(), now.ours ? catalogOf(code, *now.ours) : nullptr);
     QLocale::setDefault(now.ours ? QLocale(code) : QLocale::system());  // For dates and for numbers in input fields.
     if (!now.ours || !QCoreApplication::instance()) return;
     auto qts = std::make_unique<QTranslator>();
@@ -157,10 +157,10 @@ void speak(const QString& code)
         now.qts = std::move(qts);
         QCoreApplication::installTranslator(now.qts.get());
     }
-    QCoreApplication::installTranslator(now.ours.get());  // Installed last, so that it is asked first.
+    QCoreApplication::installTranslator(now.ours.get());  // Installed last, so that it is searched first.
 }
 
-QString spokenLanguage()
+QString languageCode()
 {
     return currentLanguage().code;
 }
@@ -170,17 +170,17 @@ bool languageAsked()
     return currentLanguage().asked;
 }
 
-QString said(const Message& message)
+QString translatedText(const Message& message)
 {
     return text(translated(message));
 }
 
-QString within(const QString& name)
+QString midSentence(const QString& name)
 {
     return currentLanguage().code == QLatin1String("en") ? name.toLower() : name;
 }
 
-std::string saidInLocale(const Message& message)
+std::string translatedInLocale(const Message& message)
 {
     const QString code = currentLanguage().code == QLatin1String("en") ? languageOfLocale() : currentLanguage().code;
     const std::unique_ptr<QTranslator> translator = translatorFor(code);

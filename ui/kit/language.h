@@ -27,17 +27,17 @@ void keepLanguage(const QString& code);
 
 /// Sets the language of all texts made from now on, including Qt's own if there is an application. Existing widgets
 /// keep their texts. An unknown code selects English.
-void speak(const QString& code);
-/// Returns the code of the present language; "en" before `speak`.
-[[nodiscard]] QString spokenLanguage();
-/// Returns whether `speak` was called, for example for the command line's --language.
+void setLanguage(const QString& code);
+/// Returns the code of the present language; "en" before `setLanguage`.
+[[nodiscard]] QString languageCode();
+/// Returns whether `setLanguage` was called, for example for the command line's --language.
 [[nodiscard]] bool languageAsked();
 
 /// Translates a text of the lower layers (a label, a help text, a reason, a failure) to the present language.
-[[nodiscard]] QString said(const Message&);
+[[nodiscard]] QString translatedText(const Message&);
 /// Returns the name in the form used within a sentence: in lower case in English, unchanged in German.
-[[nodiscard]] QString within(const QString& name);
+[[nodiscard]] QString midSentence(const QString& name);
 /// Translates a failure's sentence to the locale's language, for standard error.
-[[nodiscard]] std::string saidInLocale(const Message&);
+[[nodiscard]] std::string translatedInLocale(const Message&);
 
 }  // namespace vitrine::ui

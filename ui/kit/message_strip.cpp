@@ -1,9 +1,9 @@
 #include "ui/kit/message_strip.h"
 
+#include "ui/kit/accessible_content.h"
 #include "ui/kit/appearance.h"
 #include "ui/kit/home_path.h"
 #include "ui/kit/show_in_folder.h"
-#include "ui/kit/spoken.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/type_size.h"
 
@@ -29,9 +29,9 @@ namespace {
 constexpr int highest = 132;    // Largest height in pixels: a few messages; more of them scroll.
 constexpr int narrowest = 200;  // Smallest width in pixels to which messages are fitted.
 
-class Line final : public QWidget, public Spoken {
+class Line final : public QWidget, public AccessibleContent {
 public:
-    [[nodiscard]] QAccessible::Role spokenRole() const override
+    [[nodiscard]] QAccessible::Role accessibleRole() const override
     {
         return mood_ == MessageStrip::Mood::problem ? QAccessible::AlertMessage : QAccessible::Notification;
     }

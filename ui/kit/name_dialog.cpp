@@ -7,7 +7,7 @@
 namespace vitrine::ui {
 
 NameDialog::NameDialog(const QString& heading, const QString& suggestion, QWidget* parent)
-    : QuietDialog(heading, tr("Save"), parent), name_(new QLineEdit(suggestion, this))
+    : InlineDialog(heading, tr("Save"), parent), name_(new QLineEdit(suggestion, this))
 {
     name_->setAccessibleName(heading);
     name_->selectAll();

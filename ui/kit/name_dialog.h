@@ -1,13 +1,13 @@
 #pragma once
 
-#include "ui/kit/quiet_dialog.h"
+#include "ui/kit/inline_dialog.h"
 
 class QLineEdit;
 
 namespace vitrine::ui {
 
 /// Dialog that asks for a name.
-class NameDialog final : public QuietDialog {
+class NameDialog final : public InlineDialog {
     Q_OBJECT
 
 public:

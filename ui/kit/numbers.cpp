@@ -6,8 +6,8 @@ namespace vitrine::ui {
 
 QLocale numberLocale()
 {
-    if (spokenLanguage() == QLatin1String("en")) return QLocale::c();
-    QLocale locale(spokenLanguage());
+    if (languageCode() == QLatin1String("en")) return QLocale::c();
+    QLocale locale(languageCode());
     locale.setNumberOptions(QLocale::OmitGroupSeparator | QLocale::OmitLeadingZeroInExponent);
     return locale;
 }

@@ -1,7 +1,7 @@
 #include "ui/kit/theme.h"
 
 #include "render/image/srgb.h"
-#include "ui/kit/quiet_style.h"
+#include "ui/kit/flat_style.h"
 
 #include <QApplication>
 #include <QPalette>
@@ -83,7 +83,7 @@ bool desktopPrefersDark(const QApplication& app)
 void applyTheme(QApplication& app, const Theme& chosen)
 {
     current() = chosen;
-    app.setStyle(new QuietStyle);
+    app.setStyle(new FlatStyle);
     QPalette palette;
     palette.setColor(QPalette::Window, chosen.window);
     palette.setColor(QPalette::Base, chosen.base);

@@ -8,7 +8,7 @@ namespace {
 
 /// Part of a formula as rich text.
 struct Piece {
-    /// How closely it holds together, which decides where a fraction in one line needs parentheses.
+    /// Binding strength of the outermost operator: decides whether a fraction in one line needs parentheses.
     enum class Bond { atom, product, sum, infix, prefix, opening, closing };
     QString text;
     Bond bond = Bond::atom;

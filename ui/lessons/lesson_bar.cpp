@@ -1,10 +1,10 @@
 #include "ui/lessons/lesson_bar.h"
 
 #include "exhibits/framework/files/lesson.h"
+#include "ui/kit/accessible_widget.h"
 #include "ui/kit/menu_text.h"
-#include "ui/kit/spoken_widget.h"
 #include "ui/kit/theme.h"
-#include "ui/lessons/lesson_desk.h"
+#include "ui/lessons/lesson_controller.h"
 
 #include <QAction>
 #include <QHBoxLayout>
@@ -26,10 +26,10 @@ void setWords(QLabel& label, const QString& words)
 
 }  // namespace
 
-LessonBar::LessonBar(LessonDesk& desk)
-    : desk_(desk), title_(new QLabel(this)), count_(new QLabel(this)), text_(new QLabel(this)), task_(new QLabel(this)),
-      number_(new QLabel(this)), question_(new QLabel(this)), answer_(new QLabel(this)),
-      answerButton_(button(desk.answerAction(), tr("Answer ▸")))
+LessonBar::LessonBar(LessonController& controller)
+    : controller_(controller), title_(new QLabel(this)), count_(new QLabel(this)), text_(new QLabel(this)),
+      task_(new QLabel(this)), number_(new QLabel(this)), question_(new QLabel(this)), answer_(new QLabel(this)),
+      answerButton_(button(controller.answerAction(), tr("Answer ▸")))
 {
     setAccessibleName(tr("Lesson"));
     title_->setTextFormat(Qt::PlainText);
@@ -52,9 +52,9 @@ LessonBar::LessonBar(LessonDesk& desk)
     top->addWidget(title_, 1);
     top->addWidget(count_);
     top->addSpacing(8);
-    top->addWidget(button(desk.backAction(), tr("◂ Back")));
-    top->addWidget(button(desk.nextAction(), tr("Next ▸")));
-    top->addWidget(button(desk.leaveAction(), tr("✕ Leave")));
+    top->addWidget(button(controller.backAction(), tr("◂ Back")));
+    top->addWidget(button(controller.nextAction(), tr("Next ▸")));
+    top->addWidget(button(controller.leaveAction(), tr("✕ Leave")));
     auto* asking = new QHBoxLayout;
     asking->setSpacing(8);
     asking->addWidget(question_, 1);
@@ -78,7 +78,7 @@ void LessonBar::addText(QLabel& label, const QString& name)
     label.setTextInteractionFlags(Qt::TextBrowserInteraction);
     label.setAccessibleName(name);
     connect(&label, &QLabel::linkActivated, this, [this](const QString& link) {
-        if (link.startsWith(QLatin1String("row:"))) emit desk_.rowAsked(link.mid(4));
+        if (link.startsWith(QLatin1String("row:"))) emit controller_.rowAsked(link.mid(4));
     });
 }
 
@@ -102,32 +102,32 @@ QToolButton* LessonBar::button(QAction& action, const QString& words)
 
 void LessonBar::refresh()
 {
-    const Lesson* lesson = desk_.lesson();
+    const Lesson* lesson = controller_.lesson();
     setVisible(lesson && !banned_);
     if (!lesson) {
         told_.clear();
         return;
     }
     const QString title = QString::fromStdString(lesson->title);
-    const std::size_t page = desk_.page();
+    const std::size_t page = controller_.page();
     setWords(*title_,
              page == 0 ? title : tr("%1: %2").arg(title, QString::fromStdString(lesson->steps[page - 1].title)));
     title_->setToolTip(title_->text());
     setWords(*count_, page == 0 ? tr("%1 steps").arg(lesson->steps.size())
                                 : tr("Step %1 of %2").arg(page).arg(lesson->steps.size()));
-    setWords(*text_, desk_.pageText());
-    setWords(*task_, desk_.taskText());
-    setWords(*number_, desk_.numberText());
-    setWords(*question_, desk_.questionText());
-    setWords(*answer_, desk_.answerText());
-    answerButton_->setVisible(desk_.answerAction().isEnabled());
-    answerButton_->setText(desk_.answerAction().isChecked() ? tr("Answer ▾") : tr("Answer ▸"));
-    tell();
+    setWords(*text_, controller_.pageText());
+    setWords(*task_, controller_.taskText());
+    setWords(*number_, controller_.numberText());
+    setWords(*question_, controller_.questionText());
+    setWords(*answer_, controller_.answerText());
+    answerButton_->setVisible(controller_.answerAction().isEnabled());
+    answerButton_->setText(controller_.answerAction().isChecked() ? tr("Answer ▾") : tr("Answer ▸"));
+    announceStep();
 }
 
 /// Announces the page to screen readers once, and again with an answer that was opened: the number on it may change all
 /// the time.
-void LessonBar::tell()
+void LessonBar::announceStep()
 {
     QStringList page;
     for (const QLabel* each : {count_, title_, text_, task_, question_, answer_})

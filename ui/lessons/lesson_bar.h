@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/kit/spoken.h"
+#include "ui/kit/accessible_content.h"
 
 #include <QWidget>
 
@@ -10,24 +10,24 @@ class QToolButton;
 
 namespace vitrine::ui {
 
-class LessonDesk;
+class LessonController;
 
 /// Strip above the picture while a lesson is open: number and text of the step, what to do, the value to read, and a
 /// question with an answer that opens. Buttons lead back, to the next step, and out of the lesson. Each step is
 /// announced to screen readers.
-class LessonBar final : public QWidget, public Spoken {
+class LessonBar final : public QWidget, public AccessibleContent {
     Q_OBJECT
 
 public:
-    /// The desk must outlive the bar.
-    explicit LessonBar(LessonDesk&);
+    /// The controller must outlive the bar.
+    explicit LessonBar(LessonController&);
 
     /// Shows the present page of the lesson.
     void refresh();
     /// While on, the bar stays hidden: used for the bare picture.
     void setBanned(bool);
 
-    [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Notification; }
+    [[nodiscard]] QAccessible::Role accessibleRole() const override { return QAccessible::Notification; }
 
 protected:
     void paintEvent(QPaintEvent*) override;
@@ -35,9 +35,9 @@ protected:
 private:
     QToolButton* button(QAction&, const QString& words);
     void addText(QLabel&, const QString& name);
-    void tell();
+    void announceStep();
 
-    LessonDesk& desk_;
+    LessonController& controller_;
     QLabel* title_;
     QLabel* count_;
     QLabel* text_;

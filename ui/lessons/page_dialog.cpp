@@ -42,12 +42,13 @@ QString parameterTable(const Parameters& table)
     std::string_view group;
     for (const ParameterInfo& row : table.rows()) {
         if (row.group != group)
-            html += QStringLiteral("<tr><td colspan=\"3\"><b>%1</b></td></tr>").arg(said(row.group).toHtmlEscaped());
+            html += QStringLiteral("<tr><td colspan=\"3\"><b>%1</b></td></tr>")
+                        .arg(translatedText(row.group).toHtmlEscaped());
         group = row.group;
         QString values = PageDialog::tr("initially %1").arg(shownText(row, row.initial));
         if (row.isNumeric()) values += QStringLiteral("<br>") + legalRangeText(row).toHtmlEscaped();
         html += QStringLiteral("<tr><td>%1</td><td>%2</td><td class=\"caption\">%3</td></tr>")
-                    .arg(said(label(row)).toHtmlEscaped(), said(row.help).toHtmlEscaped(), values);
+                    .arg(translatedText(label(row)).toHtmlEscaped(), translatedText(row.help).toHtmlEscaped(), values);
     }
     return html + QStringLiteral("</table>");
 }
@@ -124,7 +125,7 @@ PageDialog::PageDialog(QWidget* window, FindParameters find)
 QString PageDialog::pathOf(const QString& name)
 {
     const QString file = QLatin1Char('/') + name + QStringLiteral(".html");
-    const QString own = pageFolder() + QLatin1Char('/') + spokenLanguage() + file;
+    const QString own = pageFolder() + QLatin1Char('/') + languageCode() + file;
     return QFileInfo::exists(own) ? own : pageFolder() + file;
 }
 

@@ -149,7 +149,7 @@ void History::set(std::size_t exhibit, std::size_t row, const Value& value, Gest
         after.values[exhibit].chooseFile(row, *legal);
         change = SceneStateChange(sceneState_, after);
     }
-    const QString step = text.isEmpty() ? tr("Change %1").arg(within(said(label(info)))) : text;
+    const QString step = text.isEmpty() ? tr("Change %1").arg(midSentence(translatedText(label(info)))) : text;
     stack_.push(new SceneStateStep(*this, step, std::move(change), sceneState_.camera, gesture, Camera::stays));
 }
 

@@ -51,7 +51,7 @@ private:
 ColorEditor::ColorEditor(const ValueRef& value, QWidget* parent)
     : ValueEditor(value, parent), swatch_(new Swatch(this)), code_(new QLineEdit(this))
 {
-    const QString name = said(label(row()));
+    const QString name = translatedText(label(row()));
     swatch_->setAccessibleName(tr("%1, choose a color").arg(name));
     swatch_->setToolTip(tr("Choose a color; the picture follows."));
     growMinimumSize(*swatch_, 40, 22);
@@ -110,7 +110,7 @@ void ColorEditor::typed()
 
 void ColorEditor::choose()
 {
-    auto* dialog = new ColorDialog(said(label(row())), encoded(value_), window());
+    auto* dialog = new ColorDialog(translatedText(label(row())), encoded(value_), window());
     // All colors tried in one opening of the dialog are one undo step. Cancel restores the color from before.
     const Gesture gesture = newGesture();
     const glm::dvec3 before = value_;

@@ -38,7 +38,7 @@ QColor ColorField::color() const
     return ofHsv(hue_, saturation_, value_).toRgb();
 }
 
-QString ColorField::spokenText() const
+QString ColorField::accessibleText() const
 {
     return tr("Hue %1 degrees, saturation %2 %, brightness %3 %.")
         .arg(std::lround(hue_ * 360))
@@ -72,7 +72,7 @@ void ColorField::set(double hue, double saturation, double value)
     saturation_ = std::clamp(saturation, 0.0, 1.0);
     value_ = std::clamp(value, 0.0, 1.0);
     update();
-    tellText(*this);
+    notifyText(*this);
     emit picked(color());
 }
 
@@ -138,7 +138,7 @@ void ColorField::paintEvent(QPaintEvent*)
 }
 
 ColorDialog::ColorDialog(const QString& heading, const QColor& start, QWidget* parent)
-    : QuietDialog(heading, tr("OK"), parent)
+    : InlineDialog(heading, tr("OK"), parent)
 {
     auto* field = new ColorField(start, this);
     body().addWidget(field);

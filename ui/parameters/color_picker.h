@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ui/kit/quiet_dialog.h"
-#include "ui/kit/spoken.h"
+#include "ui/kit/accessible_content.h"
+#include "ui/kit/inline_dialog.h"
 
 #include <QWidget>
 
@@ -9,7 +9,7 @@ namespace vitrine::ui {
 
 /// Color field with saturation to the right and value upward, and a hue bar below. Arrow keys move in the field, with
 /// Ctrl in the bar.
-class ColorField final : public QWidget, public Spoken {
+class ColorField final : public QWidget, public AccessibleContent {
     Q_OBJECT
 
 public:
@@ -20,8 +20,8 @@ public:
     [[nodiscard]] QPointF placeOf(double saturation, double value) const;
     [[nodiscard]] QPointF placeOfHue(double hue) const;
 
-    [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::ColorChooser; }
-    [[nodiscard]] QString spokenText() const override;
+    [[nodiscard]] QAccessible::Role accessibleRole() const override { return QAccessible::ColorChooser; }
+    [[nodiscard]] QString accessibleText() const override;
 
 signals:
     void picked(const QColor&);
@@ -45,7 +45,7 @@ private:
 };
 
 /// Dialog that chooses a color. Colors being tried are applied at once.
-class ColorDialog final : public QuietDialog {
+class ColorDialog final : public InlineDialog {
     Q_OBJECT
 
 public:

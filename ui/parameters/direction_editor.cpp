@@ -17,9 +17,9 @@ namespace {
 /// The two angles are a parameter table of their own, so that they have the fields, steps and typing of any number.
 struct Angles final : Parameters {
     Real azimuth = real("azimuth", 0, degree, {-std::numbers::pi, std::numbers::pi},
-                        "Compass angle: 0 is the far end of the hall, 90 its right side.");
+                        "Compass angle: 0° is the far end of the hall, 90° its right side.");
     Real elevation = real("elevation", 0, degree, {-std::numbers::pi / 2, std::numbers::pi / 2},
-                          "Height above the horizon: 90 is straight up.");
+                          "Height above the horizon: 90° is straight up.");
 };
 
 const ParameterInfo& angle(std::size_t i)
@@ -33,7 +33,7 @@ const ParameterInfo& angle(std::size_t i)
 DirectionEditor::DirectionEditor(const ValueRef& value, QWidget* parent)
     : ValueEditor(value, parent), azimuth_(new NumberField(angle(0), this)), elevation_(new NumberField(angle(1), this))
 {
-    const QString name = said(label(row()));
+    const QString name = translatedText(label(row()));
     azimuth_->setAccessibleName(tr("%1, azimuth").arg(name));
     elevation_->setAccessibleName(tr("%1, elevation").arg(name));
     azimuth_->setToolTip(tooltipText(angle(0)));

@@ -18,7 +18,7 @@ void GroupEdits::setTogether(std::string_view array, bool together)
 
 std::optional<std::size_t> GroupEdits::twinOf(std::size_t row, std::size_t element) const
 {
-    const auto rows = heldValues().rows();
+    const auto rows = currentValues().rows();
     const ParameterInfo& info = rows[row];
     for (std::size_t i = 0; i < rows.size(); ++i)
         if (rows[i].array == info.array && rows[i].element == element && rows[i].elementRow == info.elementRow &&
@@ -30,7 +30,7 @@ std::optional<std::size_t> GroupEdits::twinOf(std::size_t row, std::size_t eleme
 std::vector<GroupEdits::Group> GroupEdits::groupsOf(std::string_view array) const
 {
     std::vector<Group> groups;
-    for (const ParameterInfo& row : heldValues().rows())
+    for (const ParameterInfo& row : currentValues().rows())
         if (!array.empty() && row.array == array && (groups.empty() || groups.back().element != row.element))
             groups.push_back({row.element, std::string(row.group)});
     return groups;
@@ -39,14 +39,14 @@ std::vector<GroupEdits::Group> GroupEdits::groupsOf(std::string_view array) cons
 std::vector<std::size_t> GroupEdits::rowsWith(std::size_t row) const
 {
     std::vector<std::size_t> all{row};
-    const ParameterInfo& info = heldValues().rows()[row];
+    const ParameterInfo& info = currentValues().rows()[row];
     if (info.array.empty() || !together(info.array)) return all;
     for (const Group& group : groupsOf(info.array))
         if (const auto twin = twinOf(row, group.element); twin && *twin != row) all.push_back(*twin);
     return all;
 }
 
-void GroupEdits::hold(std::size_t row, const Value& value, Gesture gesture, const QString& words)
+void GroupEdits::setValue(std::size_t row, const Value& value, Gesture gesture, const QString& words)
 {
     const std::vector<std::size_t> rows = rowsWith(row);
     if (rows.size() == 1) {
@@ -59,7 +59,7 @@ void GroupEdits::hold(std::size_t row, const Value& value, Gesture gesture, cons
         values.setMotion(each, std::nullopt);  // Setting the value ends the animation.
         values.chooseFile(each, value);
     }
-    const QString name = within(said(labelInGroup(values.rows()[row])));
+    const QString name = midSentence(translatedText(labelInGroup(values.rows()[row])));
     history_.change(words.isEmpty() ? tr("Change %1 of all together").arg(name) : words, next, gesture);
 }
 
@@ -67,7 +67,7 @@ void GroupEdits::reset(std::size_t row, Gesture gesture, const QString& words)
 {
     const std::vector<std::size_t> rows = rowsWith(row);
     if (rows.size() == 1) {
-        history_.set(exhibit_, row, heldValues().rows()[row].initial, gesture, words);
+        history_.set(exhibit_, row, currentValues().rows()[row].initial, gesture, words);
         return;
     }
     SceneState next = history_.sceneState();
@@ -120,9 +120,9 @@ void GroupEdits::copyToOthers(std::string_view array, std::size_t from)
 
 bool GroupEdits::alike(std::string_view array, std::size_t a, std::size_t b) const
 {
-    ParameterValues values = heldValues();
+    ParameterValues values = currentValues();
     copyInto(values, array, a, b);
-    return values == heldValues();
+    return values == currentValues();
 }
 
 }  // namespace vitrine::ui

@@ -14,15 +14,18 @@ namespace vitrine::ui {
 
 /// Edits of one exhibit's values. Groups of one kind ("coats") can be edited together: a change of one parameter is
 /// then made in all of them, in the same undo step.
-class GroupEdits final : public QObject, public ValueHolder {
+class GroupEdits final : public QObject, public ValueOwner {
     Q_OBJECT
 
 public:
     /// The history must outlive this object.
     GroupEdits(History&, std::size_t exhibit, QObject* parent);
 
-    [[nodiscard]] const ParameterValues& heldValues() const override { return history_.sceneState().values[exhibit_]; }
-    void hold(std::size_t row, const Value&, Gesture, const QString& text) override;
+    [[nodiscard]] const ParameterValues& currentValues() const override
+    {
+        return history_.sceneState().values[exhibit_];
+    }
+    void setValue(std::size_t row, const Value&, Gesture, const QString& text) override;
     /// Sets each parameter to its own initial value.
     void reset(std::size_t row, Gesture, const QString& text) override;
     /// Sets or ends the animation of a parameter and sets its base value, also in groups that are edited together.

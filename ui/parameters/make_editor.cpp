@@ -18,7 +18,7 @@ ValueEditor* makeEditor(const ValueRef& value, QWidget* parent)
     case Kind::direction: return new DirectionEditor(value, parent);
     case Kind::file: return new FileEditor(value, parent);
     case Kind::text:
-        if (value.info().givesRows) return new TextMark(value, parent);
+        if (value.info().addsParameters) return new TextMark(value, parent);
         return new TextEditor(value, parent);
     }
     return nullptr;

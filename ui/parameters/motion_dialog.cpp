@@ -19,18 +19,22 @@ namespace {
 struct MotionTable final : Parameters {
     Choice<MotionKind> kind =
         choice("kind", MotionKind::sine, {"once", "sine", "triangle", "steps", "noise", "by distance"},
-               "Once from one to the other; there and back, softly or evenly; in steps; at random; or by how far away "
-               "the visitor is.");
+               "Course from the first value to the second: once, there and back (sine or triangle), in steps, at "
+               "random (noise), or by the distance of the visitor.");
     Choice<Ease> ease = choice("ease", Ease::inOut, {"even", "slow at first", "slow at last", "slow at both"},
-                               "How each way begins and ends.");
+                               "Acceleration at the start and the end of each way.");
     Real period = real("period", 4, second, Range{shortestPeriod, longestPeriod, logarithmic}.soft(0.5, 60),
-                       "How long it takes: there and back, or once.");
-    Real phase = real("phase", 0, none, Range{-1e9, 1e9}.soft(0, 1), "Where it stands when the clock begins, periods.");
-    Real start = real("start", 0, second, Range{-1e9, 1e9}.soft(0, 60), "When it begins.");
-    Count steps = count("steps", 4, Range{2, mostMotionSteps, logarithmic}.soft(2, 16), "How many values it visits.");
-    Count seed = count("seed", 1, Range{0, 4294967295.0}.soft(0, 100), "Another one, another way.");
-    Real nearest = real("nearest", 1, meter, Range{0, 1e4}.soft(0, 20), "So near or nearer it has the first value.");
-    Real farthest = real("farthest", 6, meter, Range{0, 1e4}.soft(0, 20), "So far or farther it has the second.");
+                       "Duration of one way, or of there and back if it repeats.");
+    Real phase = real("phase", 0, none, Range{-1e9, 1e9}.soft(0, 1),
+                      "Position in the period when the clock starts, in periods.");
+    Real start = real("start", 0, second, Range{-1e9, 1e9}.soft(0, 60), "Time at which the animation starts.");
+    Count steps = count("steps", 4, Range{2, mostMotionSteps, logarithmic}.soft(2, 16),
+                        "Number of values, evenly spaced from the first to the second.");
+    Count seed = count("seed", 1, Range{0, 4294967295.0}.soft(0, 100), "Seed of the random values.");
+    Real nearest = real("nearest", 1, meter, Range{0, 1e4}.soft(0, 20),
+                        "Distance of the visitor at which, or nearer, the parameter has the first value.");
+    Real farthest = real("farthest", 6, meter, Range{0, 1e4}.soft(0, 20),
+                         "Distance of the visitor at which, or farther, the parameter has the second value.");
 };
 
 const MotionTable& motionTable()
@@ -111,12 +115,12 @@ Motion usualMotion(const ParameterInfo& row, const Value& now)
 }
 
 /// Values of the dialog's table; setting one changes the animation.
-class MotionDialog::Numbers final : public ValueHolder {
+class MotionDialog::Numbers final : public ValueOwner {
 public:
     explicit Numbers(MotionDialog& dialog) : dialog_(dialog) {}
 
-    [[nodiscard]] const ParameterValues& heldValues() const override { return values_; }
-    void hold(std::size_t row, const Value& value, Gesture, const QString&) override
+    [[nodiscard]] const ParameterValues& currentValues() const override { return values_; }
+    void setValue(std::size_t row, const Value& value, Gesture, const QString&) override
     {
         const Motion* motion = dialog_.present();
         if (!motion) return;
@@ -131,15 +135,15 @@ private:
 };
 
 /// Values of the exhibit in which the animated parameter has its value at one end.
-class MotionDialog::End final : public ValueHolder {
+class MotionDialog::End final : public ValueOwner {
 public:
     End(MotionDialog& dialog, Value Motion::*end, const ParameterValues& values, std::size_t row)
         : dialog_(dialog), end_(end), values_(values), row_(row)
     {
     }
 
-    [[nodiscard]] const ParameterValues& heldValues() const override { return values_; }
-    void hold(std::size_t, const Value& value, Gesture, const QString&) override
+    [[nodiscard]] const ParameterValues& currentValues() const override { return values_; }
+    void setValue(std::size_t, const Value& value, Gesture, const QString&) override
     {
         const Motion* motion = dialog_.present();
         if (!motion) return;
@@ -164,8 +168,9 @@ private:
 };
 
 MotionDialog::MotionDialog(History& history, std::size_t exhibit, const std::vector<std::size_t>& rows, QWidget* parent)
-    : QuietDialog(tr("Animate %1").arg(said(label(history.sceneState().values[exhibit].rows()[rows.front()]))),
-                  tr("Done"), parent),
+    : InlineDialog(
+          tr("Animate %1").arg(translatedText(label(history.sceneState().values[exhibit].rows()[rows.front()]))),
+          tr("Done"), parent),
       history_(history), exhibit_(exhibit), name_(history.sceneState().values[exhibit].rows()[rows.front()].name),
       before_(history.sceneState()), numbers_(std::make_unique<Numbers>(*this))
 {
@@ -238,14 +243,14 @@ void MotionDialog::change(const Motion& motion)
     if (!row || !values.setMotion(*row, motion)) return;
     for (const std::string& other : others_)
         if (const auto twin = values.table().find(other)) values.setMotion(*twin, motion);
-    history_.change(tr("Animate %1").arg(within(said(label(values.rows()[*row])))), next, gesture_);
+    history_.change(tr("Animate %1").arg(midSentence(translatedText(label(values.rows()[*row])))), next, gesture_);
 }
 
 void MotionDialog::refresh()
 {
     const Motion* motion = present();
     if (!motion) {
-        QuietDialog::reject();
+        InlineDialog::reject();
         return;
     }
     numbers_->take(*motion);
@@ -253,7 +258,7 @@ void MotionDialog::refresh()
     to_->take(*motion);
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         rows_[i]->setVisible(isUsed(motion->kind, i));
-        rows_[i]->showValue(numbers_->heldValues().row(i));
+        rows_[i]->showValue(numbers_->currentValues().row(i));
     }
 }
 
@@ -272,8 +277,8 @@ void MotionDialog::reject()
     takeBack(name_);
     for (const std::string& other : others_) takeBack(other);
     if (const auto row = values.table().find(name_))
-        history_.change(tr("Animate %1").arg(within(said(label(values.rows()[*row])))), next, gesture_);
-    QuietDialog::reject();
+        history_.change(tr("Animate %1").arg(midSentence(translatedText(label(values.rows()[*row])))), next, gesture_);
+    InlineDialog::reject();
 }
 
 }  // namespace vitrine::ui

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/kit/quiet_dialog.h"
+#include "ui/kit/inline_dialog.h"
 #include "ui/model/value_ref.h"
 
 #include <string>
@@ -13,7 +13,7 @@ class ValueEditor;
 
 /// Dialog for the animation of one parameter. Changes are applied at once, as one undo step; Cancel restores the state
 /// from before. Closes when the animation is ended elsewhere.
-class MotionDialog final : public QuietDialog {
+class MotionDialog final : public InlineDialog {
     Q_OBJECT
 
 public:

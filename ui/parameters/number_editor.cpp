@@ -12,7 +12,7 @@ namespace vitrine::ui {
 NumberEditor::NumberEditor(const ValueRef& value, QWidget* parent)
     : ValueEditor(value, parent), slider_(new ValueSlider(row(), this)), field_(new NumberField(row(), this))
 {
-    const QString name = said(label(row()));
+    const QString name = translatedText(label(row()));
     slider_->setAccessibleName(tr("%1, slider").arg(name));
     field_->setAccessibleName(name);
     growWidth(*field_, NumberField::usualWidth);

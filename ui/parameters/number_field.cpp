@@ -2,8 +2,8 @@
 
 #include "ui/kit/theme.h"
 #include "ui/kit/type_size.h"
+#include "ui/parameters/accessible_number.h"
 #include "ui/parameters/shown_text.h"
-#include "ui/parameters/spoken_row.h"
 
 #include <QFocusEvent>
 #include <QKeyEvent>
@@ -45,15 +45,15 @@ void NumberField::showValue(double value)
     if (value == value_) return;
     value_ = value;
     if (!editing_) refresh();
-    tellNumber(*this);
+    notifyNumber(*this);
 }
 
-std::optional<SpokenNumber> NumberField::spokenNumber() const
+std::optional<AccessibleNumber> NumberField::accessibleNumber() const
 {
-    return vitrine::ui::spokenNumber(row_, scale_, value_, row_.range.low, row_.range.high);
+    return vitrine::ui::accessibleNumber(row_, scale_, value_, row_.range.low, row_.range.high);
 }
 
-void NumberField::setSpokenNumber(double value)
+void NumberField::setAccessibleNumber(double value)
 {
     if (editing_) endEdit();
     edit(storedNumber(row_, value), newGesture());

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/kit/spoken.h"
+#include "ui/kit/accessible_content.h"
 #include "ui/model/history.h"
 #include "ui/parameters/number_drag.h"
 
@@ -12,7 +12,7 @@ namespace vitrine::ui {
 
 /// Field for a number with its unit. Dragging changes it; a click or a key starts typing, with arithmetic and units.
 /// Arrow keys step; Shift is finer, Ctrl coarser. Enter accepts; Esc restores the value before the edit.
-class NumberField final : public QLineEdit, public Spoken {
+class NumberField final : public QLineEdit, public AccessibleContent {
     Q_OBJECT
 
 public:
@@ -29,9 +29,9 @@ public:
     void dragTo(double x, Qt::KeyboardModifiers);
     void dragEnd();
 
-    [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::SpinBox; }
-    [[nodiscard]] std::optional<SpokenNumber> spokenNumber() const override;
-    void setSpokenNumber(double) override;
+    [[nodiscard]] QAccessible::Role accessibleRole() const override { return QAccessible::SpinBox; }
+    [[nodiscard]] std::optional<AccessibleNumber> accessibleNumber() const override;
+    void setAccessibleNumber(double) override;
 
 signals:
     void edited(double value, int gesture);

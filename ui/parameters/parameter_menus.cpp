@@ -3,7 +3,7 @@
 #include "exhibits/framework/time/animation.h"
 #include "ui/kit/language.h"
 #include "ui/kit/menu_text.h"
-#include "ui/model/other_settings.h"
+#include "ui/model/settings_b.h"
 #include "ui/parameters/group_edits.h"
 #include "ui/parameters/motion_dialog.h"
 #include "ui/parameters/panel_choices.h"
@@ -24,7 +24,7 @@ namespace {
 
 QString rowLabel(const ParameterInfo& row)
 {
-    return said(label(row));
+    return translatedText(label(row));
 }
 
 }  // namespace
@@ -103,7 +103,7 @@ void ParameterMenus::addMotionTo(QMenu& menu, std::size_t row)
         (new MotionDialog(history_, panel_.exhibit(), edits().rowsWith(row), &panel_))->openOver(rowOf(row));
     });
     animate->setEnabled(why.empty());
-    animate->setToolTip(said(why));
+    animate->setToolTip(translatedText(why));
     menu.setToolTipsVisible(true);
     const Motion* motion = values().motion(row);
     if (!motion) return;
@@ -111,9 +111,9 @@ void ParameterMenus::addMotionTo(QMenu& menu, std::size_t row)
     const Motion next = motion->heldAt ? resumed(*motion, moment_) : held(*motion, moment_);
     const Value now = valueOf(info, *motion, moment_);
     menu.addAction(
-        motion->heldAt ? tr("Move on") : tr("Hold"), this,
+        motion->heldAt ? tr("Resume the motion") : tr("Hold the motion"), this,
         [this, row, next, base = values().row(row),
-         words = (motion->heldAt ? tr("Move %1 on") : tr("Hold %1")).arg(name)] { setMotion(row, words, next, base); });
+         words = (motion->heldAt ? tr("Resume %1") : tr("Hold %1")).arg(name)] { setMotion(row, words, next, base); });
     menu.addAction(tr("Stop here"), this,
                    [this, row, now, words = tr("Stop %1").arg(name)] { setMotion(row, words, std::nullopt, now); });
 }
@@ -157,7 +157,7 @@ void ParameterMenus::lock(const std::vector<std::size_t>& rows, bool locked)
 
 void ParameterMenus::addOtherTo(QMenu& menu, std::size_t row)
 {
-    if (!other_ || !other_->held()) return;
+    if (!other_ || !other_->isSet()) return;
     const ParameterInfo& info = values().rows()[row];
     const ParameterValues& others = other_->sceneState().values[panel_.exhibit()];
     const std::optional<std::size_t> twin = others.table().find(info.name);
@@ -180,8 +180,9 @@ void ParameterMenus::paste(std::size_t row)
     QString problem;
     const std::optional<Value> value =
         typedValue(values().rows()[row], QApplication::clipboard()->text().trimmed(), &problem);
-    if (value) edits().hold(row, *value, newGesture(), tr("Paste %1").arg(rowLabel(values().rows()[row]).toLower()));
-    if (!problem.isEmpty()) tell(row, problem);
+    if (value)
+        edits().setValue(row, *value, newGesture(), tr("Paste %1").arg(rowLabel(values().rows()[row]).toLower()));
+    if (!problem.isEmpty()) showProblem(row, problem);
 }
 
 void ParameterMenus::pasteAll(std::size_t row)
@@ -189,14 +190,14 @@ void ParameterMenus::pasteAll(std::size_t row)
     QString problem;
     const std::optional<ParameterValues> pasted =
         allFromJson(values().table(), panel_.name(), QApplication::clipboard()->text(), &problem);
-    if (!problem.isEmpty()) tell(row, problem);
+    if (!problem.isEmpty()) showProblem(row, problem);
     if (!pasted) return;
     SceneState next = history_.sceneState();
     next.values[panel_.exhibit()] = *pasted;
     history_.change(tr("Paste all values"), next, newGesture());
 }
 
-void ParameterMenus::tell(std::size_t row, const QString& words)
+void ParameterMenus::showProblem(std::size_t row, const QString& words)
 {
     QToolTip::showText(rowOf(row).mapToGlobal(QPoint(16, rowOf(row).height())), words, &rowOf(row));
 }
@@ -248,7 +249,7 @@ void ParameterMenus::addArrayTo(QMenu& menu, const ParameterInfo& first)
     }));
     for (const GroupEdits::Group& group : groups) {
         if (group.element == here) continue;
-        QAction* take = menu.addAction(menuText(tr("Copy from %1").arg(said(group.heading))), this,
+        QAction* take = menu.addAction(menuText(tr("Copy from %1").arg(translatedText(group.heading))), this,
                                        [&edit, array, from = group.element, here] { edit.copy(array, from, here); });
         take->setEnabled(!edit.alike(array, group.element, here));
     }

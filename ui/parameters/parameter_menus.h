@@ -15,7 +15,7 @@ class QMenu;
 namespace vitrine::ui {
 
 class GroupEdits;
-class OtherSettings;
+class SettingsB;
 class PanelChoices;
 class ParameterPanel;
 class ParameterRow;
@@ -30,10 +30,10 @@ public:
     ParameterMenus(History&, ParameterPanel&, PanelChoices&);
 
     /// Sets the settings B that values can be copied from and to; null: none.
-    void setOther(OtherSettings* other) { other_ = other; }
+    void setOther(SettingsB* other) { other_ = other; }
     /// Sets the time of the last picture, for animated parameters.
-    void setMoment(const MotionMoment& moment) { moment_ = moment; }
-    [[nodiscard]] const MotionMoment& moment() const { return moment_; }
+    void setMoment(const AnimationTime& moment) { moment_ = moment; }
+    [[nodiscard]] const AnimationTime& moment() const { return moment_; }
     /// Sets whether menus of quality parameters offer to show the cost of accuracy.
     void setGaugesShown(bool shown) { gauges_ = shown; }
     [[nodiscard]] bool gaugesShown() const { return gauges_; }
@@ -78,13 +78,13 @@ private:
     void copyAll() const;
     void pasteAll(std::size_t row);
     /// Shows a message about pasted text below the parameter.
-    void tell(std::size_t row, const QString& words);
+    void showProblem(std::size_t row, const QString& words);
 
     History& history_;
     ParameterPanel& panel_;
     PanelChoices& choices_;
-    OtherSettings* other_ = nullptr;
-    MotionMoment moment_;
+    SettingsB* other_ = nullptr;
+    AnimationTime moment_;
     bool gauges_ = false;
     std::map<std::size_t, GroupEdits*> edits_;  ///< By exhibit; each is made when it is first shown.
 };

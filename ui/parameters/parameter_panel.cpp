@@ -96,7 +96,7 @@ void ParameterPanel::showAll()
     if (table_ && table_->hasRowsOf(values().table())) {
         showValues();
     } else if (table_) {
-        rearrange();  // Of the same exhibit: a file gave others.
+        rearrange();  // Another file of the same exhibit has other parameters.
     } else {
         rebuild();
     }
@@ -138,11 +138,11 @@ void ParameterPanel::showValue(std::size_t row)
 {
     const ParameterInfo& info = values().rows()[row];
     const Motion* motion = values().motion(row);
-    rows_[row]->setMotion(motion ? said(describe(info, *motion)) : QString());
+    rows_[row]->setMotion(motion ? translatedText(describe(info, *motion)) : QString());
     rows_[row]->showValue(motion ? valueOf(info, *motion, menus_->moment()) : values().row(row));
 }
 
-void ParameterPanel::showMoment(const MotionMoment& moment)
+void ParameterPanel::showMoment(const AnimationTime& moment)
 {
     menus_->setMoment(moment);
     if (values().motions().empty()) return;
@@ -206,7 +206,7 @@ QString ParameterPanel::titleOf(const PanelGroup& group) const
     case PanelGroup::Kind::pinned: return tr("Pinned");
     case PanelGroup::Kind::table: break;
     }
-    return said(group.title);
+    return translatedText(group.title);
 }
 
 void ParameterPanel::addSection(std::size_t i)
@@ -255,7 +255,7 @@ std::vector<std::size_t> ParameterPanel::groupOf(std::size_t row) const
         if (group.kind == PanelGroup::Kind::table &&
             std::find(group.members.begin(), group.members.end(), row) != group.members.end())
             return group.members;
-    return {row};  // All of its group are shown further up.
+    return {row};  // All parameters of its group are in the essential group.
 }
 
 std::vector<std::size_t> ParameterPanel::inOrder() const

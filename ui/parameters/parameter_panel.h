@@ -55,7 +55,7 @@ public:
     [[nodiscard]] ParameterMenus& menus() const { return *menus_; }
 
     /// Sets the time of the last picture, for animated parameters: their rows show the values at that time.
-    void showMoment(const MotionMoment&);
+    void showMoment(const AnimationTime&);
 
     // The following functions take the index or the name of a parameter of the shown table.
     [[nodiscard]] QString keyOf(std::size_t row) const;
@@ -126,13 +126,13 @@ private:
     ParameterMenus* menus_;
     QWidget* content_ = nullptr;
     std::vector<PanelGroup> groups_;
-    std::vector<ParameterSection*> sections_;  // By group.
-    std::vector<ParameterRow*> rows_;          // By row of the table.
-    std::shared_ptr<const Parameters> table_;  // Whose rows are built; null: none yet.
+    std::vector<ParameterSection*> sections_;  // Sections, in the order of `groups_`.
+    std::vector<ParameterRow*> rows_;          // Rows, by index of the parameter in the table.
+    std::shared_ptr<const Parameters> table_;  // Table of the rows; null: none yet.
     std::size_t exhibit_ = 0;
     QMetaObject::Connection watched_;
     QString name_;
-    std::uint64_t seed_ = 0;  // Of the last variation.
+    std::uint64_t seed_ = 0;  // Seed of the last variation.
 };
 
 }  // namespace vitrine::ui

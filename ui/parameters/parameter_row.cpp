@@ -201,12 +201,12 @@ void IdleMark::paintEvent(QPaintEvent*)
 
 ParameterRow::ParameterRow(const ValueRef& value, QWidget* parent, Label words)
     : QWidget(parent), value_(value), editor_(makeEditor(value, this)),
-      label_(
-          new RowLabel(said(words == Label::whole ? label(value.info()) : labelInGroup(value.info())), editor_, this)),
+      label_(new RowLabel(translatedText(words == Label::whole ? label(value.info()) : labelInGroup(value.info())),
+                          editor_, this)),
       naming_(new QWidget(this)), dot_(new ResetDot(this))
 {
     const ParameterInfo& row = info();
-    const QString name = said(label(row));
+    const QString name = translatedText(label(row));
     growHeight(*this, rowHeight);
     setToolTip(tooltipText(row));
     setAttribute(Qt::WA_Hover);
@@ -250,7 +250,7 @@ ParameterRow::ParameterRow(const ValueRef& value, QWidget* parent, Label words)
 
 void ParameterRow::reset()
 {
-    value_.reset(newGesture(), tr("Reset %1").arg(within(said(label(info())))));
+    value_.reset(newGesture(), tr("Reset %1").arg(midSentence(translatedText(label(info())))));
 }
 
 void ParameterRow::showValue(const Value& value)
@@ -316,7 +316,8 @@ int ParameterRow::widthForLabel(const ParameterInfo& row, const QWidget& panel)
 {
     const int gauge = row.qualityReference ? grown(gaugeWidth, panel) + betweenParts : 0;
     const int naming =
-        panel.fontMetrics().horizontalAdvance(said(row.essential ? label(row) : labelInGroup(row))) + 1 + gauge;
+        panel.fontMetrics().horizontalAdvance(translatedText(row.essential ? label(row) : labelInGroup(row))) + 1 +
+        gauge;
     if (naming <= grown(roomyLabel, panel)) return naming + grown(editorRoom, panel);
     return (std::min(naming, grown(widestLabel, panel)) * 100 + labelShare - 1) / labelShare;
 }

@@ -22,20 +22,20 @@ namespace {
 QHBoxLayout* rowLayout(QWidget* parent)
 {
     auto* layout = new QHBoxLayout(parent);
-    layout->setContentsMargins(6, 0, 0, 0);  // Where a slider's track begins.
+    layout->setContentsMargins(6, 0, 0, 0);  // The track of a slider begins there.
     layout->setSpacing(4);
     return layout;
 }
 
 QString nameOf(const ParameterInfo& row)
 {
-    return said(label(row));
+    return translatedText(label(row));
 }
 
 /// Returns the filters of a file dialog: the parameter's own extensions, and all files.
 QStringList filtersOf(const ParameterInfo& row)
 {
-    const QString patterns = filePatterns(row.endings);
+    const QString patterns = filePatterns(row.extensions);
     const QString all = FileEditor::tr("All files (*)");
     return patterns.isEmpty() ? QStringList{all}
                               : QStringList{FileEditor::tr("%1 (%2)").arg(nameOf(row), patterns), all};
@@ -63,7 +63,7 @@ void ToggleEditor::showValue(const Value& value)
 ChoiceEditor::ChoiceEditor(const ValueRef& value, QWidget* parent)
     : ValueEditor(value, parent), box_(new QComboBox(this))
 {
-    for (const std::string_view name : row().choices) box_->addItem(said(name));
+    for (const std::string_view name : row().choices) box_->addItem(translatedText(name));
     box_->setAccessibleName(nameOf(row()));
     box_->setFocusPolicy(Qt::StrongFocus);
     growHeight(*box_, 22);

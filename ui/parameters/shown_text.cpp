@@ -98,7 +98,7 @@ QString whatItTakes(const ParameterInfo& row)
     case Kind::toggle: return tr("Type on or off.");
     case Kind::choice: {
         QStringList names;
-        for (const std::string_view name : row.choices) names << said(name);
+        for (const std::string_view name : row.choices) names << translatedText(name);
         return tr("Choose one of: %1.").arg(names.join(QStringLiteral(", ")));
     }
     case Kind::color: return tr("#f80, #ff8800, orange and 1, 0.25, 0 (linear red, green, blue) are.");
@@ -119,14 +119,14 @@ QString three(const glm::dvec3& v)
 QString shownText(const ParameterInfo& row, const Value& value)
 {
     if (const auto* x = std::get_if<double>(&value))
-        if (const Word* word = row.wordFor(*x)) return said(word->text);
+        if (const Word* word = row.wordFor(*x)) return translatedText(word->text);
     switch (row.kind) {
     case Kind::real:
         if (row.unit == Unit::hour) return clockText(std::get<double>(value));
         return withUnit(number(std::get<double>(value), row.unit), row.unit);
     case Kind::count: return withUnit(QString::number(std::llround(std::get<double>(value))), row.unit);
     case Kind::toggle: return std::get<double>(value) != 0 ? tr("on") : tr("off");
-    case Kind::choice: return said(row.choices[static_cast<std::size_t>(std::get<double>(value))]);
+    case Kind::choice: return translatedText(row.choices[static_cast<std::size_t>(std::get<double>(value))]);
     case Kind::color:
     case Kind::direction: return three(std::get<glm::dvec3>(value));
     case Kind::file: {
@@ -136,7 +136,7 @@ QString shownText(const ParameterInfo& row, const Value& value)
     case Kind::text: {
         const std::string& written = std::get<std::string>(value);
         if (written.empty()) return tr("none");
-        return row.givesRows ? tr("a text") : text(written);
+        return row.addsParameters ? tr("a text") : text(written);
     }
     }
     return {};
@@ -150,7 +150,7 @@ QString legalRangeText(const ParameterInfo& row)
 
 QString tooltipText(const ParameterInfo& row)
 {
-    QStringList lines{said(label(row)), QString(), said(row.help), QString()};
+    QStringList lines{translatedText(label(row)), QString(), translatedText(row.help), QString()};
     if (row.isNumeric()) {
         lines << tr("Range: %1").arg(legalRangeText(row));
         if (row.range.softLow != row.range.low || row.range.softHigh != row.range.high)
@@ -160,9 +160,9 @@ QString tooltipText(const ParameterInfo& row)
     }
     for (const Word& word : row.words) {
         const bool beyond = word.value < row.range.low || word.value > row.range.high;
-        lines << (beyond ? tr("You can also type “%1”.").arg(said(word.text))
+        lines << (beyond ? tr("You can also type “%1”.").arg(translatedText(word.text))
                          : tr("%1 is shown as “%2”; you can also type that.")
-                               .arg(editedText(row, word.value), said(word.text)));
+                               .arg(editedText(row, word.value), translatedText(word.text)));
     }
     lines << tr("Initial value: %1").arg(shownText(row, row.initial));
     lines << tr("In presets: %1").arg(text(row.name));
@@ -190,7 +190,7 @@ std::optional<Value> typedValue(const ParameterInfo& row, const QString& typed, 
     if (!legal) {
         if (problem)
             *problem = tr("\"%1\" is not a value of “%2”. %3")
-                           .arg(typed.left(80), said(label(row)), whatItTakes(row))
+                           .arg(typed.left(80), translatedText(label(row)), whatItTakes(row))
                            .trimmed();
         return std::nullopt;
     }
@@ -212,11 +212,11 @@ std::optional<ParameterValues> allFromJson(const Parameters& table, const QStrin
     try {
         const Preset read = parsePreset(json.toStdString(), "the clipboard", exhibit.toStdString(), table);
         QStringList notes;
-        for (const std::string& note : read.notes) notes << said(note);
+        for (const std::string& note : read.notes) notes << translatedText(note);
         if (problem) *problem = notes.join(QLatin1Char('\n'));
         return read.values;
     } catch (const Failure& failure) {
-        if (problem) *problem = said(failure.message());
+        if (problem) *problem = translatedText(failure.message());
         return std::nullopt;
     }
 }

@@ -2,8 +2,8 @@
 
 #include "ui/kit/theme.h"
 #include "ui/kit/type_size.h"
+#include "ui/parameters/accessible_number.h"
 #include "ui/parameters/number_drag.h"
-#include "ui/parameters/spoken_row.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -41,15 +41,15 @@ void ValueSlider::showValue(double value)
     const QSignalBlocker quiet(this);
     setValue(static_cast<int>(std::lround(std::clamp(scale_.position(value), 0.0, 1.0) * ticks)));
     update();
-    tellNumber(*this);
+    notifyNumber(*this);
 }
 
-std::optional<SpokenNumber> ValueSlider::spokenNumber() const
+std::optional<AccessibleNumber> ValueSlider::accessibleNumber() const
 {
-    return vitrine::ui::spokenNumber(row_, scale_, value_, row_.range.softLow, row_.range.softHigh);
+    return vitrine::ui::accessibleNumber(row_, scale_, value_, row_.range.softLow, row_.range.softHigh);
 }
 
-void ValueSlider::setSpokenNumber(double value)
+void ValueSlider::setAccessibleNumber(double value)
 {
     edit(storedNumber(row_, value), newGesture());
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/kit/spoken.h"
+#include "ui/kit/accessible_content.h"
 #include "ui/model/history.h"
 #include "ui/parameters/slider_scale.h"
 
@@ -12,7 +12,7 @@ namespace vitrine::ui {
 
 /// Thin horizontal slider over a parameter's comfortable range. A press moves the handle there; Shift drags finer;
 /// arrow keys step.
-class ValueSlider final : public QSlider, public Spoken {
+class ValueSlider final : public QSlider, public AccessibleContent {
     Q_OBJECT
 
 public:
@@ -21,9 +21,9 @@ public:
     /// Shows a value. Not painted again if it is shown already, as when the slider's own edit comes back.
     void showValue(double value);
 
-    [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Slider; }
-    [[nodiscard]] std::optional<SpokenNumber> spokenNumber() const override;
-    void setSpokenNumber(double) override;
+    [[nodiscard]] QAccessible::Role accessibleRole() const override { return QAccessible::Slider; }
+    [[nodiscard]] std::optional<AccessibleNumber> accessibleNumber() const override;
+    void setAccessibleNumber(double) override;
 
 signals:
     void edited(double value, int gesture);

@@ -37,7 +37,7 @@ QString changesText(const ParameterValues& values, const RowChanges& changes)
     QStringList parts;
     for (const auto& [row, value] : changes) {
         const ParameterInfo& info = values.rows()[row];
-        parts << QObject::tr("“%1” to %2").arg(said(label(info)), shownText(info, value));
+        parts << QObject::tr("“%1” to %2").arg(translatedText(label(info)), shownText(info, value));
     }
     return parts.isEmpty() ? QString() : QObject::tr("Set %1").arg(parts.join(QStringLiteral(", ")));
 }

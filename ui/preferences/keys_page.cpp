@@ -25,7 +25,7 @@ KeysPage::KeysPage(KeyBindings& keys, QWidget* parent)
     : QWidget(parent), keys_(keys), words_(new QLineEdit(this)), list_(new QTreeWidget(this)), name_(new QLabel(this)),
       edit_(new QKeySequenceEdit(this)), none_(new QPushButton(tr("None"), this)),
       reset_(new QPushButton(tr("Reset"), this)), resetAll_(new QPushButton(tr("Reset all"), this)),
-      message_(new QLabel(this)), take_(new QPushButton(tr("Take it"), this)),
+      message_(new QLabel(this)), take_(new QPushButton(tr("Reassign it"), this)),
       leave_(new QPushButton(tr("Leave it"), this))
 {
     build();

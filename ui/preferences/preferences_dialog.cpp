@@ -96,7 +96,7 @@ void PreferencesDialog::addPicturePage()
     Choices samples{{PreferenceValues::sampleLimits.initial, tr("As set in the hall")}};
     for (const int most : {64, 32, 16, 8, 4, 2, 1}) samples.emplace_back(most, tr("%n at most", nullptr, most));
     const auto [samplesOf, setSamples] = number(&PreferenceValues::mostSamples);
-    addChoice(lines, tr("Samples at rest"),
+    addChoice(lines, tr("Samples when idle"),
               tr("Largest number of samples per pixel in the window when nothing moves: few finish sooner and leave "
                  "rougher edges. Exports, recordings and prints have their own."),
               samples, samplesOf, setSamples);

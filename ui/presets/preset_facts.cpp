@@ -18,7 +18,7 @@ QString wordsOf(const ParameterInfo& row, const Value& value)
     if (row.kind == Kind::toggle)
         return std::get<double>(value) != 0 ? PresetPreview::tr("on") : PresetPreview::tr("off");
     const QString unit = text(info(row.unit).symbol);
-    const QString shown = said(formatValue(row, value));
+    const QString shown = translatedText(formatValue(row, value));
     return unit.isEmpty() || !row.isNumeric() ? shown : shown + QLatin1Char(' ') + unit;
 }
 
@@ -43,9 +43,9 @@ PresetFacts presetFacts(const PresetStore& store, const std::filesystem::path& p
         const auto& rows = preset.values.rows();
         for (std::size_t i = 0; i < rows.size(); ++i) {
             if (preset.values.motion(i))
-                facts.differences << PresetPreview::tr("%1 moves").arg(said(label(rows[i])));
+                facts.differences << PresetPreview::tr("%1 moves").arg(translatedText(label(rows[i])));
             else if (!preset.values.isInitial(i))
-                facts.differences << PresetPreview::tr("%1: %2").arg(said(label(rows[i])),
+                facts.differences << PresetPreview::tr("%1: %2").arg(translatedText(label(rows[i])),
                                                                      wordsOf(rows[i], preset.values.row(i)));
         }
         // Values of parameters that a file will add to the table.

@@ -31,7 +31,7 @@ namespace vitrine::ui {
 /// stay English.
 [[nodiscard]] inline QString presetName(const std::string& name, bool shipped)
 {
-    return shipped ? said(name) : words(name);
+    return shipped ? translatedText(name) : words(name);
 }
 
 /// Returns the displayed tags of a preset, likewise translated.

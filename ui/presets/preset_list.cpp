@@ -1,7 +1,7 @@
 #include "ui/presets/preset_list.h"
 
+#include "ui/kit/flat_style.h"
 #include "ui/kit/idle_undo.h"
-#include "ui/kit/quiet_style.h"
 #include "ui/kit/tab_order.h"
 #include "ui/kit/tile_delegate.h"
 #include "ui/kit/type_size.h"
@@ -118,7 +118,7 @@ void PresetList::setActions(QAction* save, QAction* saveAs, const QList<QAction*
     more->setPopupMode(QToolButton::InstantPopup);
     more->setFocusPolicy(Qt::StrongFocus);
     growSize(*more, 28, 26);
-    more->setProperty(QuietStyle::hidesMenuArrow, true);
+    more->setProperty(FlatStyle::hidesMenuArrow, true);
     auto* drop = new QMenu(more);
     drop->addAction(saveAs);
     drop->addActions(menu);

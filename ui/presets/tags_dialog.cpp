@@ -23,7 +23,7 @@ QString joined(const QStringList& tags)
 }  // namespace
 
 TagsDialog::TagsDialog(const QString& preset, const QStringList& tags, const QStringList& inUse, QWidget* parent)
-    : QuietDialog(tr("Tags of %1").arg(preset), tr("Save"), parent), text_(new QLineEdit(joined(tags), this)),
+    : InlineDialog(tr("Tags of %1").arg(preset), tr("Save"), parent), text_(new QLineEdit(joined(tags), this)),
       why_(new QLabel(this)), chips_(new TagChips(this))
 {
     text_->setAccessibleName(tr("Tags, separated by commas"));

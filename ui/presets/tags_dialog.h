@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/kit/quiet_dialog.h"
+#include "ui/kit/inline_dialog.h"
 
 #include <QStringList>
 
@@ -12,7 +12,7 @@ namespace vitrine::ui {
 class TagChips;
 
 /// Dialog for the tags of a preset: typed with commas between them, or picked from those in use.
-class TagsDialog final : public QuietDialog {
+class TagsDialog final : public InlineDialog {
     Q_OBJECT
 
 public:

@@ -57,7 +57,7 @@ void EyesPreview::look(double angle, double angleAlong)
 {
     angle_ = std::clamp(angle, -steepest, steepest);
     angleAlong_ = std::clamp(angleAlong, -steepest, steepest);
-    tellNumber(*this);
+    notifyNumber(*this);
     fetch(true);
     settle_.start();
 }
@@ -105,17 +105,17 @@ QString EyesPreview::standpoint() const
         .arg(side(angle_, tr("right"), tr("left")), side(angleAlong_, tr("above"), tr("below")), from);
 }
 
-QString EyesPreview::spokenText() const
+QString EyesPreview::accessibleText() const
 {
     return preview_ ? QString() : tr("Nothing to look at yet");
 }
 
-std::optional<SpokenNumber> EyesPreview::spokenNumber() const
+std::optional<AccessibleNumber> EyesPreview::accessibleNumber() const
 {
-    return SpokenNumber{angle_ / degree, -steepest / degree, steepest / degree, 1, standpoint()};
+    return AccessibleNumber{angle_ / degree, -steepest / degree, steepest / degree, 1, standpoint()};
 }
 
-void EyesPreview::setSpokenNumber(double degrees)
+void EyesPreview::setAccessibleNumber(double degrees)
 {
     look(degrees * degree, angleAlong_);
 }

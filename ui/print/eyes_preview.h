@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exhibits/printing/print_preview.h"
-#include "ui/kit/spoken.h"
+#include "ui/kit/accessible_content.h"
 #include "ui/print/newest_job.h"
 
 #include <QImage>
@@ -14,7 +14,7 @@ namespace vitrine::ui {
 
 /// Preview of the card for the left and the right eye, 65 mm apart at the viewing distance. Dragging sideways turns it,
 /// dragging up and down tilts it. Arrow keys do the same by degrees, Home looks straight on.
-class EyesPreview final : public QWidget, public Spoken {
+class EyesPreview final : public QWidget, public AccessibleContent {
     Q_OBJECT
 
 public:
@@ -31,11 +31,11 @@ public:
     /// Returns the angle of the last pictures.
     [[nodiscard]] double shownAngle() const { return shownAngle_; }
 
-    [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Slider; }
-    [[nodiscard]] QString spokenText() const override;
+    [[nodiscard]] QAccessible::Role accessibleRole() const override { return QAccessible::Slider; }
+    [[nodiscard]] QString accessibleText() const override;
     /// Returns the direction of view in degrees to the right.
-    [[nodiscard]] std::optional<SpokenNumber> spokenNumber() const override;
-    void setSpokenNumber(double degrees) override;
+    [[nodiscard]] std::optional<AccessibleNumber> accessibleNumber() const override;
+    void setAccessibleNumber(double degrees) override;
 
 protected:
     void paintEvent(QPaintEvent*) override;

@@ -252,7 +252,7 @@ bool PrintDialog::trySaying(const std::function<void()>& work)
         messages_->setProblems(QStringLiteral("settings"), {});
         return true;
     } catch (const std::exception& failure) {
-        messages_->setProblems(QStringLiteral("settings"), {said(failure.what())});
+        messages_->setProblems(QStringLiteral("settings"), {translatedText(failure.what())});
         return false;
     }
 }
@@ -372,7 +372,7 @@ void PrintDialog::loadPrint(const std::string& path)
     std::vector<std::string> doubts;
     for (const QString& note : setup_.load(printing::settingsIn(path, &doubts), path))
         say(MessageStrip::Mood::notice, note);
-    for (const std::string& doubt : doubts) say(MessageStrip::Mood::problem, said(doubt));
+    for (const std::string& doubt : doubts) say(MessageStrip::Mood::problem, translatedText(doubt));
 }
 
 void PrintDialog::saveSettings(const QString& path)

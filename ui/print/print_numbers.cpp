@@ -58,7 +58,7 @@ void CrosstalkBars::showShares(std::vector<double> ownShare)
     update();
 }
 
-QString CrosstalkBars::spokenText() const
+QString CrosstalkBars::accessibleText() const
 {
     QStringList views;
     for (std::size_t i = 0; i < own_.size(); ++i)
@@ -218,10 +218,10 @@ void PrintNumbersView::showPlan(const printing::PrintPlan& plan, const std::opti
     bars_->showShares(plan.numbers.ownShare);
     const bool possible = plan.layout.has_value();
     QStringList lines;
-    if (!possible) lines << said(plan.refusal);
-    for (const std::string& warning : plan.warnings) lines << said(warning);
+    if (!possible) lines << translatedText(plan.refusal);
+    for (const std::string& warning : plan.warnings) lines << translatedText(warning);
     if (possible && depth)
-        for (const std::string& warning : depth->warnings) lines << said(warning);
+        for (const std::string& warning : depth->warnings) lines << translatedText(warning);
     fitting_ = depth ? depth->strengthThatHolds : 1;
     fit_->setVisible(possible && depth &&
                      (depth->scene.nearest < depth->held.nearest || depth->scene.farthest > depth->held.farthest));

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exhibits/printing/print_plan.h"
-#include "ui/kit/spoken.h"
+#include "ui/kit/accessible_content.h"
 
 #include <QWidget>
 
@@ -15,15 +15,15 @@ class QPushButton;
 namespace vitrine::ui {
 
 /// Bar chart of crosstalk: for each view, the share of other views at its own angle.
-class CrosstalkBars final : public QWidget, public Spoken {
+class CrosstalkBars final : public QWidget, public AccessibleContent {
     Q_OBJECT
 
 public:
     explicit CrosstalkBars(QWidget* parent);
     void showShares(std::vector<double> ownShare);
 
-    [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Chart; }
-    [[nodiscard]] QString spokenText() const override;
+    [[nodiscard]] QAccessible::Role accessibleRole() const override { return QAccessible::Chart; }
+    [[nodiscard]] QString accessibleText() const override;
 
 protected:
     void paintEvent(QPaintEvent*) override;

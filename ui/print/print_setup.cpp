@@ -96,7 +96,7 @@ QStringList PrintSetup::load(const std::string& text, const std::string& fileNam
     for (const std::string& file : settings.files) loaded.files << QString::fromStdString(file);
     change(tr("Load settings"), std::move(loaded));
     QStringList notes;
-    for (const std::string& note : settings.notes) notes << said(note);
+    for (const std::string& note : settings.notes) notes << translatedText(note);
     return notes;
 }
 

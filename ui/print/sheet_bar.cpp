@@ -82,7 +82,7 @@ void SheetBar::change(const std::function<void()>& work)
     try {
         work();
     } catch (const std::exception& failure) {
-        emit failed(said(failure.what()));
+        emit failed(translatedText(failure.what()));
     }
     showSheets();
 }
@@ -130,7 +130,7 @@ void SheetBar::showSheets()
     count_ = sheets.size();
     list_->setCurrentIndex(static_cast<int>(index));
     remove_->setEnabled(at != sheets.end() && index >= printing::knownSheets().size());
-    if (!problem.empty()) emit failed(said(problem));
+    if (!problem.empty()) emit failed(translatedText(problem));
 }
 
 QString SheetBar::current() const

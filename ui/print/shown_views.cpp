@@ -47,8 +47,8 @@ void ShownViews::start(const ParameterValues& values, bool draft)
     work->views = views_;
     elapsed_.start();
     task_ = window_.viewport().renderThread().start(
-        [this, work, &renderers = window_.renderers()](const RenderThread::Tell& tell) {
-            return step(renderers, *work, tell, *this);
+        [this, work, &renderers = window_.renderers()](const RenderThread::Notify& notify) {
+            return step(renderers, *work, notify, *this);
         },
         [this](const QString& failure) { end(failure); });
 }
@@ -59,18 +59,18 @@ void ShownViews::stop()
     views_.reset();
 }
 
-bool ShownViews::step(Renderers& renderers, Work& work, const RenderThread::Tell& tell, ShownViews& told)
+bool ShownViews::step(Renderers& renderers, Work& work, const RenderThread::Notify& notify, ShownViews& told)
 {
     const printing::ViewShot& shot = work.pictures[work.next];
     if (!work.job.renderer)
         work.job = renderers.makePicture(shot.sceneState, shot.request);
     else if (!work.job.maker)
         renderers.nextPicture(work.job, shot.sceneState, shot.request);
-    if (!work.job.maker) throw Failure(Blame::openGl, "No views can be rendered: there is no graphics context.");
+    if (!work.job.maker) throw Failure(ErrorKind::openGl, "No views can be rendered: there is no graphics context.");
     work.job.maker->step();
     if (work.job.maker->finished()) {
         if (work.next == 0)
-            tell([&told, picture = work.job.maker->picture()] {
+            notify([&told, picture = work.job.maker->picture()] {
                 told.depth_ = printing::sceneDepth(*told.values_, told.sceneState_, picture);
             });
         else
@@ -82,7 +82,7 @@ bool ShownViews::step(Renderers& renderers, Work& work, const RenderThread::Tell
         work.told.start();
         const double part = (static_cast<double>(work.next) + (work.job.maker ? work.job.maker->progress() : 0)) /
                             static_cast<double>(work.pictures.size());
-        tell([&told, part] { told.note(part); });
+        notify([&told, part] { told.note(part); });
     }
     if (work.next < work.pictures.size()) return true;
     work.job = {};

@@ -44,8 +44,8 @@ private:
         QElapsedTimer told;
     };
     /// Renders one sample of a tile. Returns whether more is to be done. Runs on the render thread; functions given to
-    /// `Tell` run in the window's.
-    static bool step(Renderers&, Work&, const RenderThread::Tell&, ShownViews& told);
+    /// `Notify` run in the window's.
+    static bool step(Renderers&, Work&, const RenderThread::Notify&, ShownViews& told);
     void note(double part);
     void end(const QString& failure);
 

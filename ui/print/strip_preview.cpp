@@ -59,7 +59,7 @@ void StripPreview::setZoom(double zoom)
 {
     zoom_ = std::clamp(zoom, leastZoom, mostZoom);
     fetch();
-    tellNumber(*this);
+    notifyNumber(*this);
 }
 
 QString StripPreview::scaleText() const
@@ -68,7 +68,7 @@ QString StripPreview::scaleText() const
                       : tr("%1 dots : 1 px").arg(numberLocale().toString(1 / zoom_, 'g', 3));
 }
 
-QString StripPreview::spokenText() const
+QString StripPreview::accessibleText() const
 {
     if (!preview_) return tr("Nothing to print yet");
     return tr("%1 × %2 dots, seen around the one at %3, %4.")
@@ -78,9 +78,9 @@ QString StripPreview::spokenText() const
         .arg(std::llround(middle_.y()));
 }
 
-std::optional<SpokenNumber> StripPreview::spokenNumber() const
+std::optional<AccessibleNumber> StripPreview::accessibleNumber() const
 {
-    return SpokenNumber{zoom_, leastZoom, mostZoom, 0.25 * zoom_, scaleText()};
+    return AccessibleNumber{zoom_, leastZoom, mostZoom, 0.25 * zoom_, scaleText()};
 }
 
 QPointF StripPreview::toScreen(double x, double y) const

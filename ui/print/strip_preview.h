@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exhibits/printing/print_preview.h"
-#include "ui/kit/spoken.h"
+#include "ui/kit/accessible_content.h"
 #include "ui/print/newest_job.h"
 
 #include <QImage>
@@ -11,7 +11,7 @@ namespace vitrine::ui {
 
 /// Preview of the printed raster, enlarged so that its strips are visible, with the edges of the lenses over it. The
 /// wheel zooms about the pointer, dragging moves. The keys +, -, arrows and Home do the same.
-class StripPreview final : public QWidget, public Spoken {
+class StripPreview final : public QWidget, public AccessibleContent {
     Q_OBJECT
 
 public:
@@ -24,11 +24,11 @@ public:
     /// Returns the visible part of the raster; null until it is made.
     [[nodiscard]] const QImage& image() const { return image_; }
 
-    [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Slider; }
-    [[nodiscard]] QString spokenText() const override;
+    [[nodiscard]] QAccessible::Role accessibleRole() const override { return QAccessible::Slider; }
+    [[nodiscard]] QString accessibleText() const override;
     /// Returns the zoom.
-    [[nodiscard]] std::optional<SpokenNumber> spokenNumber() const override;
-    void setSpokenNumber(double zoom) override { setZoom(zoom); }
+    [[nodiscard]] std::optional<AccessibleNumber> accessibleNumber() const override;
+    void setAccessibleNumber(double zoom) override { setZoom(zoom); }
 
 protected:
     void paintEvent(QPaintEvent*) override;

@@ -61,7 +61,7 @@ private:
     std::optional<printing::SceneDepth> depth_;
     bool draft_ = false;   ///< The views are small drafts.
     bool full_ = false;    ///< The rendering that runs is for the print.
-    bool wanted_ = false;  ///< To be rendered as soon as the print is possible.
+    bool wanted_ = false;  ///< Whether to render the views as soon as the print is possible.
     bool possible_ = false;
 
     ShownViews* shown_;

@@ -43,7 +43,8 @@ void Bookmarks::read()
 
 void Bookmarks::change(const std::function<void()>& edit)
 {
-    constexpr int longestWait = 5000;  // Milliseconds. Whoever holds it so long is not writing nine bookmarks.
+    constexpr int longestWait =
+        5000;  // In milliseconds. A lock held for longer is stale: nine bookmarks are written in far less.
     std::error_code ignored;
     std::filesystem::create_directories(file_.parent_path(), ignored);
     QLockFile lock(QString::fromStdString(file_.string() + ".lock"));

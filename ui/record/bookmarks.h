@@ -29,7 +29,7 @@ public:
     void set(int number);
     /// Glides to a bookmark; shows a message if it is not set.
     void go(int number);
-    /// Sets the first bookmark that is not set to the current view; shows a message if all are.
+    /// Stores the current view as the first free bookmark; shows a message if there is none.
     void add();
     void forget(int number);
     void forgetAll();
@@ -56,7 +56,7 @@ private:
 
     Workbench& window_;
     std::filesystem::path file_;
-    bool broken_ = false;  ///< What is in the file could not be read, and is left as it is.
+    bool broken_ = false;  ///< The file could not be read, and is not overwritten.
     std::array<std::optional<Bookmark>, most> places_;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/kit/spoken.h"
+#include "ui/kit/accessible_content.h"
 
 #include <QWidget>
 
@@ -10,7 +10,7 @@ namespace vitrine::ui {
 
 /// Bar graph of the last frames' milliseconds, the newest on the right. It is as high as the highest bar, at least 16.7
 /// ms, where it has a line. The tooltip gives the shortest, median and longest time.
-class FrameGraph final : public QWidget, public Spoken {
+class FrameGraph final : public QWidget, public AccessibleContent {
     Q_OBJECT
 
 public:
@@ -19,7 +19,7 @@ public:
     void add(double milliseconds);
     /// Returns a summary: "60 frames: 12.0 to 80.5 ms, half of them up to 14.1 ms".
     [[nodiscard]] QString summary() const;
-    [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Chart; }
+    [[nodiscard]] QAccessible::Role accessibleRole() const override { return QAccessible::Chart; }
 
     [[nodiscard]] QSize sizeHint() const override { return {2 * most, 18}; }
 

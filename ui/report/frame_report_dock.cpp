@@ -48,7 +48,7 @@ void FrameReportDock::note(const render::FrameReport& report)
     view_->note(report);
     milliseconds_ = report.milliseconds;
     ran_ = report.ran.size();
-    clock_ = said(report.clock);
+    clock_ = translatedText(report.clock);
     saved_ = 0;
     for (const render::CulledPass& step : report.skipped) saved_ += std::max(view_->costs().of(step.name), 0.0);
     if (!timer_.isActive()) timer_.start();

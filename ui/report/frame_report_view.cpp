@@ -24,7 +24,7 @@ QString millisecondsText(double ms)
 FrameReportView::FrameReportView(QWidget* parent) : QTreeWidget(parent)
 {
     setAccessibleName(tr("Frame report"));
-    setHeaderLabels({tr("Step"), tr("Work"), tr("ms"), tr("Saved"), tr("Why"), tr("B, ms")});
+    setHeaderLabels({tr("Step"), tr("Kind of work"), tr("ms"), tr("Saved"), tr("Why"), tr("B, ms")});
     headerItem()->setToolTip(
         saved, tr("Milliseconds that a skipped pass took when it last ran. “Run everything” measures all of them."));
     headerItem()->setToolTip(other, tr("Milliseconds of the same pass with settings B, in a complete frame that reuses "
@@ -93,7 +93,7 @@ std::vector<FrameReportView::Line> FrameReportView::lines() const
     std::vector<Line> all;
     const auto add = [&](const std::string& name, render::Work kind, const QString& ms, const QString& notSpent,
                          const std::string& why, bool ran) {
-        all.push_back({name, said(render::toString(kind)), ms, {}, notSpent, said(why), ran});
+        all.push_back({name, translatedText(render::toString(kind)), ms, {}, notSpent, translatedText(why), ran});
     };
     for (const render::StepReport& s : report_.ran) {
         add(s.name, s.work, millisecondsText(s.milliseconds), {},
@@ -125,11 +125,11 @@ void FrameReportView::addOther(std::vector<Line>& all) const
                                         [&](const Line& l) { return l.name == cost.name && l.other.isEmpty(); });
         if (cost.a.state == PassSide::State::absent || found == all.end())
             all.push_back({cost.name,
-                           said(render::toString(cost.work)),
+                           translatedText(render::toString(cost.work)),
                            QStringLiteral("–"),
                            textOf(cost.b),
                            {},
-                           tr("only B: %1").arg(said(cost.b.why)),
+                           tr("only B: %1").arg(translatedText(cost.b.why)),
                            cost.b.state == PassSide::State::ran});
         else
             found->other = textOf(cost.b);

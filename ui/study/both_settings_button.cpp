@@ -3,20 +3,20 @@
 #include "exhibits/study/kept_study.h"
 #include "render/failure.h"
 #include "ui/kit/message_of.h"
-#include "ui/model/other_settings.h"
+#include "ui/model/settings_b.h"
 #include "ui/study/comparison_dialog.h"
 #include "ui/study/study_dock.h"
 #include "ui/study/study_view.h"
 
 namespace vitrine::ui {
 
-BothSettingsButton::BothSettingsButton(StudyDock& dock, const OtherSettings& other, QWidget* parent)
+BothSettingsButton::BothSettingsButton(StudyDock& dock, const SettingsB& other, QWidget* parent)
     : QPushButton(tr("Measure A and B"), parent), dock_(dock), other_(other)
 {
     setToolTip(tr("Measures with the present settings, A, and then with the settings B of the comparison. Both curves "
                   "are shown in one chart."));
     setVisible(other.held());
-    connect(&other, &OtherSettings::changed, this, [this] { setVisible(other_.held()); });
+    connect(&other, &SettingsB::changed, this, [this] { setVisible(other_.held()); });
     connect(this, &QPushButton::clicked, this, &BothSettingsButton::begin);
     connect(&dock, &StudyDock::finished, this, &BothSettingsButton::goOn);
     connect(&dock, &StudyDock::stopped, this, [this] { b_.reset(); });

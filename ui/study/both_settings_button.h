@@ -9,7 +9,7 @@
 
 namespace vitrine::ui {
 
-class OtherSettings;
+class SettingsB;
 class StudyDock;
 
 /// Button that measures the same study with settings A, then with settings B, and opens both curves in one chart.
@@ -19,7 +19,7 @@ class BothSettingsButton final : public QPushButton {
 
 public:
     /// Dock and settings must outlive the button.
-    BothSettingsButton(StudyDock&, const OtherSettings&, QWidget* parent);
+    BothSettingsButton(StudyDock&, const SettingsB&, QWidget* parent);
 
 private:
     void begin();
@@ -27,7 +27,7 @@ private:
     void showBoth(const render::Json& b);
 
     StudyDock& dock_;
-    const OtherSettings& other_;
+    const SettingsB& other_;
     std::optional<SceneState> b_;  ///< Settings B that remain to be measured, or are being measured.
     QString nameOfB_;
     std::optional<render::Json> a_;  ///< Study with settings A, once it is complete.

@@ -93,7 +93,7 @@ void ComparisonChart::addCurve(std::size_t index)
 QString comparedCostTitle(const std::string& cost)
 {
     return cost == "ms" ? ComparisonChart::tr("milliseconds of a picture")
-                        : ComparisonChart::tr("%1 per pixel").arg(said(costTitle(cost)));
+                        : ComparisonChart::tr("%1 per pixel").arg(translatedText(costTitle(cost)));
 }
 
 QString timesDifferText(TimesDiffer why)

@@ -130,7 +130,7 @@ QString KeptStudies::titleOf(const KeptStudy& study) const
     for (const auto& subject : subjects_)
         if (subject->name() == study.exhibit) exhibit = text(subject->title());
     return study.parameters.size() > 2 ? tr("%1: all parameters").arg(exhibit)
-                                       : tr("%1: %2").arg(exhibit, said(study.parameterNames()));
+                                       : tr("%1: %2").arg(exhibit, translatedText(study.parameterNames()));
 }
 
 QListWidgetItem* KeptStudies::itemFor(const StudyEntry& entry) const
@@ -151,7 +151,7 @@ QListWidgetItem* KeptStudies::itemFor(const StudyEntry& entry) const
     facts.removeAll(QString());
     item->setData(TwoLineDelegate::secondLine, facts.join(QStringLiteral(" · ")));
     QStringList lines{titleOf(study), tr("Exhibit: %1").arg(words(study.exhibit)),
-                      tr("Parameters: %1").arg(said(study.parameterNames())), facts.join(QStringLiteral(" · ")),
+                      tr("Parameters: %1").arg(translatedText(study.parameterNames())), facts.join(QStringLiteral(" · ")),
                       tr("%1 × %2 pixels, clock: %3").arg(study.size.x).arg(study.size.y).arg(words(study.clock))};
     item->setToolTip(lines.join(QLatin1Char('\n')));
     item->setData(Qt::AccessibleTextRole, titleOf(study) + QStringLiteral(", ") + facts.join(QStringLiteral(", ")));
@@ -378,7 +378,8 @@ QByteArray KeptStudies::exported(const QString& suffix) const
     } else {
         const std::vector<std::string> costs = sharedCosts(studies);
         if (costs.empty())
-            throw Failure(Blame::check, "These studies share no count of work, so no chart can show them together.");
+            throw Failure(ErrorKind::check,
+                          "These studies share no count of work, so no chart can show them together.");
         auto several = std::make_unique<ComparisonChart>();
         several->setComparison(compareStudies(studies, labelsOf(studies), costs.front()));
         chart = std::move(several);

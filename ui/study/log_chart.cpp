@@ -36,7 +36,7 @@ QString inLines(const QString& text, const QFontMetrics& metrics, int width)
 }  // namespace
 
 LogChart::LogChart(QWidget* parent)
-    : SpokenPlot(parent), headingLine_(new QCPTextElement(this)), detailsLine_(new QCPTextElement(this))
+    : AccessiblePlot(parent), headingLine_(new QCPTextElement(this)), detailsLine_(new QCPTextElement(this))
 {
     for (QCPAxis* axis : {xAxis, yAxis}) {
         axis->setScaleType(QCPAxis::stLogarithmic);
@@ -338,7 +338,7 @@ QByteArray LogChart::svg(QSize size)
 
 void LogChart::resizeEvent(QResizeEvent* event)
 {
-    SpokenPlot::resizeEvent(event);
+    AccessiblePlot::resizeEvent(event);
     layOutFor(size());
 }
 
@@ -371,7 +371,7 @@ void LogChart::arrange()
 
 void LogChart::changeEvent(QEvent* event)
 {
-    SpokenPlot::changeEvent(event);
+    AccessiblePlot::changeEvent(event);
     if (event->type() == QEvent::PaletteChange) applyColors();
     if (event->type() == QEvent::FontChange) {
         applyType();

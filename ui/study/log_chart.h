@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/kit/spoken_plot.h"
+#include "ui/kit/accessible_plot.h"
 
 #include <functional>
 #include <optional>
@@ -19,7 +19,7 @@ struct ChartSpan {
 };
 
 /// Chart of error over cost, both logarithmic. Errors of 0 are on a line of their own at the bottom, "exact".
-class LogChart : public SpokenPlot {
+class LogChart : public AccessiblePlot {
     Q_OBJECT
 
 public:

@@ -376,9 +376,10 @@ void StudyChart::leaveEvent(QEvent* event)
 
 QString settingWords(const std::vector<SettingPart>& parts)
 {
-    if (parts.empty()) return said(settingText(parts));
+    if (parts.empty()) return translatedText(settingText(parts));
     QStringList all;
-    for (const SettingPart& part : parts) all << said(part.label) + QLatin1Char(' ') + said(part.value);
+    for (const SettingPart& part : parts)
+        all << translatedText(part.label) + QLatin1Char(' ') + translatedText(part.value);
     return all.join(QStringLiteral(", "));
 }
 
@@ -390,7 +391,7 @@ QString axisTitle(const StudyCosts& costs, bool clockTrusted)
         return clockTrusted ? StudyChart::tr("milliseconds of a picture")
                             : StudyChart::tr("milliseconds of a picture, by a clock that is not trusted");
     return costs.name.empty() ? StudyChart::tr("counted work")
-                              : StudyChart::tr("%1 in all views").arg(said(costTitle(costs.name)));
+                              : StudyChart::tr("%1 in all views").arg(translatedText(costTitle(costs.name)));
 }
 
 void setCost(ChartPoint& point, const StudyCosts& costs, std::size_t i)
@@ -408,16 +409,16 @@ void setCost(ChartPoint& point, const StudyCosts& costs, std::size_t i)
 QString pointWords(const std::vector<SettingPart>& parts, std::size_t parameters)
 {
     if (parameters > 2) return {};
-    return parameters == 1 && !parts.empty() ? said(parts.front().value) : settingWords(parts);
+    return parameters == 1 && !parts.empty() ? translatedText(parts.front().value) : settingWords(parts);
 }
 
 ChartedStudy chartedBy(const StudyCosts& costs, render::Metric metric, bool clockTrusted)
 {
     ChartedStudy study;
     study.costTitle = axisTitle(costs, clockTrusted);
-    study.errorTitle = said(title(metric));
+    study.errorTitle = translatedText(title(metric));
     study.parameters = costs.parameters;
-    study.law = said(lawSentence(costs));
+    study.law = translatedText(lawSentence(costs));
     return study;
 }
 
@@ -426,8 +427,8 @@ QString headingOf(Subjects subjects, const StudyRequest& request)
 {
     QStringList labels;
     for (const StudyAxis& axis : request.axes)
-        labels << said(axisLabel(subjects, request.sceneState, request.subject, axis));
-    return said(subjects[request.subject]->title()) + QStringLiteral(": ") +
+        labels << translatedText(axisLabel(subjects, request.sceneState, request.subject, axis));
+    return translatedText(subjects[request.subject]->title()) + QStringLiteral(": ") +
            (labels.size() > 2 ? StudyChart::tr("all parameters") : labels.join(QStringLiteral(", ")));
 }
 
@@ -436,7 +437,7 @@ QString conditions(std::size_t views, glm::ivec2 size, bool alone, const std::st
     QStringList all{
         StudyChart::tr("%n view(s) of %1 × %2 pixels", nullptr, static_cast<int>(views)).arg(size.x).arg(size.y)};
     if (alone) all << StudyChart::tr("without the hall");
-    if (!clock.empty()) all << StudyChart::tr("clock: %1").arg(said(clock));
+    if (!clock.empty()) all << StudyChart::tr("clock: %1").arg(translatedText(clock));
     return all.join(QStringLiteral(" · "));
 }
 

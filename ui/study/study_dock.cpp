@@ -189,7 +189,7 @@ void StudyDock::setSubject(std::size_t exhibit)
     for (const ParameterInfo& row : table_->rows()) {
         if (!row.qualityReference) continue;
         names.emplace_back(row.name);
-        parameter_->addItem(said(label(row)), text(row.name));
+        parameter_->addItem(translatedText(label(row)), text(row.name));
     }
     settings_->setOffers({{"parameters", names}});
     showVaried();
@@ -202,7 +202,7 @@ void StudyDock::vary(const QString& parameters)
     const StudyTable& t = studyTable();
     ParameterValues values = setup_.values();
     values.set(t.varied, parameters.toStdString());
-    values.set(t.values, std::string());  // Those of another parameter.
+    values.set(t.values, std::string());  // The old values belong to another parameter.
     if (!(values == setup_.values())) setup_.change(tr("What to measure"), values);
     showVaried();
 }
@@ -219,7 +219,7 @@ void StudyDock::ask(std::size_t exhibit, std::size_t row)
     measurePresent();
 }
 
-void StudyDock::offerBoth(const OtherSettings& other)
+void StudyDock::offerBoth(const SettingsB& other)
 {
     measuring_->insertWidget(2, new BothSettingsButton(*this, other, this));
 }
@@ -263,20 +263,22 @@ struct StudyDock::Work {
     QElapsedTimer shown;
 };
 
-bool StudyDock::step(Work& work, const RenderThread::Tell& tell, const std::function<void(std::shared_ptr<News>)>& take)
+bool StudyDock::step(Work& work, const RenderThread::Notify& notify,
+                     const std::function<void(std::shared_ptr<Progress>)>& take)
 {
     if (!work.job.study) {
         work.job = work.renderers.makeStudy(work.request);
         work.shown.start();
-        if (!work.job.study) throw Failure(Blame::openGl, "Nothing can be measured: there is no graphics context.");
+        if (!work.job.study) throw Failure(ErrorKind::openGl, "Nothing can be measured: there is no graphics context.");
     }
     Study& study = *work.job.study;
     study.step();
     const bool done = study.finished();
     if (done || work.shown.elapsed() >= refreshTime) {
-        auto news = std::make_shared<News>(News{done ? study.takeResult() : study.result(),
+        auto progress =
+            std::make_shared<Progress>(Progress{done ? study.takeResult() : study.result(),
                                                 done ? 1.0 : study.progress(), study.doing(), work.job.machine});
-        tell([take, news = std::move(news)] { take(news); });
+        notify([take, progress = std::move(progress)] { take(progress); });
         work.shown.start();
     }
     if (done) {
@@ -298,23 +300,24 @@ void StudyDock::start(StudyRequest request)
     progress_->show();
     elapsed_.start();
     doing_->setText(tr("Starting"));
-    const auto take = [this](const std::shared_ptr<News>& news) { this->take(std::move(*news)); };
-    task_ = thread_.start([work, take](const RenderThread::Tell& tell) { return step(*work, tell, take); },
+    const auto take = [this](const std::shared_ptr<Progress>& progress) { this->take(std::move(*progress)); };
+    task_ = thread_.start([work, take](const RenderThread::Notify& notify) { return step(*work, notify, take); },
                           [this](const QString& failure) { end(failure); });
 }
 
-void StudyDock::take(News news)
+void StudyDock::take(Progress progress)
 {
-    const bool done = news.progress >= 1;
+    const bool done = progress.progress >= 1;
     // The earlier result stays until the new one has a point.
     const bool isNew =
-        !showsRunning_ && (done || std::any_of(news.result.points.begin(), news.result.points.end(), isDrawn));
+        !showsRunning_ && (done || std::any_of(progress.result.points.begin(), progress.result.points.end(), isDrawn));
     showsRunning_ = showsRunning_ || isNew;
-    progress_->setValue(static_cast<int>(100 * news.progress));
-    const double left = secondsLeft(news.progress, elapsed_);
-    doing_->setText(said(news.doing) + (left >= 0 && !done ? QStringLiteral(", ") + timeLeft(left) : QString()));
+    progress_->setValue(static_cast<int>(100 * progress.progress));
+    const double left = secondsLeft(progress.progress, elapsed_);
+    doing_->setText(translatedText(progress.doing) +
+                    (left >= 0 && !done ? QStringLiteral(", ") + timeLeft(left) : QString()));
     if (!showsRunning_) return;
-    shown_->showMeasured(running_, std::move(news.result), news.machine, isNew);
+    shown_->showMeasured(running_, std::move(progress.result), progress.machine, isNew);
 }
 
 void StudyDock::end(const QString& failure)

@@ -23,7 +23,7 @@ class QToolButton;
 namespace vitrine::ui {
 
 class KeptStudies;
-class OtherSettings;
+class SettingsB;
 class ParameterPanel;
 class StudyChart;
 class StudyFinder;
@@ -49,7 +49,7 @@ public:
     void measurePresent();
     void measureWith(const SceneState&);
     /// Adds a button that measures with these settings, too. They must outlive the dock.
-    void offerBoth(const OtherSettings&);
+    void offerBoth(const SettingsB&);
     /// Stops the running study. Its results stay visible, and are kept if three or more settings were measured.
     void stop();
     [[nodiscard]] bool running() const { return isRunning_; }
@@ -84,7 +84,7 @@ private:
     void endRun();
     void start(StudyRequest);
     /// Intermediate result of the running study.
-    struct News {
+    struct Progress {
         StudyResult result;
         double progress = 0;
         std::string doing;
@@ -92,8 +92,8 @@ private:
     };
     /// Performs one step of the study on the render thread, and passes on intermediate results.
     struct Work;
-    static bool step(Work&, const RenderThread::Tell&, const std::function<void(std::shared_ptr<News>)>& take);
-    void take(News);
+    static bool step(Work&, const RenderThread::Notify&, const std::function<void(std::shared_ptr<Progress>)>& take);
+    void take(Progress);
     void end(const QString& failure);
     void showIdle();
     void keepMeasured();

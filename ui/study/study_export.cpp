@@ -54,7 +54,7 @@ QString askAndSaveStudy(QWidget* parent, const std::function<QByteArray(const QS
         render::atomicWrite(path.toStdString(), contentOf(suffix).toStdString());
         return {};
     } catch (const Failure& failure) {
-        return said(failure.message());
+        return translatedText(failure.message());
     }
 }
 

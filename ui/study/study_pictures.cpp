@@ -72,17 +72,17 @@ void StudyPictures::setWipe(double share)
 {
     wipe_ = std::clamp(share, 0.0, 1.0);
     update();
-    tellNumber(*this);
+    notifyNumber(*this);
 }
 
-QString StudyPictures::spokenText() const
+QString StudyPictures::accessibleText() const
 {
     return picture_.isNull() ? tr("Nothing is measured yet.") : QString();
 }
 
-std::optional<SpokenNumber> StudyPictures::spokenNumber() const
+std::optional<AccessibleNumber> StudyPictures::accessibleNumber() const
 {
-    return SpokenNumber{wipe_ * 100, 0, 100, wipeStep * 100, tr("%1 % the setting").arg(std::lround(wipe_ * 100))};
+    return AccessibleNumber{wipe_ * 100, 0, 100, wipeStep * 100, tr("%1 % the setting").arg(std::lround(wipe_ * 100))};
 }
 
 QRectF StudyPictures::placeOf(int index) const

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/image/image.h"
-#include "ui/kit/spoken.h"
+#include "ui/kit/accessible_content.h"
 
 #include <QImage>
 #include <QWidget>
@@ -17,7 +17,7 @@ namespace vitrine::ui {
 [[nodiscard]] QImage screenImage(const render::Image&);
 
 /// Picture of a setting and its reference with a wipe that follows the pointer, and the heat map of their difference.
-class StudyPictures final : public QWidget, public Spoken {
+class StudyPictures final : public QWidget, public AccessibleContent {
     Q_OBJECT
 
 public:
@@ -29,11 +29,11 @@ public:
     [[nodiscard]] double wipe() const { return wipe_; }
     void setWipe(double share);  ///< 0: all reference, 1: all setting.
 
-    [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Slider; }
-    [[nodiscard]] QString spokenText() const override;
+    [[nodiscard]] QAccessible::Role accessibleRole() const override { return QAccessible::Slider; }
+    [[nodiscard]] QString accessibleText() const override;
     /// Returns the position of the wipe in percent.
-    [[nodiscard]] std::optional<SpokenNumber> spokenNumber() const override;
-    void setSpokenNumber(double percent) override { setWipe(percent / 100); }
+    [[nodiscard]] std::optional<AccessibleNumber> accessibleNumber() const override;
+    void setAccessibleNumber(double percent) override { setWipe(percent / 100); }
 
 signals:
     void enlargeAsked();  ///< Emitted on a double click or Enter.

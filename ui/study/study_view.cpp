@@ -42,7 +42,7 @@ template <typename Count> QString workText(const std::map<std::string, Count>& c
     const auto found = counters.find(name);
     if (found == counters.end()) return {};
     return StudyView::tr(", %1 %2").arg(QLocale::c().toString(static_cast<qlonglong>(found->second)),
-                                        said(costTitle(name)));
+                                        translatedText(costTitle(name)));
 }
 
 }  // namespace
@@ -169,7 +169,7 @@ void StudyView::showMeasured(const StudyRequest& request, StudyResult result, co
         stopped_ = false;
         const QSignalBlocker quiet(view_);
         view_->clear();
-        for (const std::string& view : result.views) view_->addItem(said(view));
+        for (const std::string& view : result.views) view_->addItem(translatedText(view));
         decideCostAxis(result.clockTrusted);
     }
     machine_ = machine;
@@ -185,7 +185,7 @@ void StudyView::showKept(KeptStudy study, std::string json, const QString& title
     shownPoint_ = -1;
     const QSignalBlocker quiet(view_);
     view_->clear();
-    for (const std::string& view : study.views) view_->addItem(said(view));
+    for (const std::string& view : study.views) view_->addItem(translatedText(view));
     const bool timed = std::any_of(study.points.begin(), study.points.end(),
                                    [](const KeptPoint& point) { return point.time.has_value(); });
     decideCostAxis(study.clockTrusted && timed);
@@ -272,12 +272,12 @@ QString StudyView::sentences(const QString& law) const
 {
     QStringList sentences{law};
     for (const std::string& sentence : {choiceSentence(museum_.subjects(), request_, result_), result_.convergence})
-        sentences << said(sentence);
+        sentences << translatedText(sentence);
     for (const std::string& sentence : situationSentences(museum_.subjects(), request_, result_, RowNames::shown))
-        sentences << said(sentence);
+        sentences << translatedText(sentence);
     sentences.removeAll(QString());
-    sentences
-        << tr("Clock: %1, %2.").arg(said(result_.clock), result_.clockTrusted ? tr("trusted") : tr("not trusted"));
+    sentences << tr("Clock: %1, %2.")
+                     .arg(translatedText(result_.clock), result_.clockTrusted ? tr("trusted") : tr("not trusted"));
     return sentences.join(QLatin1Char(' '));
 }
 
@@ -318,8 +318,9 @@ void StudyView::refreshKept()
     QStringList sentences{tr("From the history: %1.").arg(keptTitle_), whyNotApplied(), study.law};
     showChart(std::move(study), presentKeptPoint());
     showPoint(shownPoint_);
-    for (const std::string& sentence : kept_->sentences) sentences << said(sentence);
-    sentences << tr("Clock: %1, %2.").arg(said(kept_->clock), kept_->clockTrusted ? tr("trusted") : tr("not trusted"));
+    for (const std::string& sentence : kept_->sentences) sentences << translatedText(sentence);
+    sentences << tr("Clock: %1, %2.")
+                     .arg(translatedText(kept_->clock), kept_->clockTrusted ? tr("trusted") : tr("not trusted"));
     sentences.removeAll(QString());
     say(sentences.join(QLatin1Char(' ')));
 }
@@ -413,9 +414,10 @@ void StudyView::showPictures(render::Image picture, render::Image reference, ren
         std::any_of(shown_.errors.pixels.begin(), shown_.errors.pixels.end(), [](float error) { return error > 0; });
     if (!differ) shown_.errors = {};  // A black heat map shows nothing, so it is left out.
     shown_.full = differ ? render::fullScale(metric, shown_.errors) : 1;
-    shownScale_ = differ
-                      ? tr("The heat map ranges from 0 to %1 (%2).").arg(shortNumber(shown_.full), said(title(metric)))
-                      : noPixelDiffers();
+    shownScale_ =
+        differ
+            ? tr("The heat map ranges from 0 to %1 (%2).").arg(shortNumber(shown_.full), translatedText(title(metric)))
+            : noPixelDiffers();
     pictures_->show(screenImage(shown_.picture), screenImage(shown_.reference),
                     differ ? screenImage(render::heatMap(shown_.errors, shown_.full)) : QImage(),
                     differ ? shortNumber(shown_.full) : QString());
@@ -480,8 +482,8 @@ void StudyView::applyKept(std::size_t point)
     std::string wrong;
     const std::optional<std::vector<Value>> values = valuesOf(*kept_, point, keptRows_, next, wrong);
     if (!values) {
-        emit refused(
-            tr("This setting was not applied: the parameter no longer accepts its value of “%1”.").arg(said(wrong)));
+        emit refused(tr("This setting was not applied: the parameter no longer accepts its value of “%1”.")
+                         .arg(translatedText(wrong)));
         return;
     }
     for (std::size_t i = 0; i < values->size(); ++i)

@@ -27,16 +27,16 @@ struct TableExport::Work {
 
 void TableExport::ask(Workbench& window, QWidget* parent)
 {
-    const Subject& subject = window.museum().subject(window.chosen());
+    const SceneObject& subject = window.museum().subject(window.chosen());
     const auto* source = capability<MeasuresTable>(subject);
     if (!source) {
-        window.say(
-            MessageStrip::Mood::notice,
-            tr("%1 has no table of measurements; the Study panel measures its parameters.").arg(said(subject.title())));
+        window.say(MessageStrip::Mood::notice,
+                   tr("%1 has no table of measurements; the Study panel measures its parameters.")
+                       .arg(translatedText(subject.title())));
         return;
     }
     auto* dialog =
-        new QFileDialog(parent, said(source->tableTitle()), QStringLiteral("methods.csv"), tr("CSV (*.csv)"));
+        new QFileDialog(parent, translatedText(source->tableTitle()), QStringLiteral("methods.csv"), tr("CSV (*.csv)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("csv"));
@@ -47,7 +47,7 @@ void TableExport::ask(Workbench& window, QWidget* parent)
 
 TableExport::TableExport(Workbench& window, const MeasuresTable& source, QString path, QWidget* parent)
     : QObject(parent), window_(window), path_(std::move(path)),
-      shown_(new QProgressDialog(said(source.tableTitle()), tr("Cancel"), 0, 1000, parent))
+      shown_(new QProgressDialog(translatedText(source.tableTitle()), tr("Cancel"), 0, 1000, parent))
 {
     shown_->setWindowTitle(QStringLiteral("Vitrine"));
     shown_->setMinimumDuration(0);
@@ -59,18 +59,18 @@ TableExport::TableExport(Workbench& window, const MeasuresTable& source, QString
     auto work = std::make_shared<Work>();
     task_ = window.viewport().renderThread().start(
         [this, work, &source, values = window.history().sceneState().values[window.chosen()],
-         &renderers = window.renderers()](const RenderThread::Tell& tell) {
+         &renderers = window.renderers()](const RenderThread::Notify& notify) {
             if (!work->table) {
                 work->table = source.measureTable(values);
                 work->backend = renderers.makeBackend(true);
                 if (!work->backend)
-                    throw Failure(Blame::openGl, "Nothing can be measured: there is no graphics context.");
+                    throw Failure(ErrorKind::openGl, "Nothing can be measured: there is no graphics context.");
             }
             const bool more = work->table->step(*work->backend);
-            tell([this, part = work->table->progress()] { note(part); });
+            notify([this, part = work->table->progress()] { note(part); });
             if (more) return true;
             work->backend.reset();
-            tell([this, csv = QByteArray::fromStdString(work->table->csv())] { csv_ = csv; });
+            notify([this, csv = QByteArray::fromStdString(work->table->csv())] { csv_ = csv; });
             return false;
         },
         [this](const QString& failure) { end(failure); });

@@ -25,8 +25,8 @@ QString wordsOf(const TreeKind& kind)
         if (c >= 'A' && c <= 'Z') spelledOut += QLatin1Char(' ');
         spelledOut += QLatin1Char(c);
     }
-    return QStringList{text(kind.name), spelledOut,      said(kind.group),
-                       said(kind.help), text(kind.help), QString::fromStdString(kind.words)}
+    return QStringList{text(kind.name),           spelledOut,      translatedText(kind.group),
+                       translatedText(kind.help), text(kind.help), QString::fromStdString(kind.words)}
         .join(QLatin1Char(' '));
 }
 
@@ -40,7 +40,7 @@ KindMenu::KindMenu(const QString& title, QWidget* parent) : QMenu(title, parent)
 QAction* KindMenu::add(QMenu& menu, const TreeKind& kind)
 {
     QAction* action = menu.addAction(text(kind.name));
-    action->setToolTip(said(kind.help));
+    action->setToolTip(translatedText(kind.help));
     connect(action, &QAction::triggered, this, [this, name = std::string(kind.name)] { emit chosen(name); });
     return action;
 }
@@ -62,7 +62,7 @@ void KindMenu::offer(const std::vector<TreeKind>& kinds)
     std::string_view group;
     for (const TreeKind& kind : kinds) {
         if (groups_.empty() || kind.group != group) {
-            groups_.push_back(addMenu(said(kind.group)));
+            groups_.push_back(addMenu(translatedText(kind.group)));
             groups_.back()->setToolTipsVisible(true);
         }
         group = kind.group;

@@ -121,7 +121,7 @@ bool TreeEditor::apply(const TreeEdit& edit, const QString& text)
         return true;
     } catch (const Failure& failure) {
         window_.setProblems(treeEditCause(), {});
-        window_.setProblems(treeEditCause(), {said(failure.message())});
+        window_.setProblems(treeEditCause(), {translatedText(failure.message())});
         return false;
     }
 }
@@ -137,7 +137,7 @@ void TreeEditor::setRow(std::size_t row, const Value& value, Gesture gesture, co
         change(next, gesture, text);
     } catch (const Failure& failure) {
         window_.setProblems(treeEditCause(), {});
-        window_.setProblems(treeEditCause(), {said(failure.message())});
+        window_.setProblems(treeEditCause(), {translatedText(failure.message())});
         emit valuesChanged();
     }
 }
@@ -153,7 +153,7 @@ void TreeEditor::setPlace(const TreePlace& from, const TreePlace& to, Gesture ge
         change(next, gesture, text);
     } catch (const Failure& failure) {
         window_.setProblems(treeEditCause(), {});
-        window_.setProblems(treeEditCause(), {said(failure.message())});
+        window_.setProblems(treeEditCause(), {translatedText(failure.message())});
     }
 }
 

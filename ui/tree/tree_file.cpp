@@ -130,7 +130,7 @@ bool TreeFile::saveTo(const QString& path)
         window_.setProblems(QStringLiteral("saving of the tree"), {});
     } catch (const Failure& failure) {
         window_.setProblems(QStringLiteral("saving of the tree"), {});
-        window_.setProblems(QStringLiteral("saving of the tree"), {said(failure.message())});
+        window_.setProblems(QStringLiteral("saving of the tree"), {translatedText(failure.message())});
         return false;
     }
     SceneState after = window_.history().sceneState();

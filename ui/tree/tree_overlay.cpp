@@ -110,7 +110,7 @@ void TreeOverlay::askForOutline()
         bool goesOn = true;
         std::vector<QLineF> lines;
         if (shape) lines = outlineOf(*shape, view, world, widget, [&] { return goesOn = goesOn && progress(0); });
-        if (!goesOn) throw Failure(Blame::check, "stopped");
+        if (!goesOn) throw Failure(ErrorKind::check, "stopped");
         return [this, lines, clip = view.clipFromWorld] {
             outline_ = lines;
             outlineView_ = clip;

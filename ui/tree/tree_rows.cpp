@@ -40,12 +40,12 @@ ParameterRow* TreeRowsView::row(std::string_view name) const
     return found ? rows_[*found] : nullptr;
 }
 
-void TreeRowsView::hold(std::size_t row, const Value& value, Gesture gesture, const QString& text)
+void TreeRowsView::setValue(std::size_t row, const Value& value, Gesture gesture, const QString& text)
 {
     const ParameterInfo& info = values_->rows()[row];
     const std::optional<Value> legal = nearestLegal(info, value);
     if (!legal || *legal == values_->row(row)) return;
-    const QString name = within(said(label(info)));
+    const QString name = midSentence(translatedText(label(info)));
     editor_.setRow(row, *legal, gesture,
                    tr("%1 of %2").arg(text.isEmpty() ? tr("Change %1").arg(name) : text, editor_.selectedTitle()));
 }
@@ -66,7 +66,7 @@ void TreeRowsView::refresh()
         rows_[i]->showValue(values_->row(i));
     }
     for (ParameterSection* section : sections_) section->refresh();
-    note_->setText(now                ? said(now->note)
+    note_->setText(now                ? translatedText(now->note)
                    : editor_.source() ? tr("Click a shape in the picture, or a node above.")
                                       : QString());
     note_->setVisible(!note_->text().isEmpty());
@@ -83,7 +83,7 @@ void TreeRowsView::rebuild()
     for (std::size_t i = 0; values_ && i < values_->rows().size(); ++i) {
         const ParameterInfo& info = values_->rows()[i];
         if (i == 0 || info.group != values_->rows()[i - 1].group) {
-            sections_.push_back(new ParameterSection(said(info.group), content));
+            sections_.push_back(new ParameterSection(translatedText(info.group), content));
             layout->addWidget(sections_.back());
         }
         rows_.push_back(new ParameterRow(ValueRef(*this, i), sections_.back()));

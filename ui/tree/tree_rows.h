@@ -19,7 +19,7 @@ class ParameterSection;
 class TreeEditor;
 
 /// Numbers of the selected node, each with a slider.
-class TreeRowsView final : public QWidget, private ValueHolder {
+class TreeRowsView final : public QWidget, private ValueOwner {
     Q_OBJECT
 
 public:
@@ -33,8 +33,8 @@ protected:
     bool eventFilter(QObject*, QEvent*) override;
 
 private:
-    [[nodiscard]] const ParameterValues& heldValues() const override { return values_.value(); }
-    void hold(std::size_t row, const Value&, Gesture, const QString& text) override;
+    [[nodiscard]] const ParameterValues& currentValues() const override { return values_.value(); }
+    void setValue(std::size_t row, const Value&, Gesture, const QString& text) override;
     void refresh();
     void rebuild();
 

@@ -111,7 +111,8 @@ void TreeView::showSize(QTreeWidgetItem& item) const
     QString size;
     for (std::size_t i = 0; rows && size.isEmpty() && i < rows->values.rows().size(); ++i) {
         const ParameterInfo& info = rows->values.rows()[i];
-        if (info.kind == Kind::real) size = said(label(info)) + QLatin1Char(' ') + shownText(info, rows->values.row(i));
+        if (info.kind == Kind::real)
+            size = translatedText(label(info)) + QLatin1Char(' ') + shownText(info, rows->values.row(i));
     }
     const QString kind = node.name.empty() ? QString() : text(node.kind);
     item.setText(1, kind.isEmpty() || size.isEmpty() ? kind + size : kind + QStringLiteral(", ") + size);

@@ -8,10 +8,10 @@ namespace vitrine::ui {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double steepestSceneState = 1.5;  // Radians, just short of straight up, where yaw is undefined.
-constexpr double longestStep = 0.1;         // Meters per collision test: shorter than any wall is thick.
-constexpr double longestAdvance = 0.5;      // Seconds. A longer pause counts as this long.
-constexpr double slowest = 0.004;           // Meters per second. A slower visitor stands still.
+constexpr double steepestPitch = 1.5;   // Radians, just short of straight up, where yaw is undefined.
+constexpr double longestStep = 0.1;     // Meters per collision test: shorter than any wall is thick.
+constexpr double longestAdvance = 0.5;  // Seconds. A longer pause counts as this long.
+constexpr double slowest = 0.004;       // Meters per second. A slower visitor stands still.
 
 double shortestTurn(double from, double to)
 {
@@ -51,7 +51,7 @@ void Walker::moveTo(const glm::dvec3& eye)
 void Walker::turn(double yaw, double pitch)
 {
     heading_.yaw = std::remainder(heading_.yaw + yaw, 2 * pi);
-    heading_.pitch = std::clamp(heading_.pitch + pitch, -steepestSceneState, steepestSceneState);
+    heading_.pitch = std::clamp(heading_.pitch + pitch, -steepestPitch, steepestPitch);
     camera_.target = camera_.eye + directionOf(heading_);
 }
 

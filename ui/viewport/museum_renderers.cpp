@@ -49,10 +49,10 @@ void MuseumRenderers::close()
 }
 
 render::FrameReport MuseumRenderers::draw(const SceneState& sceneState, const FrameRequest& request,
-                                          const Unwanted& unwanted)
+                                          const IsCanceled& isCanceled)
 {
     assert(renderer_);
-    renderer_->abandonWhen(unwanted);
+    renderer_->abandonWhen(isCanceled);
     const render::FramePlan plan =
         museum_.plan(museum_.prepare(sceneState, request), request, renderer_->persistentState());
     hasHalos_ = plan.find(glareSpreadPass) != nullptr;
@@ -86,10 +86,10 @@ QImage MuseumRenderers::drawSmall(const SceneState& sceneState, const FrameReque
 }
 
 QImage MuseumRenderers::drawRegion(const SceneState& sceneState, const FrameRequest& request,
-                                   const PictureRegion& region, int samples, const Unwanted& unwanted)
+                                   const PictureRegion& region, int samples, const IsCanceled& isCanceled)
 {
     if (!regions_) regions_ = renderer_->sibling();
-    regions_->abandonWhen(unwanted);
+    regions_->abandonWhen(isCanceled);
     FrameRequest frame = request;
     const glm::ivec2 low = glm::max(region.offset - regionApron, glm::ivec2(0));
     frame.raster.offset = low;

@@ -16,10 +16,10 @@ public:
 
     void open() override;
     void close() override;
-    render::FrameReport draw(const SceneState&, const FrameRequest&, const Unwanted&) override;
+    render::FrameReport draw(const SceneState&, const FrameRequest&, const IsCanceled&) override;
     [[nodiscard]] QImage screenImage(const QSize& screen) override;
     [[nodiscard]] QImage drawRegion(const SceneState&, const FrameRequest&, const PictureRegion&, int samples,
-                                    const Unwanted&) override;
+                                    const IsCanceled&) override;
     [[nodiscard]] OtherDrawn drawOther(const SceneState&, const FrameRequest&, const QSize& screen) override;
     void forgetOther() override { other_.reset(); }
     [[nodiscard]] QImage drawSmall(const SceneState&, const FrameRequest&, const QSize& screen) override;
@@ -47,9 +47,9 @@ private:
     std::unique_ptr<render::gl::Renderer> other_;  ///< Draws the settings B.
     std::unique_ptr<render::gl::Renderer> small_;  ///< Draws small pictures, such as thumbnails.
     bool timeSteps_ = false;
-    bool hasHalos_ = false;               ///< The last picture of `draw` has halos, ...
-    glm::ivec2 halosPicture_{0};          ///< ... which were made at this size.
-    std::shared_ptr<const Halos> halos_;  ///< They, read back when a region first needs them.
+    bool hasHalos_ = false;               ///< Whether the last picture of `draw` has halos.
+    glm::ivec2 halosPicture_{0};          ///< Size of that picture, in pixels.
+    std::shared_ptr<const Halos> halos_;  ///< Its halos, read back when a region first needs them.
 };
 
 }  // namespace vitrine::ui

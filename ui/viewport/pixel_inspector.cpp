@@ -55,7 +55,7 @@ InspectedPixel middleOf(const render::Image& picture, const render::Camera& came
 
 QString numbers(const glm::dvec3& v)
 {
-    const QLocale locale(spokenLanguage());
+    const QLocale locale(languageCode());
     const auto number = [&](double x) { return locale.toString(x, 'f', 3); };
     return QStringLiteral("%1  %2  %3").arg(number(v.x), number(v.y), number(v.z));
 }
@@ -135,7 +135,7 @@ void PixelInspector::ask()
     const FrameRequest frame = viewport_.presentRequest();
     const glm::dvec2 ndc = ndcAt(pointer_, viewport_);
     auto step = [this, job = job_, ndc, at = pointer_, frame, sceneState = history_.sceneState(),
-                 request = requestOf(frame, viewport_.view().direction(ndc))](const RenderThread::Tell& tell) {
+                 request = requestOf(frame, viewport_.view().direction(ndc))](const RenderThread::Notify& notify) {
         if (!job->maker)
             *job = renderers_.makePicture(sceneState, request);
         else
@@ -150,7 +150,7 @@ void PixelInspector::ask()
         } else {
             pixel.object = std::string(museum_.subject(*frame.alone).title());
         }
-        tell([this, at, pixel] { show(at, pixel); });
+        notify([this, at, pixel] { show(at, pixel); });
         return false;
     };
     task_ = viewport_.renderThread().start(std::move(step), [](const QString& failure) {
@@ -173,13 +173,13 @@ void PixelInspector::show(const QPointF& at, const InspectedPixel& pixel)
     if (pixel.position) {
         lines << tr("Position  %1 m").arg(numbers(*pixel.position));
         if (pixel.normal != glm::dvec3(0)) lines << tr("Normal  %1").arg(numbers(pixel.normal));
-        lines << tr("Distance  %1 m").arg(QLocale(spokenLanguage()).toString(pixel.distance, 'f', 3));
-        lines << (pixel.object.empty() ? tr("The building") : said(pixel.object));
+        lines << tr("Distance  %1 m").arg(QLocale(languageCode()).toString(pixel.distance, 'f', 3));
+        lines << (pixel.object.empty() ? tr("The building") : translatedText(pixel.object));
     } else {
         lines << tr("Nothing but the sky");
     }
     if (pixel.evaluations > 0)
-        lines << tr("Cost  %1 evaluations").arg(QLocale(spokenLanguage()).toString(std::lround(pixel.evaluations)));
+        lines << tr("Cost  %1 evaluations").arg(QLocale(languageCode()).toString(std::lround(pixel.evaluations)));
     label_->say(lines.join(QLatin1Char('\n')));
     label_->placeAt(at.toPoint());
 }

@@ -147,13 +147,13 @@ DrawnPicture RenderThread::picture(PictureOrder order)
     DrawnPicture done;
     const double start = render::wallSeconds();
     try {
-        if (!open_) throw Failure(Blame::openGl, "Nothing can be drawn: there is no graphics context.");
-        const std::function<bool()> unwanted = [this] { return unwanted_.load(); };
+        if (!open_) throw Failure(ErrorKind::openGl, "Nothing can be drawn: there is no graphics context.");
+        const std::function<bool()> isCanceled = [this] { return unwanted_.load(); };
         if (order.region)
             done.image =
-                renderers_.drawRegion(order.sceneState, order.request, *order.region, order.order.samples, unwanted);
+                renderers_.drawRegion(order.sceneState, order.request, *order.region, order.order.samples, isCanceled);
         else {
-            done.report = renderers_.draw(order.sceneState, order.request, unwanted);
+            done.report = renderers_.draw(order.sceneState, order.request, isCanceled);
             done.image = renderers_.screenImage(order.screen);
         }
     } catch (const render::gl::Abandoned&) {
@@ -177,7 +177,7 @@ void RenderThread::step()
         tasks_.pop_front();
     }
     if (*task->canceled) return;
-    const Tell tell = [this, canceled = task->canceled](std::function<void()> what) {
+    const Notify notify = [this, canceled = task->canceled](std::function<void()> what) {
         toWindow([canceled, what = std::move(what)] {
             if (!*canceled) what();
         });
@@ -186,14 +186,14 @@ void RenderThread::step()
     QString failure;
     bool more = false;
     try {
-        if (!open_) throw Failure(Blame::openGl, "Nothing can be drawn: there is no graphics context.");
-        more = task->step(tell);
+        if (!open_) throw Failure(ErrorKind::openGl, "Nothing can be drawn: there is no graphics context.");
+        more = task->step(notify);
     } catch (const std::exception& thrown) {
         failure = messageOf(thrown);
     }
     if (!more) {
         task->step = {};  // Destroys the step's captures before its end is reported.
-        tell([ended = task->ended, failure] { ended(failure); });
+        notify([ended = task->ended, failure] { ended(failure); });
     }
     pictureWasLast_ = false;
     taskSeconds_ += render::wallSeconds() - start;

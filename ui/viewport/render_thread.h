@@ -59,9 +59,9 @@ public:
     static constexpr qint64 tellEvery = 50;  ///< Milliseconds between two progress reports of a task.
 
     /// Calls its argument later in the window's thread, unless the task was canceled before then.
-    using Tell = std::function<void(std::function<void()>)>;
+    using Notify = std::function<void(std::function<void()>)>;
     /// One step of a task; returns whether there is another one. Its captures are destroyed on the render thread.
-    using Step = std::function<bool(const Tell&)>;
+    using Step = std::function<bool(const Notify&)>;
     /// Called in the window's thread after the last step. `failure` is the sentence of an exception; empty: success.
     using Ended = std::function<void(const QString& failure)>;
 

@@ -44,15 +44,15 @@ public:
     virtual void open() = 0;
     virtual void close() = 0;
     /// Polled between passes. Returns whether the picture is no longer wanted.
-    using Unwanted = std::function<bool()>;
-    /// Draws one sample. Throws render::gl::Abandoned if `Unwanted` returned true.
-    virtual render::FrameReport draw(const SceneState&, const FrameRequest&, const Unwanted&) = 0;
+    using IsCanceled = std::function<bool()>;
+    /// Draws one sample. Throws render::gl::Abandoned if `IsCanceled` returned true.
+    virtual render::FrameReport draw(const SceneState&, const FrameRequest&, const IsCanceled&) = 0;
     /// Returns the last picture, scaled to this many device pixels.
     [[nodiscard]] virtual QImage screenImage(const QSize& screen) = 0;
     /// Draws all `samples` supersamples of a region of a picture whose other pixels stay the same. Leaves the last
     /// picture of `draw` alone.
     [[nodiscard]] virtual QImage drawRegion(const SceneState&, const FrameRequest&, const PictureRegion&, int samples,
-                                            const Unwanted&) = 0;
+                                            const IsCanceled&) = 0;
     /// Draws the same sample of the settings B on a renderer of its own, which is kept until `forgetOther`. Leaves the
     /// last picture of `draw` alone.
     [[nodiscard]] virtual OtherDrawn drawOther(const SceneState&, const FrameRequest&, const QSize& /*screen*/)

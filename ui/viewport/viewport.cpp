@@ -106,7 +106,7 @@ FrameRequest Viewport::request(double time) const
     wanted.time = time;
     wanted.runEverything = runEverything_;
     if (isInDepot()) wanted.alone = subject_;
-    wanted.rests = !rest_.isActive();
+    wanted.idle = !rest_.isActive();
     for (const double pressedAt : pressedAt_)
         wanted.sincePressed.push_back(time - (pressedAt <= time ? pressedAt : never));
     return wanted;
@@ -170,10 +170,10 @@ void Viewport::orderWhole(const DrawOrder& order)
     wanted.request.raster.size =
         glm::max(glm::ivec2(glm::round(glm::dvec2(wanted.request.raster.size) * scale)), glm::ivec2(1));
     wanted.request.mostExhibits = order.mostExhibits;
-    wanted.request.cut = std::exchange(cut_, false);
+    wanted.request.resetHistory = std::exchange(cut_, false);
     wanted.request.sample = order.sample;
     wanted.request.samples = order.samples;
-    if (!order.inMotion || wanted.request.cut) motionFrames_ = 0;
+    if (!order.inMotion || wanted.request.resetHistory) motionFrames_ = 0;
     if (order.inMotion) ++motionFrames_;
     wanted.request.movingFrame = motionFrames_;
     schedule_.begun(order);
@@ -193,7 +193,7 @@ void Viewport::orderRegion()
 void Viewport::take(const DrawnPicture& picture)
 {
     drawing_ = drawingRegion_ = false;
-    if (picture.abandoned || !picture.failure.isEmpty()) cut_ = cut_ || picture.order.request.cut;
+    if (picture.abandoned || !picture.failure.isEmpty()) cut_ = cut_ || picture.order.request.resetHistory;
     if (picture.order.region) {
         takeRegion(picture);
     } else if (picture.abandoned) {
@@ -383,7 +383,7 @@ void Viewport::cameraChanged()
         schedule_.cameraMoved(now());
     tickSoon();
     lookedAt_ = control_.mode() == CameraControl::Mode::walk ? museum_.lookedAt(prepared()) : std::nullopt;
-    label_->say(lookedAt_ ? said(lookedAt_->text) : QString());
+    label_->say(lookedAt_ ? translatedText(lookedAt_->text) : QString());
     input_->lookAgain();
     emit looked();
 }
@@ -481,7 +481,7 @@ void Viewport::visit(std::size_t exhibit)
     remember();
     glideTo(exhibit, {museum_.bestView(exhibit, history_.sceneState().values[exhibit]),
                       exhibit == hallIndex ? CameraControl::Mode::walk : CameraControl::Mode::orbit});
-    going_->say(tr("Going to %1 …").arg(said(museum_.subject(exhibit).title())));
+    going_->say(tr("Going to %1 …").arg(translatedText(museum_.subject(exhibit).title())));
 }
 
 bool Viewport::isInDepot() const
@@ -510,7 +510,7 @@ void Viewport::leftFor()
 {
     cut_ = cut_ || control_.cuts();
     cameraChanged();
-    tellText(*this);
+    notifyText(*this);
 }
 
 void Viewport::noteArrival()
@@ -641,7 +641,7 @@ render::View Viewport::view() const
     return render::makeView(now.camera, now.raster);
 }
 
-QString Viewport::spokenText() const
+QString Viewport::accessibleText() const
 {
     const CameraControl::Standpoint there = control_.standpoint();
     if (there.mode == CameraControl::Mode::orbit)

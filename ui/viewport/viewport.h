@@ -1,11 +1,11 @@
 #pragma once
 
-#include "ui/kit/spoken.h"
+#include "ui/kit/accessible_content.h"
 #include "ui/model/history.h"
 #include "ui/viewport/camera_control.h"
 #include "ui/viewport/draw_schedule.h"
 #include "ui/viewport/file_watch.h"
-#include "ui/viewport/prepared_look.h"
+#include "ui/viewport/prepared_state.h"
 #include "ui/viewport/render_thread.h"
 #include "ui/viewport/renderers.h"
 #include "ui/viewport/shown_picture.h"
@@ -28,7 +28,7 @@ class ViewportInput;
 
 /// Widget that shows the museum's picture, and the visitor in it. It shows the last picture of the render thread and
 /// draws none itself. Pictures are ordered on demand, one at a time.
-class Viewport final : public QOpenGLWidget, public Spoken {
+class Viewport final : public QOpenGLWidget, public AccessibleContent {
     Q_OBJECT
 
 public:
@@ -66,8 +66,8 @@ public:
     [[nodiscard]] const WalkKeys& sticks() const;
     /// Presses the button that the visitor looks at, or visits the object in the middle of the picture.
     void act();
-    [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Graphic; }
-    [[nodiscard]] QString spokenText() const override;
+    [[nodiscard]] QAccessible::Role accessibleRole() const override { return QAccessible::Graphic; }
+    [[nodiscard]] QString accessibleText() const override;
 
     void setHandling(const Handling&);
     /// Sets limits, see `DrawSchedule::setLimits`.
@@ -228,7 +228,7 @@ private:
     long long sceneStateNumber_ = 0;  // Grows with every visible change.
     long long drawnState_ = 0;        // Scene state number of the last ordered picture.
 
-    mutable PreparedLook prepared_;  // Cache of the last preparation.
+    mutable PreparedState prepared_;  // Cache of the last preparation.
 
     // Region that moves while the rest of the picture is static.
     std::optional<PictureRegion> region_;

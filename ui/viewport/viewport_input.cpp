@@ -254,7 +254,7 @@ void ViewportInput::hover()
         viewport_.setCursor(Qt::PointingHandCursor);
     else
         viewport_.unsetCursor();
-    name_->say(found && naming_ ? said(found->name) : QString());
+    name_->say(found && naming_ ? translatedText(found->name) : QString());
     name_->placeAt(hoverPoint_->toPoint());
 }
 

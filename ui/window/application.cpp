@@ -11,14 +11,14 @@ bool Application::notify(QObject* receiver, QEvent* event)
     try {
         return QApplication::notify(receiver, event);
     } catch (const std::exception& thrown) {
-        tell(messageOf(thrown));
+        showError(messageOf(thrown));
     } catch (...) {
-        tell(tr("An internal error was caught. The command was not executed; everything else continues."));
+        showError(tr("An internal error was caught. The command was not executed; everything else continues."));
     }
     return true;
 }
 
-void Application::tell(const QString& message)
+void Application::showError(const QString& message)
 {
     std::fprintf(stderr, "vitrine: %s\n", qPrintable(message));
     if (telling_) return;  // Showing a message failed, too; it was printed to stderr.

@@ -19,7 +19,7 @@ signals:
     void caught(const QString& message);
 
 private:
-    void tell(const QString& message);
+    void showError(const QString& message);
 
     bool telling_ = false;
 };

@@ -18,7 +18,7 @@ constexpr int renewedAfter = 200;  // Milliseconds.
 /// Table with the time, so that it is typed, stepped and dragged like any number.
 struct ClockRows final : Parameters {
     Real time = real("time", 0, second, Range{0, Viewport::latestTime}.soft(0, 60),
-                     "The exhibits' clock. Set it to see what moves at that moment.");
+                     "Time of the exhibits' clock. Set it to show a certain moment.");
 };
 
 const ParameterInfo& timeRow()

@@ -89,14 +89,14 @@ void ExhibitList::fill(const Museum& museum)
             item->setFlags(Qt::NoItemFlags);
             continue;
         }
-        const Subject& subject = museum.subject(*entry.subject);
-        item->setText(said(subject.title()));
+        const SceneObject& subject = museum.subject(*entry.subject);
+        item->setText(translatedText(subject.title()));
         item->setData(exhibitRole, static_cast<qulonglong>(*entry.subject));
         item->setData(nameRole, text(subject.name()));
         item->setData(TileDelegate::secondLine, numbered               ? tr("Place %1").arg(entry.place)
                                                 : entry.place == depot ? tr("In storage: shown alone")
                                                                        : QString());
-        item->setToolTip(said(subject.summary()));
+        item->setToolTip(translatedText(subject.summary()));
     }
 }
 

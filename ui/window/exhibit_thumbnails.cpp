@@ -16,7 +16,7 @@
 namespace vitrine::ui {
 namespace {
 
-QString keptThumbnail(const Subject& subject)
+QString keptThumbnail(const SceneObject& subject)
 {
     const QString cache = QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation);
     return cache + QStringLiteral("/vitrine/thumbnails/") + text(subject.name()) + QStringLiteral(".png");

@@ -11,7 +11,7 @@
 #include "ui/kit/text.h"
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
-#include "ui/presets/preset_shelf.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/recent_files.h"
 
@@ -53,8 +53,8 @@ std::vector<Message> unreadableFiles(const Museum& museum, const SceneState& sce
 
 }  // namespace
 
-FileOpener::FileOpener(Workbench& window, PresetShelf& shelf, QObject* parent)
-    : QObject(parent), window_(window), shelf_(shelf)
+FileOpener::FileOpener(Workbench& window, PresetController& presetController, QObject* parent)
+    : QObject(parent), window_(window), presetController_(presetController)
 {
 }
 
@@ -70,7 +70,7 @@ void FileOpener::setHallFile(const char* parameter, const QString& path)
             for (const Message& why : unreadableFiles(museum, next))
                 if (why.english().starts_with(label(next.hall().rows()[row]) + " of "))
                     return [this, why, path] {
-                        window_.setProblems(openingOf(path), {tr("%1 Nothing was changed.").arg(said(why))});
+                        window_.setProblems(openingOf(path), {tr("%1 Nothing was changed.").arg(translatedText(why))});
                     };
             return [this, parameter, path, file = next.hall().row(row)] {
                 // Another file may have taken the parameter in the meantime.
@@ -141,13 +141,13 @@ void FileOpener::open(const QString& path)
         if (isPrint(path))
             emit printFound(path);
         else if (!openDocument(path))
-            shelf_.loadFile(path);
+            presetController_.loadFile(path);
     } else if (ending == QLatin1String("md")) {
         emit lessonFound(path);
     } else if (models.contains(ending)) {
         setHallFile("model", path);
     } else if (recordings.contains(ending)) {
-        if (!shelf_.loadFromPicture(path))
+        if (!presetController_.loadFromPicture(path))
             window_.say(MessageStrip::Mood::problem,
                         tr("%1 carries no settings: choose a recording that Vitrine made.").arg(path));
     } else if (pictures().contains(ending)) {
@@ -167,7 +167,7 @@ void FileOpener::openPicture(const QString& path)
         emit printFound(path);
         return;
     }
-    if (shelf_.loadFromPicture(path)) return;
+    if (presetController_.loadFromPicture(path)) return;
     window_.viewport().renderThread().post([this, path]() -> std::function<void()> {
         const std::shared_ptr<const render::Texture> picture = render::loadTexture(path.toStdString(), true, true);
         if (std::abs(picture->width - 2 * picture->height) <= std::max(1, picture->height / 50))

@@ -9,7 +9,7 @@
 
 namespace vitrine::ui {
 
-class PresetShelf;
+class PresetController;
 class Workbench;
 
 /// Opens files of all kinds that the window knows: presets and pictures with one inside, scenes, models, panoramas,
@@ -19,7 +19,7 @@ class FileOpener final : public QObject {
 
 public:
     /// Both must outlive this object.
-    FileOpener(Workbench&, PresetShelf&, QObject* parent);
+    FileOpener(Workbench&, PresetController&, QObject* parent);
 
     /// Opens a file. An error is reported in the message strip, and nothing changes.
     void open(const QString& path);
@@ -45,7 +45,7 @@ private:
     void sayNoPlace(const QString& path);
 
     Workbench& window_;
-    PresetShelf& shelf_;
+    PresetController& presetController_;
 };
 
 }  // namespace vitrine::ui

@@ -28,7 +28,7 @@ void FrameReporter::note(const render::FrameReport& report, const QSize& pixels)
     workbench_.setProblems(QStringLiteral("drawing"), {});
     status_.note(report, pixels, viewport.reason());
     docks_.frameReport().note(report);
-    docks_.parameters().panel().showMoment(workbench_.museum().motionMoment(
+    docks_.parameters().panel().showMoment(workbench_.museum().animationTime(
         workbench_.history().sceneState(), workbench_.shown(), viewport.shownRequest()));
     showComplaints(report.skipped);
 }
@@ -36,10 +36,10 @@ void FrameReporter::note(const render::FrameReport& report, const QSize& pixels)
 void FrameReporter::showComplaints(const std::vector<render::CulledPass>& skipped)
 {
     for (const render::CulledPass& complaint : logged_.begun(skipped))
-        if (complaint.unreadable.empty()) docks_.log().add(said(lineOf(complaint)));
+        if (complaint.unreadable.empty()) docks_.log().add(translatedText(lineOf(complaint)));
     QStringList unreadable;  // Messages are also written to the log.
     for (const render::CulledPass& complaint : skipped)
-        if (complaint.complaint && !complaint.unreadable.empty()) unreadable << said(lineOf(complaint));
+        if (complaint.complaint && !complaint.unreadable.empty()) unreadable << translatedText(lineOf(complaint));
     workbench_.setProblems(QStringLiteral("files that are drawn"), unreadable);
 }
 

@@ -7,7 +7,7 @@
 #include "ui/charts/charts_dock.h"
 #include "ui/compare/compare_actions.h"
 #include "ui/compare/compare_bar.h"
-#include "ui/compare/compare_desk.h"
+#include "ui/compare/compare_controller.h"
 #include "ui/explore/explore_dock.h"
 #include "ui/gamepad/gamepad_control.h"
 #include "ui/jobs/export_again.h"
@@ -17,11 +17,11 @@
 #include "ui/kit/language.h"
 #include "ui/kit/tab_order.h"
 #include "ui/lessons/lesson_bar.h"
-#include "ui/lessons/lesson_desk.h"
+#include "ui/lessons/lesson_controller.h"
 #include "ui/parameters/parameter_menus.h"
 #include "ui/parameters/parameter_panel.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/presets/preset_list.h"
-#include "ui/presets/preset_shelf.h"
 #include "ui/record/bookmarks.h"
 #include "ui/report/frame_report_dock.h"
 #include "ui/report/log_view.h"
@@ -81,9 +81,9 @@ MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* pare
     new FocusRing(this);
     buildMiddle();
     docks_ = new WindowDocks(*this, *this);
-    shelf_ = new PresetShelf(*this, docks_->presets(), PresetStore::standard(render::asset("presets")));
-    docks_->addExplore(*shelf_);
-    files_ = new FileOpener(*this, *shelf_, this);
+    presetController_ = new PresetController(*this, docks_->presets(), PresetStore::standard(render::asset("presets")));
+    docks_->addExplore(*presetController_);
+    files_ = new FileOpener(*this, *presetController_, this);
     guard_ = new CloseGuard(*this);
     again_ = new ExportAgain(
         *this, [this](const jobs::Job& job) { return jobSceneOf(*this, job); }, *this);
@@ -91,7 +91,7 @@ MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* pare
         museum_, history_, *viewport_, [this] { return chosen_; }, this);
     new PixelInspector(museum_, history_, renderers, *viewport_, this);
     // After all others that take the picture's events: side by side, they get them as of the whole picture.
-    comparison_ = new CompareDesk(*this, *shelf_, this);
+    comparison_ = new CompareController(*this, *presetController_, this);
     centralWidget()->layout()->addWidget(&comparison_->bar());
     bookmarks_ = new Bookmarks(*this, this);
     addLessons();
@@ -131,12 +131,13 @@ void MainWindow::buildMiddle()
 
 void MainWindow::addLessons()
 {
-    lessons_ = new LessonDesk(*this, this);
+    lessons_ = new LessonController(*this, this);
     static_cast<QVBoxLayout*>(centralWidget()->layout())->insertWidget(0, &lessons_->bar());
-    connect(lessons_, &LessonDesk::rowAsked, this, &MainWindow::showRow);
-    connect(lessons_, &LessonDesk::syllabusAsked, this, [this] { dialogs_->openPage(QStringLiteral("syllabus")); });
-    connect(lessons_, &LessonDesk::opened, this, &addRecentFile);
-    connect(files_, &FileOpener::lessonFound, lessons_, &LessonDesk::open);
+    connect(lessons_, &LessonController::rowAsked, this, &MainWindow::showRow);
+    connect(lessons_, &LessonController::syllabusAsked, this,
+            [this] { dialogs_->openPage(QStringLiteral("syllabus")); });
+    connect(lessons_, &LessonController::opened, this, &addRecentFile);
+    connect(files_, &FileOpener::lessonFound, lessons_, &LessonController::open);
 }
 
 void MainWindow::addGamepad()
@@ -166,21 +167,21 @@ MainWindow::~MainWindow()
 
 void MainWindow::connectParts()
 {
-    connect(&docks_->parameters(), &ParameterTabs::turned, shelf_, &PresetShelf::refresh);
-    connect(shelf_, &PresetShelf::marked, this, &MainWindow::showTitle);
+    connect(&docks_->parameters(), &ParameterTabs::turned, presetController_, &PresetController::refresh);
+    connect(presetController_, &PresetController::marked, this, &MainWindow::showTitle);
     connect(files_, &FileOpener::documentOpened, this, &MainWindow::visit);
     connect(&docks_->treeFile(), &TreeFile::saved, this, &addRecentFile);
     guard_->setUnsaved([this] { return docks_->treeFile().unsaved(); }, [this] { return docks_->treeFile().save(); });
     connect(files_, &FileOpener::printFound, dialogs_, &WindowDialogs::openPrint);
     connect(&docks_->exhibits(), &ExhibitList::chosen, this, &MainWindow::visit);
-    connect(&docks_->exhibits(), &ExhibitList::lessonAsked, lessons_, qOverload<std::size_t>(&LessonDesk::start));
+    connect(&docks_->exhibits(), &ExhibitList::lessonAsked, lessons_, qOverload<std::size_t>(&LessonController::start));
     connect(&docks_->exhibits(), &ExhibitList::pageAsked, dialogs_, qOverload<std::size_t>(&WindowDialogs::openPage));
     connect(&docks_->study(), &StudyDock::failed, this,
             [this](const QString& why) { setProblems(QStringLiteral("study"), {why}); });
     connect(&docks_->study(), &StudyDock::finished, this, [this] { setProblems(QStringLiteral("study"), {}); });
     panel().menus().setOther(&comparison_->other());
     docks_->study().offerBoth(comparison_->other());
-    connect(comparison_, &CompareDesk::reportChanged, &docks_->frameReport(), &FrameReportDock::noteOther);
+    connect(comparison_, &CompareController::reportChanged, &docks_->frameReport(), &FrameReportDock::noteOther);
     connect(messages_, &MessageStrip::said, &docks_->log(), &LogView::add);
 }
 
@@ -189,16 +190,16 @@ void MainWindow::connectViewport()
     connect(viewport_, &Viewport::visited, this, &MainWindow::choose);
     connect(viewport_, &Viewport::pressed, this, [this](std::size_t exhibit) {
         SceneState next = history_.sceneState();
-        const Subject& subject = museum_.subject(exhibit);
+        const SceneObject& subject = museum_.subject(exhibit);
         if (const auto* button = capability<HasButton>(subject); button && button->press(next.values[exhibit]))
-            history_.change(tr("Press the button of %1").arg(said(subject.title())), next);
+            history_.change(tr("Press the button of %1").arg(translatedText(subject.title())), next);
     });
     connect(&viewport_->renderThread(), &RenderThread::failed, this,
             [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
     new FrameReporter(*this, *docks_, *status_, this);
     connect(viewport_, &Viewport::drawn, this, [this] {
         if (viewport_->schedule().still())
-            QMetaObject::invokeMethod(shelf_, &PresetShelf::keepMissingThumbnail, Qt::QueuedConnection);
+            QMetaObject::invokeMethod(presetController_, &PresetController::keepMissingThumbnail, Qt::QueuedConnection);
     });
     new HeapTrimmer(*viewport_, this);
 }
@@ -224,7 +225,7 @@ void MainWindow::choose(std::size_t exhibit)
     docks_->charts().setSubject(exhibit);
     docks_->setTreeSubject(exhibit);
     comparison_->actions().refreshOffers();
-    shelf_->refresh();
+    presetController_->refresh();
     docks_->explore().follow();
     if (keeper_) keeper_->noteLayout();
 }
@@ -248,8 +249,8 @@ ParameterPanel& MainWindow::panel() const
 
 void MainWindow::showTitle()
 {
-    const QString use = shelf_->titleOfUse();
-    QStringList parts{said(museum_.subject(shown()).title())};
+    const QString use = presetController_->titleOfUse();
+    QStringList parts{translatedText(museum_.subject(shown()).title())};
     if (!use.isEmpty()) parts << use;
     setWindowTitle(tr("%1 — Vitrine").arg(parts.join(QStringLiteral(": "))));
 }
@@ -257,7 +258,7 @@ void MainWindow::showTitle()
 void MainWindow::hidePanels(bool hidden)
 {
     if (hidden == bare_) return;
-    if (hidden && keeper_) keeper_->saveLayout();  // What comes back next time is what was there before.
+    if (hidden && keeper_) keeper_->saveLayout();  // The next start restores the panels that are visible now.
     bare_ = hidden;
     if (hidden)
         docks_->hideAll();
@@ -303,7 +304,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
         event->ignore();
         return;
     }
-    lessons_->leave();  // What comes back next time is what was open before.
+    lessons_->leave();  // The next start restores the state before the lesson.
     keeper_->close();
     event->accept();
 }

@@ -12,13 +12,13 @@ namespace vitrine::ui {
 
 class Bookmarks;
 class CloseGuard;
-class CompareDesk;
+class CompareController;
 class ExportAgain;
 class FileOpener;
-class LessonDesk;
+class LessonController;
 class MessageStrip;
 class ParameterPanel;
-class PresetShelf;
+class PresetController;
 class SessionKeeper;
 class StatusLine;
 class Viewport;
@@ -56,13 +56,13 @@ public:
     /// Returns whether panels and bars are hidden, so that only the picture is shown.
     [[nodiscard]] bool bare() const { return bare_; }
     [[nodiscard]] ParameterPanel& panel() const;
-    [[nodiscard]] PresetShelf& shelf() const { return *shelf_; }
+    [[nodiscard]] PresetController& presetController() const { return *presetController_; }
     [[nodiscard]] FileOpener& files() const { return *files_; }
     [[nodiscard]] ExportAgain& again() const { return *again_; }
     [[nodiscard]] WindowDocks& docks() const { return *docks_; }
-    [[nodiscard]] CompareDesk& comparison() const { return *comparison_; }
+    [[nodiscard]] CompareController& comparison() const { return *comparison_; }
     [[nodiscard]] Bookmarks& bookmarks() const { return *bookmarks_; }
-    [[nodiscard]] LessonDesk& lessons() const { return *lessons_; }
+    [[nodiscard]] LessonController& lessons() const { return *lessons_; }
     [[nodiscard]] WindowPreferences& preferences() const { return *preferences_; }
     [[nodiscard]] WindowDialogs& dialogs() const { return *dialogs_; }
 
@@ -92,11 +92,11 @@ private:
     MessageStrip* messages_;
     StatusLine* status_;
     WindowDocks* docks_ = nullptr;
-    PresetShelf* shelf_ = nullptr;
+    PresetController* presetController_ = nullptr;
     FileOpener* files_ = nullptr;
-    CompareDesk* comparison_ = nullptr;
+    CompareController* comparison_ = nullptr;
     Bookmarks* bookmarks_ = nullptr;
-    LessonDesk* lessons_ = nullptr;
+    LessonController* lessons_ = nullptr;
     SessionKeeper* keeper_ = nullptr;
     CloseGuard* guard_ = nullptr;
     ExportAgain* again_ = nullptr;

@@ -31,7 +31,7 @@ ParameterTabs::ParameterTabs(Subjects subjects, History& history, QWidget* paren
     layout->addWidget(panel_, 1);
     tabs_->setDrawBase(false);
     tabs_->setExpanding(false);
-    tabs_->setAccessibleName(tr("Whose parameters"));
+    tabs_->setAccessibleName(tr("Parameters of"));
     connect(tabs_, &QTabBar::currentChanged, this, [this] {
         show();
         emit turned();
@@ -63,9 +63,9 @@ void ParameterTabs::choose(std::size_t subject)
         const QSignalBlocker quiet(tabs_);
         while (tabs_->count() > 0) tabs_->removeTab(0);
         for (const std::size_t i : subject == hallIndex ? std::vector{hallIndex} : std::vector{subject, hallIndex}) {
-            const int tab = tabs_->addTab(said(subjects_[i]->title()));
+            const int tab = tabs_->addTab(translatedText(subjects_[i]->title()));
             tabs_->setTabData(tab, static_cast<qulonglong>(i));
-            tabs_->setTabToolTip(tab, said(subjects_[i]->summary()));
+            tabs_->setTabToolTip(tab, translatedText(subjects_[i]->summary()));
         }
         tabs_->updateGeometry();  // A hidden tab bar does not tell its layout that its size hint changed.
     }

@@ -44,10 +44,10 @@ int runWindow(int& argc, char** argv, const std::vector<std::string>& files)
     QApplication::setApplicationDisplayName(QStringLiteral("Vitrine"));
     QApplication::setDesktopFileName(QStringLiteral("org.vitrine.Vitrine"));
     // Before the museum is built, because its plaques are in the window's language.
-    speak(languageAsked() ? spokenLanguage() : languageOfWindow());
+    setLanguage(languageAsked() ? languageCode() : languageOfWindow());
     if (const QString why = whyNoOpenGl(); !why.isEmpty()) {
         std::fprintf(stderr, "vitrine: %s\n", qPrintable(why));
-        return static_cast<int>(Blame::openGl);
+        return static_cast<int>(ErrorKind::openGl);
     }
     applyAppearance(app, Preferences::saved(), {});
     const Museum museum{allExhibits()};

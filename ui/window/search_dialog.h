@@ -42,7 +42,7 @@ private:
     void go();
 
     std::vector<SearchEntry> entries_;
-    std::vector<SearchText> texts_;  ///< Of the entries.
+    std::vector<SearchText> texts_;  ///< Searched text of each entry.
     QLineEdit* words_;
     QTreeWidget* list_;
     QLabel* help_;

@@ -4,7 +4,7 @@
 #include "ui/kit/menu_text.h"
 #include "ui/kit/text.h"
 #include "ui/lessons/page_dialog.h"
-#include "ui/presets/preset_shelf.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/window/main_window.h"
 #include "ui/window/window_dialogs.h"
 
@@ -42,14 +42,14 @@ void addCommands(std::vector<SearchEntry>& all, const MainWindow& window, const 
 
 void addParameters(std::vector<SearchEntry>& all, MainWindow& window, std::size_t subject)
 {
-    const QString title = said(window.museum().subject(subject).title());
+    const QString title = translatedText(window.museum().subject(subject).title());
     for (const ParameterInfo& row : window.history().sceneState().values[subject].rows()) {
-        const QString group = said(row.group);
+        const QString group = translatedText(row.group);
         QStringList more{text(row.name)};
-        for (const std::string_view choice : row.choices) more << said(choice);
-        all.push_back({said(label(row)),
+        for (const std::string_view choice : row.choices) more << translatedText(choice);
+        all.push_back({translatedText(label(row)),
                        group.isEmpty() ? title : QObject::tr("%1: %2").arg(title, group),
-                       said(row.help),
+                       translatedText(row.help),
                        more.join(QLatin1Char(' ')),
                        {},
                        false,
@@ -59,11 +59,11 @@ void addParameters(std::vector<SearchEntry>& all, MainWindow& window, std::size_
 
 void addPresets(std::vector<SearchEntry>& all, MainWindow& window, std::size_t subject)
 {
-    const QString place = QObject::tr("Preset of %1").arg(said(window.museum().subject(subject).title()));
-    for (const auto& [name, id] : window.shelf().choices(subject))
+    const QString place = QObject::tr("Preset of %1").arg(translatedText(window.museum().subject(subject).title()));
+    for (const auto& [name, id] : window.presetController().choices(subject))
         all.push_back({name, place, {}, {}, {}, false, [&window, subject, preset = id] {
                            if (window.shown() != subject) window.visit(subject);
-                           window.shelf().load(preset);
+                           window.presetController().load(preset);
                        }});
 }
 
@@ -78,10 +78,10 @@ QString textOfPage(const QString& name)
 
 void addPage(std::vector<SearchEntry>& all, const MainWindow& window, std::size_t subject)
 {
-    const Subject& about = window.museum().subject(subject);
-    all.push_back({QObject::tr("How it works: %1").arg(said(about.title())),
+    const SceneObject& about = window.museum().subject(subject);
+    all.push_back({QObject::tr("How it works: %1").arg(translatedText(about.title())),
                    QObject::tr("Page"),
-                   said(about.summary()),
+                   translatedText(about.summary()),
                    textOfPage(text(about.name())),
                    {},
                    false,

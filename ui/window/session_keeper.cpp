@@ -115,7 +115,8 @@ void SessionKeeper::writeJournalLater()
         QMetaObject::invokeMethod(
             this,
             [this, why] {
-                window_.setProblems(QStringLiteral("journal"), why.empty() ? QStringList() : QStringList(said(why)));
+                window_.setProblems(QStringLiteral("journal"),
+                                    why.empty() ? QStringList() : QStringList(translatedText(why)));
             },
             Qt::QueuedConnection);
     });
@@ -157,7 +158,7 @@ QString SessionKeeper::changesText(const std::vector<std::string>& notes)
 {
     constexpr std::size_t mostNamed = 8;
     QStringList lines;
-    for (std::size_t i = 0; i < std::min(notes.size(), mostNamed); ++i) lines << said(notes[i]);
+    for (std::size_t i = 0; i < std::min(notes.size(), mostNamed); ++i) lines << translatedText(notes[i]);
     if (notes.size() > mostNamed) lines << tr("and %1 more").arg(notes.size() - mostNamed);
     return lines.join(QStringLiteral("\n    "));
 }

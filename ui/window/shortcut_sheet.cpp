@@ -39,11 +39,13 @@ void addPad(QTreeWidget& tree)
     addLine(tree, QStringLiteral("B"), ShortcutSheet::tr("Leave the exhibit and walk on"));
     addLine(tree, QStringLiteral("X"), ShortcutSheet::tr("Press the red button"));
     addLine(tree, QStringLiteral("Y"), ShortcutSheet::tr("Return to where you stood before"));
-    addLine(tree, ShortcutSheet::tr("Cross up, down"), ShortcutSheet::tr("Choose a parameter"));
-    addLine(tree, ShortcutSheet::tr("Cross left, right"), ShortcutSheet::tr("Change the value, like the arrow keys"));
-    addLine(tree, ShortcutSheet::tr("Shoulders"), ShortcutSheet::tr("Visit the previous or the next exhibit"));
-    addLine(tree, ShortcutSheet::tr("Start"), ShortcutSheet::tr("Stop and start the exhibits' clock"));
-    addLine(tree, ShortcutSheet::tr("In dialogs and menus"), ShortcutSheet::tr("The cross moves, A presses, B closes"));
+    addLine(tree, ShortcutSheet::tr("Directional pad up, down"), ShortcutSheet::tr("Choose a parameter"));
+    addLine(tree, ShortcutSheet::tr("Directional pad left, right"),
+            ShortcutSheet::tr("Change the value, like the arrow keys"));
+    addLine(tree, ShortcutSheet::tr("Shoulder buttons"), ShortcutSheet::tr("Visit the previous or the next exhibit"));
+    addLine(tree, ShortcutSheet::tr("Start button"), ShortcutSheet::tr("Stop and start the exhibits' clock"));
+    addLine(tree, ShortcutSheet::tr("In dialogs and menus"),
+            ShortcutSheet::tr("The directional pad moves, A presses, B closes"));
 }
 
 /// Adds what keys, mouse and gamepad do beside the menus' commands.

@@ -39,7 +39,7 @@ void StatusLine::note(const render::FrameReport& report, const QSize& pixels, co
     pixels_ = pixels;
     milliseconds_ = report.milliseconds;
     graph_->add(report.milliseconds);
-    clock_ = said(report.clock);
+    clock_ = translatedText(report.clock);
     if (!report.clockTrusted) clock_ += tr(", not trusted");
     ran_ = report.ran.size();
     skipped_ = report.skipped.size();

@@ -12,7 +12,7 @@ TableReader::TableReader(Workbench& window, QObject* parent) : QObject(parent), 
 {
     History& history = window.history();
     connect(&history, &History::changed, this, [this, &history](std::size_t exhibit, std::size_t row) {
-        if (history.sceneState().values[exhibit].rows()[row].givesRows) read();
+        if (history.sceneState().values[exhibit].rows()[row].addsParameters) read();
     });
     connect(&history, &History::replaced, this, &TableReader::read);
     connect(&window.viewport(), &Viewport::filesChanged, this, &TableReader::readAgain);
@@ -49,9 +49,9 @@ void TableReader::readAgain()
 void TableReader::take(const TabledSceneState& tabled)
 {
     QStringList unreadable;
-    for (const Message& why : tabled.unreadable) unreadable << said(why);
+    for (const Message& why : tabled.unreadable) unreadable << translatedText(why);
     window_.setProblems(QStringLiteral("files that give parameters"), unreadable);
-    for (const std::string& note : tabled.notes) window_.say(MessageStrip::Mood::notice, said(note));
+    for (const std::string& note : tabled.notes) window_.say(MessageStrip::Mood::notice, translatedText(note));
     taking_ = true;
     window_.history().exchangeTables(tabled.sceneState);
     taking_ = false;

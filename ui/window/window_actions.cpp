@@ -6,17 +6,17 @@
 #include "exhibits/museum/museum.h"
 #include "render/files/manual.h"
 #include "ui/compare/compare_actions.h"
-#include "ui/compare/compare_desk.h"
+#include "ui/compare/compare_controller.h"
 #include "ui/export/copies.h"
 #include "ui/export/screenshot.h"
 #include "ui/jobs/export_again.h"
 #include "ui/kit/language.h"
 #include "ui/kit/menu_text.h"
 #include "ui/kit/text.h"
-#include "ui/lessons/lesson_desk.h"
+#include "ui/lessons/lesson_controller.h"
 #include "ui/parameters/parameter_panel.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/presets/preset_list.h"
-#include "ui/presets/preset_shelf.h"
 #include "ui/record/bookmarks.h"
 #include "ui/record/bookmarks_dialog.h"
 #include "ui/study/table_export.h"
@@ -179,10 +179,10 @@ void expose(MainWindow& window, double stops)
 /// Sets the shown exhibit's parameters to their initial values.
 void resetShown(MainWindow& window)
 {
-    const Subject& subject = window.museum().subject(window.shown());
+    const SceneObject& subject = window.museum().subject(window.shown());
     SceneState next = window.history().sceneState();
     next.values[window.shown()] = subject.parameters().initial();
-    window.history().change(tr("Reset %1").arg(said(subject.title())), next);
+    window.history().change(tr("Reset %1").arg(translatedText(subject.title())), next);
 }
 
 }  // namespace
@@ -192,7 +192,7 @@ WindowActions::WindowActions(MainWindow& window)
     Maker make(window, all);
     addFileMenu(make, window);
     addEditMenu(make, window);
-    addPresetMenu(make, window.shelf());
+    addPresetMenu(make, window.presetController());
     addViewMenu(make, window);
     addCompareMenu(make, window.comparison().actions());
     addExhibitMenu(make, window);
@@ -223,7 +223,7 @@ void WindowActions::watch(MainWindow& window) const
     const auto follow = [this] { refresh(); };
     QObject::connect(&window.history(), &History::changesSettled, &watching_, follow);
     QObject::connect(&window.viewport(), &Viewport::looked, &watching_, follow);
-    QObject::connect(&window.shelf(), &PresetShelf::marked, &watching_, follow);
+    QObject::connect(&window.presetController(), &PresetController::marked, &watching_, follow);
     QObject::connect(&window.docks().presets(), &PresetList::selectedChanged, &watching_, follow);
     QObject::connect(&window.docks().tree().editor(), &TreeEditor::treeChanged, &watching_, follow);
     QObject::connect(&window.again(), &ExportAgain::noted, &watching_, follow);
@@ -240,7 +240,7 @@ void WindowActions::addFileMenu(Maker& make, MainWindow& window)
     addSaving(make, window);
     make.add(tr("Save e&xhibition…"), {},
              tr("Saves everything in one file: all exhibits, the hall and where you stand."),
-             [&window] { window.shelf().saveExhibition(); });
+             [&window] { window.presetController().saveExhibition(); });
     make.separator();
     make.add(tr("Screens&hot"), {QKeySequence(Qt::Key_F12)}, tr("Saves the picture as PNG in your pictures folder."),
              [&window] { saveScreenshot(window, window); });
@@ -290,7 +290,7 @@ void WindowActions::addSaving(Maker& make, MainWindow& window)
                  if (window.docks().treeFile().edited())
                      window.docks().treeFile().save();
                  else
-                     window.shelf().save();
+                     window.presetController().save();
              });
     enableOnly(
         make.add(QStringLiteral("save-file-as"), tr("Save scene &as…"), {}, tr("Writes the tree to another file."),
@@ -332,35 +332,36 @@ void WindowActions::addEditMenu(Maker& make, MainWindow& window)
              [&window] { window.preferences().openDialog(); });
 }
 
-void WindowActions::addPresetMenu(Maker& make, PresetShelf& shelf)
+void WindowActions::addPresetMenu(Maker& make, PresetController& presetController)
 {
     make.menu(tr("&Preset"));
     savePreset = make.add(tr("&Save preset"), {}, tr("Saves the values that the panel shows to the preset in use."),
-                          [&shelf] { shelf.save(); });
-    savePresetAs =
-        make.add(tr("Save preset &as…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)},
-                 tr("Saves the values that the panel shows under a new name."), [&shelf] { shelf.saveAs(); });
+                          [&presetController] { presetController.save(); });
+    savePresetAs = make.add(tr("Save preset &as…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)},
+                            tr("Saves the values that the panel shows under a new name."),
+                            [&presetController] { presetController.saveAs(); });
     make.separator();
     const qsizetype first = presetMenu.size();
     presetMenu << make.add(tr("&Rename preset"), {QKeySequence(Qt::Key_F2)}, tr("Renames the selected preset."),
-                           [&shelf] { shelf.rename(); });
+                           [&presetController] { presetController.rename(); });
     presetMenu << make.add(tr("&Tags of preset…"), {},
                            tr("Edits the tags of the selected preset, by which it can be found."),
-                           [&shelf] { shelf.editTags(); });
+                           [&presetController] { presetController.editTags(); });
     presetMenu << make.add(tr("&Duplicate preset"), {}, tr("Copies the selected preset to a preset of your own."),
-                           [&shelf] { shelf.duplicate(); });
+                           [&presetController] { presetController.duplicate(); });
     presetMenu << make.add(tr("De&lete preset"), {}, tr("Deletes the selected preset; undo brings it back."),
-                           [&shelf] { shelf.remove(); });
+                           [&presetController] { presetController.remove(); });
     make.separator();
     QAction* importing = make.add(tr("&Import preset…"), {}, tr("Copies a preset file to your own presets."),
-                                  [&shelf] { shelf.importFile(); });
+                                  [&presetController] { presetController.importFile(); });
     presetMenu << importing;
     presetMenu << make.add(tr("&Export preset…"), {}, tr("Writes the selected preset to a file."),
-                           [&shelf] { shelf.exportFile(); });
+                           [&presetController] { presetController.exportFile(); });
     for (QAction* action : presetMenu.mid(first))
         if (action != importing)
             enableOnly(
-                action, [&shelf] { return !shelf.selected().isEmpty(); }, tr("No preset is selected in the list."));
+                action, [&presetController] { return !presetController.selected().isEmpty(); },
+                tr("No preset is selected in the list."));
 }
 
 void WindowActions::addViewMenu(Maker& make, MainWindow& window)
@@ -493,8 +494,8 @@ void WindowActions::addWithoutMenu(Maker& make, MainWindow& window)
         const int place = exhibit.place();
         const bool hasKey = window.museum().isInHall(i) && place <= 10;  // Alt+0 stands for place 10.
         const Keys keys = hasKey ? Keys{QKeySequence(Qt::ALT | static_cast<Qt::Key>(Qt::Key_0 + place % 10))} : Keys{};
-        make.add(QStringLiteral("visit-") + text(exhibit.name()), tr("Visit %1").arg(said(exhibit.title())), keys,
-                 said(exhibit.summary()), [&window, index = i] { window.visit(index); });
+        make.add(QStringLiteral("visit-") + text(exhibit.name()), tr("Visit %1").arg(translatedText(exhibit.title())),
+                 keys, translatedText(exhibit.summary()), [&window, index = i] { window.visit(index); });
     }
     Bookmarks& bookmarks = window.bookmarks();
     const auto key = [](int number) { return static_cast<Qt::Key>(Qt::Key_0 + number); };

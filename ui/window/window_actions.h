@@ -13,7 +13,7 @@ namespace vitrine::ui {
 
 class CompareActions;
 class MainWindow;
-class PresetShelf;
+class PresetController;
 
 /// All commands of the window, with their shortcuts. Menus, search and shortcut sheet are made from them.
 struct WindowActions {
@@ -44,7 +44,7 @@ private:
     void addFileMenu(Maker&, MainWindow&);
     void addSaving(Maker&, MainWindow&);
     void addEditMenu(Maker&, MainWindow&);
-    void addPresetMenu(Maker&, PresetShelf&);
+    void addPresetMenu(Maker&, PresetController&);
     void addViewMenu(Maker&, MainWindow&);
     void addScreenAndClock(Maker&, MainWindow&);
     void addCompareMenu(Maker&, const CompareActions&);

@@ -7,7 +7,7 @@
 #include "ui/jobs/export_again.h"
 #include "ui/jobs/job_dialog.h"
 #include "ui/kit/text.h"
-#include "ui/lessons/lesson_desk.h"
+#include "ui/lessons/lesson_controller.h"
 #include "ui/lessons/page_dialog.h"
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
@@ -35,7 +35,7 @@ void bringUp(QWidget& dialog)
 
 }  // namespace
 
-WindowDialogs::WindowDialogs(Workbench& workbench, QWidget& window, Bookmarks& bookmarks, LessonDesk& lessons,
+WindowDialogs::WindowDialogs(Workbench& workbench, QWidget& window, Bookmarks& bookmarks, LessonController& lessons,
                              ExportAgain& again)
     : QObject(&window), workbench_(workbench), window_(window), bookmarks_(bookmarks), lessons_(lessons), again_(again)
 {
@@ -54,7 +54,7 @@ std::vector<ExportKind> WindowDialogs::exportKinds()
         const std::string_view subject = job.needs().subject;
         if (!job.needs().inWindow) continue;
         kinds.push_back(
-            {text(job.name()), said(std::string(job.product())),
+            {text(job.name()), translatedText(std::string(job.product())),
              [this, &job](QWidget* parent) { return makeJobPage(job, parent); },
              [](const QDialog& page) { return static_cast<const JobDialog&>(page).exporting(); },
              subject.empty() || workbench_.museum().find(subject) ? QString() : tr("This museum lacks its exhibit.")});

@@ -17,7 +17,7 @@ namespace vitrine::ui {
 
 class Bookmarks;
 class ExportAgain;
-class LessonDesk;
+class LessonController;
 class Workbench;
 
 /// Opener of the window's dialogs. A dialog that is open already is raised instead of a second one.
@@ -27,7 +27,7 @@ class WindowDialogs final : public QObject {
 public:
     /// The window is the parent of all dialogs. `again` notes the exports of pictures. All must
     /// outlive this object.
-    WindowDialogs(Workbench&, QWidget& window, Bookmarks&, LessonDesk&, ExportAgain& again);
+    WindowDialogs(Workbench&, QWidget& window, Bookmarks&, LessonController&, ExportAgain& again);
 
     void openAbout();
     /// Opens the print dialog, with this print if the path is not empty.
@@ -52,7 +52,7 @@ private:
     Workbench& workbench_;
     QWidget& window_;
     Bookmarks& bookmarks_;
-    LessonDesk& lessons_;
+    LessonController& lessons_;
     ExportAgain& again_;
 };
 

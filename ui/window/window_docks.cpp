@@ -167,7 +167,7 @@ void WindowDocks::addFrameReportAndLog()
     frameReport_ = new FrameReportDock([&viewport] { return viewport.reason(); });
     QHash<QString, QString> titles;
     for (const auto& exhibit : workbench_.museum().subjects())
-        titles.insert(text(exhibit->name()), said(exhibit->title()));
+        titles.insert(text(exhibit->name()), translatedText(exhibit->title()));
     frameReport_->view().setTitles(titles);
     connect(frameReport_, &FrameReportDock::runEverythingAsked, &viewport, &Viewport::setRunEverything);
     log_ = new LogView;
@@ -183,9 +183,9 @@ void WindowDocks::addFrameReportAndLog()
     connect(reportTabs_, &QTabWidget::currentChanged, this, time);
 }
 
-void WindowDocks::addExplore(PresetShelf& shelf)
+void WindowDocks::addExplore(PresetController& presetController)
 {
-    explore_ = new ExploreDock(workbench_, shelf, parameters_->panel());
+    explore_ = new ExploreDock(workbench_, presetController, parameters_->panel());
     auto* room = new QScrollArea;  // A small window need not grow for it.
     room->setWidget(explore_);
     room->setWidgetResizable(true);

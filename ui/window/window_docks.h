@@ -20,7 +20,7 @@ class FrameReportDock;
 class LogView;
 class ParameterTabs;
 class PresetList;
-class PresetShelf;
+class PresetController;
 class StudyDock;
 class TreeDock;
 class TreeFile;
@@ -34,8 +34,8 @@ public:
     /// Adds the docks to the window. The window and the workbench must outlive this object.
     WindowDocks(QMainWindow&, Workbench&);
 
-    /// Adds the dock of the exploration; the shelf must outlive it.
-    void addExplore(PresetShelf&);
+    /// Adds the dock of the exploration; the controller must outlive it.
+    void addExplore(PresetController&);
 
     [[nodiscard]] const QList<QDockWidget*>& all() const { return docks_; }
     [[nodiscard]] ExhibitList& exhibits() const { return *exhibits_; }

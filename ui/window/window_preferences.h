@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/kit/appearance.h"
-#include "ui/kit/desktop_wishes.h"
+#include "ui/kit/desktop_preferences.h"
 #include "ui/kit/preferences.h"
 #include "ui/preferences/key_bindings.h"
 

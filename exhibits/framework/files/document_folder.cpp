@@ -24,7 +24,7 @@ void moveFile(const fs::path& from, const fs::path& to)
         fs::remove(from, error);
     }
     if (error)
-        throw Failure(Blame::file,
+        throw Failure(ErrorKind::file,
                       message("Cannot move {1} to {2}: {3}; check your permissions.", from, to, error.message()));
 }
 

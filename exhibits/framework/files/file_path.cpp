@@ -9,9 +9,9 @@ namespace vitrine {
 
 std::string filePath(const ParameterInfo& row, const std::string& value)
 {
-    if (row.shipped.empty() || value.empty() || std::filesystem::path(value).has_parent_path()) return value;
+    if (row.assetFolder.empty() || value.empty() || std::filesystem::path(value).has_parent_path()) return value;
     try {
-        const std::filesystem::path own = render::asset(row.shipped) / value;
+        const std::filesystem::path own = render::asset(row.assetFolder) / value;
         std::error_code error;
         return std::filesystem::exists(own, error) ? own.string() : value;
     } catch (const Failure&) {

@@ -47,7 +47,7 @@ std::string_view trimmed(std::string_view s)
 
 Failure failureAt(const std::string& file, int line, const Message& problem)
 {
-    return {Blame::file, message("{1}, line {2}: {3}", file, line, problem)};
+    return {ErrorKind::file, message("{1}, line {2}: {3}", file, line, problem)};
 }
 
 /// Splits the file at its headings.
@@ -141,7 +141,7 @@ const ParameterValues* tableOf(const NamedValues& tables, std::string_view name)
     return found == tables.end() ? nullptr : &found->second;
 }
 
-/// Returns the row named "kind" or "hall.exposure"; null if there is none.
+/// Returns the parameter named "kind" or "hall.exposure"; null if there is none.
 const ParameterInfo* rowNamed(std::string_view name, std::string_view exhibit, const NamedValues& tables)
 {
     if (name.starts_with("hall.")) {
@@ -173,9 +173,10 @@ public:
     void head(const Part& part)
     {
         if (!part.hasBlock)
-            throw failureAt(file_, part.line,
-                            message("the block that says whose lesson this is is missing; write ```json, {\"format\": "
-                                    "\"vitrine-lesson\", \"version\": 1, \"exhibit\": ...} and ``` below the title."));
+            throw failureAt(
+                file_, part.line,
+                message("the block that names the exhibit of the lesson is missing; write ```json, {\"format\": "
+                        "\"vitrine-lesson\", \"version\": 1, \"exhibit\": ...} and ``` below the title."));
         const JsonDocument document = object(part, {"format", "version", "exhibit"});
         const Json& root = document.root();
         if (root.value("format", Json()) != "vitrine-lesson")
@@ -298,8 +299,8 @@ private:
         return *row;
     }
 
-    /// Sets the rows of a step. An unknown row may be one that a scene file adds to the table, if the step names such a
-    /// file; it is then kept as pending.
+    /// Sets the parameters of a step. An unknown parameter may be one that a scene file adds to the table, if the step
+    /// names such a file; it is then kept as pending.
     void setRows(ParameterValues& values, const JsonDocument& document)
     {
         ParameterValues::PendingRows pending;

@@ -31,7 +31,7 @@ struct LessonNumber {
 struct LessonStep {
     std::string title;
     std::string text;        ///< Paragraphs separated by empty lines; contains `**` and `[row:...]` as written.
-    std::string task;        ///< What the reader does in this step, in the format of `text`; may be empty.
+    std::string task;        ///< Task of the reader in this step, in the format of `text`; may be empty.
     std::string question;    ///< Question to think about, in the format of `text`; empty if and only if `answer` is.
     std::string answer;      ///< Answer, hidden until the reader asks for it.
     ParameterValues values;  ///< All values of the exhibit.
@@ -58,15 +58,15 @@ struct LessonStep {
 ///
 ///     ### Try
 ///
-///     What to do.
+///     Task of the reader.
 ///
 ///     ### Question
 ///
-///     What to think about.
+///     Question to think about.
 ///
 ///     ### Answer
 ///
-///     What is shown when the reader asks for it.
+///     Answer, shown when the reader asks for it.
 ///
 ///     ```json
 ///     {"values": {"work": "field"}, "hall": {}, "camera": "best", "read": "milliseconds"}

@@ -9,8 +9,8 @@
 
 namespace vitrine {
 
-/// How a picture was taken, besides all settings. Both together reproduce the picture bit by bit. Inside the exhibition
-/// that a picture file contains, it is stored under "picture":
+/// Circumstances of a picture besides all settings. Both together reproduce the picture bit by bit. Inside the
+/// exhibition that a picture file contains, it is stored under "picture":
 ///
 ///     {"size": [640, 360], "samples": 4, "time": 0.0, "seed": 1}
 ///

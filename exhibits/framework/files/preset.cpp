@@ -34,13 +34,13 @@ std::string textAt(const JsonDocument& document, const Json& root, const char* k
     return root[key].get<std::string>();
 }
 
-/// Throws Failure where the file is no preset, or of another version.
+/// Throws Failure where the file is not a preset, or of another version.
 void checkVersion(const JsonDocument& document)
 {
     const Json& root = document.root();
-    if (!root.is_object()) throw document.failure({}, message("this is no preset: it must be a JSON object."));
+    if (!root.is_object()) throw document.failure({}, message("this is not a preset: it must be a JSON object."));
     if (!root.contains("version"))
-        throw document.failure({}, message("this is no preset of Vitrine: it says neither format nor version."));
+        throw document.failure({}, message("this is not a preset of Vitrine: it says neither format nor version."));
     const Json& version = root["version"];
     if (!version.is_number_unsigned())
         throw document.failure("version", message("this must be a whole number; correct it there."));
@@ -81,8 +81,8 @@ Opened open(const JsonDocument& document)
     return file;
 }
 
-/// Moves the entries that may be rows added to the table by a file from `left`, and from the object `key` of the file,
-/// into the result (for values or for motions).
+/// Moves the entries that may be parameters added to the table by a file from `left`, and from the object `key` of the
+/// file, into the result (for values or for motions).
 ParameterValues::PendingRows pendingRows(Opened& file, const char* key, const ParameterValues& values,
                                          const std::string& prefix, std::map<std::string, const Json*>& left)
 {
@@ -102,7 +102,7 @@ ParameterValues::PendingRows pendingRows(Opened& file, const char* key, const Pa
     return pending;
 }
 
-/// Reads the rows of one table; `prefix` is "" or "sdf_morph.". Removes what it read from `left`.
+/// Reads the parameters of one table; `prefix` is "" or "sdf_morph.". Removes what it read from `left`.
 ParameterValues readRows(Opened& file, const Parameters& table, const std::string& prefix,
                          std::map<std::string, const Json*>& left)
 {
@@ -119,7 +119,7 @@ ParameterValues readRows(Opened& file, const Parameters& table, const std::strin
     return values;
 }
 
-/// Reads the motions of the rows of one table, like `readRows`.
+/// Reads the motions of the parameters of one table, like `readRows`.
 void readMotions(Opened& file, ParameterValues& values, const std::string& prefix,
                  std::map<std::string, const Json*>& left)
 {
@@ -220,7 +220,7 @@ PresetHeader presetHeader(const JsonDocument& document)
     const Json& root = document.root();
     const std::string format = textAt(document, root, "format", true);
     if (format != presetFormat && format != exhibitionFormat) {
-        throw document.failure("format", message("\"{1}\" is no format of Vitrine; choose a preset.", format));
+        throw document.failure("format", message("\"{1}\" is not a format of Vitrine; choose a preset.", format));
     }
     header.isExhibition = format == exhibitionFormat;
     header.exhibit = textAt(document, root, "exhibit", !header.isExhibition);

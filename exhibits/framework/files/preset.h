@@ -2,7 +2,7 @@
 
 #include "exhibits/framework/files/picture_record.h"
 #include "exhibits/framework/files/preset_tags.h"
-#include "exhibits/framework/scene/subject.h"
+#include "exhibits/framework/scene/scene_object.h"
 #include "exhibits/framework/table/parameters.h"
 #include "render/files/strict_json.h"
 #include "render/scene/camera.h"
@@ -45,15 +45,15 @@ struct Preset {
     std::optional<render::Camera> camera;
 
     render::Json kept = render::Json::object();  ///< The file as read: its unknown keys are written again.
-    std::vector<std::string> notes;              ///< What reading changed or did not know, for people.
+    std::vector<std::string> notes;              ///< Sentences on values that reading changed or did not know.
     PresetTags tags = {};
 };
 
 /// Reads a preset. Unknown keys at the top level, in `values` and in `camera` are kept, with a note. Values out of
 /// range are clamped, with a note ("exposure 99 -> 16 (allowed -16 to 16)"). Missing values get their initial value.
-/// Keys that may be rows added to the table by a file become pending values of the result. Throws Failure with file,
-/// line and key for malformed JSON, a duplicate key, a wrong type, an unknown choice, a wrong format or exhibit, or a
-/// newer version. Never changes an argument.
+/// Keys that may be parameters added to the table by a file become pending values of the result. Throws Failure with
+/// file, line and key for malformed JSON, a duplicate key, a wrong type, an unknown choice, a wrong format or exhibit,
+/// or a newer version. Never changes an argument.
 [[nodiscard]] Preset parsePreset(std::string text, std::string fileName, std::string_view exhibit, const Parameters&);
 
 /// Returns the text of a preset file, including the unknown keys of `kept`. Throws Failure if a number is not finite.

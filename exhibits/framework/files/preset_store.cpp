@@ -170,7 +170,7 @@ fs::path PresetStore::importFile(const fs::path& path, std::string_view exhibit,
     if (render::mayCarrySettings(path)) {
         std::optional<std::string> embedded = render::carriedSettings(path);
         if (!embedded)
-            throw Failure(Blame::file,
+            throw Failure(ErrorKind::file,
                           message("Cannot import {1}: there is no preset in this picture; choose another.", path));
         text = std::move(*embedded);
     } else {
@@ -204,7 +204,7 @@ bool PresetStore::isShipped(const fs::path& path) const
 void PresetStore::refuseShipped(const fs::path& path) const
 {
     if (!isShipped(path)) return;
-    throw Failure(Blame::file,
+    throw Failure(ErrorKind::file,
                   message("Cannot change {1}: it is part of Vitrine; save a copy under another name.", path));
 }
 

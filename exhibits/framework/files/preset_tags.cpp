@@ -69,11 +69,11 @@ PresetTags tagsFromText(std::string_view text)
         std::string tag(part);
         if (tag.empty() || stands(tags, tag)) continue;
         if (const Message why = whyNoTag(tag); !why.empty())
-            throw Failure(Blame::usage, message("\"{1}\" was not taken: {2}.", tag, why));
+            throw Failure(ErrorKind::usage, message("\"{1}\" was not taken: {2}.", tag, why));
         tags.push_back(std::move(tag));
     }
     if (tags.size() > mostPresetTags)
-        throw Failure(Blame::usage,
+        throw Failure(ErrorKind::usage,
                       message("A preset has at most {1} tags; these are {2}.", mostPresetTags, tags.size()));
     return tags;
 }

@@ -21,7 +21,7 @@ inline constexpr std::size_t mostPresetTagBytes = 40;
 [[nodiscard]] PresetTags tagsIn(const render::JsonDocument&, const render::Json& root);
 
 /// Parses typed tags, separated by commas. Blanks at the ends, empty tags and repeated ones are dropped. Throws Failure
-/// (Blame::usage) for an invalid tag, or if there are too many.
+/// (ErrorKind::usage) for an invalid tag, or if there are too many.
 [[nodiscard]] PresetTags tagsFromText(std::string_view);
 
 /// Returns the same file with other tags; everything else stays as it was written. Throws Failure as `presetHeader`.

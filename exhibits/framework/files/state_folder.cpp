@@ -57,12 +57,14 @@ void writeOwnFile(const std::filesystem::path& path, std::string_view bytes)
     if (!error) return render::atomicWrite(path, bytes);
     const std::string what = "Cannot write " + path.string() + ": " + error.message();
     if (liesIn(path, stateFolder()))
-        throw Failure(Blame::file, what + "; allow writing in that folder, or start Vitrine with XDG_STATE_HOME set to "
-                                          "a folder that can be written. Until then nothing is saved there.");
+        throw Failure(ErrorKind::file,
+                      what + "; allow writing in that folder, or start Vitrine with XDG_STATE_HOME set to "
+                             "a folder that can be written. Until then nothing is saved there.");
     if (liesIn(path, userPresetFolder()))
-        throw Failure(Blame::file, what + "; allow writing in that folder, or start Vitrine with XDG_DATA_HOME set to "
-                                          "a folder that can be written.");
-    throw Failure(Blame::file, what + "; allow writing in that folder.");
+        throw Failure(ErrorKind::file, what +
+                                           "; allow writing in that folder, or start Vitrine with XDG_DATA_HOME set to "
+                                           "a folder that can be written.");
+    throw Failure(ErrorKind::file, what + "; allow writing in that folder.");
 }
 
 }  // namespace vitrine

@@ -2,7 +2,7 @@
 
 #include "exhibits/framework/scene/chart.h"
 #include "exhibits/framework/scene/prepare.h"
-#include "exhibits/framework/scene/standing.h"
+#include "exhibits/framework/scene/standing_shape.h"
 #include "exhibits/framework/table/parameters.h"
 #include "render/files/asset_store.h"
 #include "render/plan/frame_plan.h"
@@ -15,11 +15,11 @@
 
 namespace vitrine {
 
-class Subject;
+class SceneObject;
 struct PlanContext;
 
 /// Parameters that the files in the values add, or the reason why there are none.
-struct CalledTable {
+struct DynamicParameters {
     std::shared_ptr<const Parameters> table = {};  ///< Null: the values keep their parameters.
     Message why = {};  ///< A full sentence if a file cannot be read (`unreadableFile`); else empty.
 };
@@ -116,14 +116,14 @@ public:
     /// parameters made through the asset store, the same object for the same files. They contain those of
     /// `parameters()` and more. The exhibit then receives values with these parameters; so a class derived from
     /// Parameters may carry the scene it was made from. Thread-safe; never throws for a file that cannot be read.
-    [[nodiscard]] virtual CalledTable tableFor(const ParameterValues&, render::AssetStore&) const = 0;
+    [[nodiscard]] virtual DynamicParameters dynamicParameters(const ParameterValues&, render::AssetStore&) const = 0;
     /// Returns further files that the parameters or pictures of these values depend on, besides those that the values
     /// name. They are watched for changes, too.
     [[nodiscard]] virtual std::vector<std::string> furtherFiles(const ParameterValues&) const { return {}; }
 };
 
 /// Returns the subject as that capability; null if it does not have it.
-template <typename Capability> [[nodiscard]] const Capability* capability(const Subject& subject)
+template <typename Capability> [[nodiscard]] const Capability* capability(const SceneObject& subject)
 {
     return dynamic_cast<const Capability*>(&subject);
 }

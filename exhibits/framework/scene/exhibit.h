@@ -3,7 +3,7 @@
 #include "exhibits/framework/scene/capabilities.h"
 #include "exhibits/framework/scene/prepare.h"
 #include "exhibits/framework/scene/scene_lighting.h"
-#include "exhibits/framework/scene/subject.h"
+#include "exhibits/framework/scene/scene_object.h"
 #include "exhibits/framework/table/parameters.h"
 #include "render/plan/frame_plan.h"
 #include "render/scene/camera.h"
@@ -53,12 +53,12 @@ struct PlanContext {
     const PreparedPart* prepared = nullptr;       ///< Result of `prepare`.
     /// Plans the hall and all exhibits for another view of the same frame: without shadows, without passes over the
     /// whole frame, and unpruned. Only for OverFrame::planOverFrame.
-    std::function<render::FramePlan(const render::View&)> seenFrom = {};
+    std::function<render::FramePlan(const render::View&)> planOfView = {};
 };
 
 /// A rendering technique in the museum: a parameter table and the passes that draw it. Optional features are the
 /// interfaces in exhibits/framework/scene/capabilities.h.
-class Exhibit : public Subject {
+class Exhibit : public SceneObject {
 public:
     [[nodiscard]] virtual std::string_view tryThis() const { return {}; }  ///< On the plaque: what to try.
     /// Number of its place in the hall, from 1. 0, or a number that the hall does not have: it is in the depot, shown

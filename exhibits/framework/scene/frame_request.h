@@ -37,18 +37,18 @@ struct FrameRequest {
     glm::dmat4 exhibitTransform{1};  ///< For `alone` or `subject`: scale and rotation around its own origin.
     std::optional<std::size_t> subject;
     bool runEverything = false;
-    bool cut = false;  ///< The camera jumped: discards all histories.
+    bool resetHistory = false;  ///< Discards all histories, because the camera jumped.
     /// The frame is not drawn again: completes sliced passes in this frame, and waits for programs instead of using
     /// fallbacks.
     bool finished = false;
     /// True: Museum::prepare throws Failure if a named file cannot be read. False: the plan only contains a warning.
     bool needsFiles = false;
-    /// The values have not changed for a while, so that specialized programs may be built (ShaderKey::better).
-    bool rests = false;
+    /// The values have not changed for a while, so that specialized programs may be built (ShaderKey::specialized).
+    bool idle = false;
     /// Limits the visible exhibits to this number, the nearest ones first: at startup a picture appears soon and is
     /// extended later.
     int mostExhibits = std::numeric_limits<int>::max();
-    bool waitless = false;  ///< Prepared on a thread that must not block: leaves out assets that are not loaded yet.
+    bool nonBlocking = false;  ///< Prepared on a thread that must not block: leaves out assets that are not loaded yet.
     /// Halos of the whole picture, for a part of it (`raster.tile`). Null: a part has none.
     std::shared_ptr<const Halos> halos = {};
     /// Seconds since the last press of each exhibit's button, in the order of Museum::subjects(); may be shorter.

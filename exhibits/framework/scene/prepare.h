@@ -36,7 +36,7 @@ struct PrepareContext {
         std::numeric_limits<double>::infinity();  ///< Seconds since its button was pressed; infinity: never.
     bool seen = false;                            ///< The exhibit may be visible in the picture ...
     bool shadowSeen = false;                      ///< ... or its shadow may be. At least one of the two is true.
-    bool rests = false;                           ///< The values have not changed for a while.
+    bool idle = false;                            ///< The values have not changed for a while.
     render::AssetStore& assets;                   ///< Cache in which all assets are made and kept.
 };
 

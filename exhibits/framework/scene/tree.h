@@ -85,7 +85,7 @@ struct EditedTree {
     std::string node;
 };
 
-/// Parameter rows of a node.
+/// Parameters of a node.
 struct TreeRows {
     ParameterValues values;
     std::string note = {};  ///< Sentence about them; empty: none.
@@ -110,7 +110,7 @@ struct TreeShape {
     std::function<bool(const render::Ray&)> isHit;  ///< Returns whether the ray hits the shape, even if it is occluded.
 };
 
-/// Storage of an exhibit's tree: the two rows of its table, and the file.
+/// Storage of an exhibit's tree: the two parameters of its table, and the file.
 struct TreeDocument {
     std::size_t file = 0, document = 0;
     std::string path = {};  ///< Path of the file.
@@ -125,15 +125,16 @@ public:
     virtual ~HasTree() = default;
 
     [[nodiscard]] virtual Tree tree(const ParameterValues&) const = 0;
-    /// Returns the numbers of a node as rows of a separate table; their order is the same while only numbers change.
-    /// Returns nullopt if there is no such node.
+    /// Returns the numbers of a node as parameters of a separate table; their order is the same while only numbers
+    /// change. Returns nullopt if there is no such node.
     [[nodiscard]] virtual std::optional<TreeRows> rowsOf(const ParameterValues&, std::string_view node) const = 0;
 
     // Each of the next functions throws Failure with a sentence for the user if the edit is invalid, and then changes
-    // nothing. The result has the table of the new document, made through the store like `TableFromFiles::tableFor`.
+    // nothing. The result has the table of the new document, made through the store like
+    // `TableFromFiles::dynamicParameters`.
 
     [[nodiscard]] virtual EditedTree edited(const ParameterValues&, const TreeEdit&, render::AssetStore&) const = 0;
-    /// Returns the values with a new value in a row of the node.
+    /// Returns the values with a new value in a parameter of the node.
     [[nodiscard]] virtual ParameterValues withRow(const ParameterValues&, std::string_view node, std::size_t row,
                                                   const Value&, render::AssetStore&) const = 0;
     /// Returns the values with the changes between two transformations applied to the node.
@@ -152,7 +153,7 @@ public:
     [[nodiscard]] virtual TreeDocument document(const ParameterValues&) const = 0;
     /// Returns the document text, or the text of the file if there is no document.
     [[nodiscard]] virtual std::string documentText(const ParameterValues&) const = 0;
-    /// Returns whether `text` is valid for the document row.
+    /// Returns whether `text` is valid for the document parameter.
     [[nodiscard]] virtual bool isDocument(const std::string& text) const = 0;
 };
 

@@ -14,7 +14,7 @@ namespace {
 std::size_t rowNamed(const Parameters& table, std::string_view name)
 {
     const std::optional<std::size_t> row = table.find(name);
-    assert(row && "a condition names a row that its table does not have");
+    assert(row && "a condition names a parameter that its table does not have");
     return row.value_or(0);
 }
 

@@ -10,12 +10,12 @@ namespace vitrine {
 /// Parameters are given by their names, so that a condition may refer to one that is declared later.
 struct Condition {
     enum class Test : std::uint8_t {
-        among,    ///< The row has one of `values`: numbers, indices of choices, 0 or 1 for toggles.
+        among,    ///< The parameter has one of `values`: numbers, indices of choices, 0 or 1 for toggles.
         differs,  ///< It has none of them.
         above,    ///< It is above `values[0]`.
         given,    ///< It names a file.
-        all,      ///< Every one of `parts` holds.
-        any       ///< At least one of them does.
+        all,      ///< All conditions of `parts` hold.
+        any       ///< At least one condition of `parts` holds.
     };
     Test test = Test::all;
     std::string_view row = {};

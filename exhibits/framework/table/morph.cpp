@@ -154,14 +154,14 @@ bool sameButForTheEnds(Motion a, const Motion& b)
     return a == b;
 }
 
-/// Values of a setting that contains the row, and the index of the row there.
+/// Values of a setting that contains the parameter, and the index of the parameter there.
 struct AnimatedParameter {
     const ParameterValues* values;
     std::size_t row;
 };
 
-/// Returns the interpolated motion of a row. `nearest` is the motion with the largest weight; returned unchanged if the
-/// motions differ in more than their ends.
+/// Returns the interpolated motion of a parameter. `nearest` is the motion with the largest weight; returned unchanged
+/// if the motions differ in more than their ends.
 Motion morphedMotion(const ParameterInfo& info, const Motion& nearest, const std::vector<AnimatedParameter>& owners,
                      std::span<const double> weights)
 {

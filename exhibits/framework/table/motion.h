@@ -62,7 +62,7 @@ struct Motion {
 using Motions = std::map<std::string, Motion, std::less<>>;
 
 /// Arguments of an animation.
-struct MotionMoment {
+struct AnimationTime {
     double time = 0;      ///< Seconds on the exhibits' clock.
     double distance = 0;  ///< Meters from the eye to the center of the animated subject.
 };

@@ -69,12 +69,12 @@ std::string spelledOut(std::string_view name)
 
 std::string label(const ParameterInfo& row)
 {
-    return row.called.empty() ? spelledOut(row.name) : std::string(row.called);
+    return row.label.empty() ? spelledOut(row.name) : std::string(row.label);
 }
 
 std::string labelInGroup(const ParameterInfo& row)
 {
-    if (!row.array.empty() && row.called.empty()) return spelledOut(row.elementRow);
+    if (!row.array.empty() && row.label.empty()) return spelledOut(row.elementRow);
     std::string text = label(row);
     const std::size_t end = text.find(' ');
     if (end == std::string::npos) return text;
@@ -207,7 +207,7 @@ std::uint16_t Parameters::appendRow(ParameterInfo row)
         row.name = inElement(row.name);
     }
     for (std::string_view* text :
-         {&row.name, &row.group, &row.help, &row.called, &row.endings, &row.shipped, &row.documentOf})
+         {&row.name, &row.group, &row.help, &row.label, &row.extensions, &row.assetFolder, &row.documentOf})
         *text = owned(*text);
     for (std::string_view& choice : row.choices) choice = owned(choice);
     for (Word& word : row.words) word.text = owned(word.text);
@@ -216,7 +216,7 @@ std::uint16_t Parameters::appendRow(ParameterInfo row)
     if (row.actsWhen) own(*row.actsWhen);
 
     assert(isRowName(row.name));
-    assert(!find(row.name) && "two rows share a name");
+    assert(!find(row.name) && "two parameters share a name");
     assert(row.range.low <= row.range.softLow && row.range.softHigh <= row.range.high);
     assert(row.range.scale == Scale::linear || row.range.softLow > 0);
     assert(nearestLegal(row, row.initial).has_value());
@@ -250,7 +250,7 @@ std::vector<std::string> ParameterValues::tableFiles() const
 {
     std::vector<std::string> files;
     for (std::size_t i = 0; i < rows().size(); ++i)
-        if (rows()[i].givesRows) files.push_back(std::get<std::string>(values_[i]));
+        if (rows()[i].addsParameters) files.push_back(std::get<std::string>(values_[i]));
     return files;
 }
 

@@ -89,28 +89,28 @@ struct GivenAs {
 /// preset, the command line flag, the field of the uniform block, the line in the manual, the points of the accuracy
 /// study and the random values of the tests are all derived from it.
 struct ParameterInfo {
-    std::string_view name;   ///< The member it initializes; preset key, flag and GLSL field.
+    std::string_view name;   ///< Name of its member in a table; also its preset key, its option and its GLSL field.
     std::string_view group;  ///< Heading in the panel; empty before the first `group`.
     std::string_view help;   ///< One or two sentences: what it does, what low and high look like.
     Kind kind = Kind::real;
-    Unit unit = Unit::none;  ///< How to show it; `range` and `initial` are in SI.
+    Unit unit = Unit::none;  ///< Unit in which it is shown; `range` and `initial` are in SI units.
     Range range;
     Value initial;
     std::vector<std::string_view> choices = {};   ///< Names, for Kind::choice only.
-    std::optional<double> qualityReference = {};  ///< The value that counts as exact, when accuracy costs time.
-    bool exactByMeaning = false;  ///< Nothing is approximated there; else that it is exact has to be checked.
-    std::optional<Condition> actsWhen = {};  ///< When it changes anything that can be seen; nothing: always.
-    std::string_view called = {};            ///< Its label where `name` does not read as one.
+    std::optional<double> qualityReference = {};  ///< Value that counts as exact, if accuracy costs time.
+    bool exactByMeaning = false;             ///< The reference is exact by definition; else a test checks that it is.
+    std::optional<Condition> actsWhen = {};  ///< Condition under which it can change a picture; none: always.
+    std::string_view label = {};             ///< Label; empty: made from `name`.
     std::vector<Word> words = {};            ///< For a real or a count; values may lie outside of `range`.
-    std::string_view endings = {};           ///< For Kind::file: what a dialog offers, "glb gltf"; empty: everything.
-    bool givesRows = false;                  ///< For Kind::file and text: what it names or is gives further rows.
-    std::string_view shipped = {};           ///< For Kind::file: a folder of assets with files that a bare name means.
+    std::string_view extensions = {};        ///< For Kind::file: accepted extensions, "glb gltf"; empty: all files.
+    bool addsParameters = false;             ///< For Kind::file and text: the file or the text adds parameters.
+    std::string_view assetFolder = {};       ///< For Kind::file: folder of the assets in which bare names are found.
     std::string_view array = {};             ///< The array of groups that it belongs to: "coats"; empty: none.
-    std::size_t element = 0;                 ///< Which group of that array, from 0.
+    std::size_t element = 0;                 ///< Index of its group in the array, from 0.
     std::string_view elementRow = {};        ///< Its name within each of these groups: "length" of "ballLength".
-    std::string_view documentOf = {};        ///< For Kind::text: the file row that it stands in for or belongs to.
+    std::string_view documentOf = {};        ///< For Kind::text: parameter of the file that it replaces or belongs to.
     bool several = false;                    ///< For Kind::file and text: each line is a value of its own.
-    bool essential = false;                  ///< One of the six with which the panel of an exhibit opens.
+    bool essential = false;                  ///< One of the six that the panel of an exhibit shows at first.
     GivenAs given = {};
 
     /// Returns whether its values are numbers with intermediate values: a real or a count.
@@ -171,8 +171,8 @@ class ParameterValues;
 ///     };
 ///
 /// A table copies every text that it is given, so it can be made of a file that is read at run time as well:
-/// `MadeTable`, `TableFromFiles::tableFor`. Values of a table that a std::shared_ptr owns keep it alive; any other has
-/// to outlive its values.
+/// `MadeTable`, `TableFromFiles::dynamicParameters`. Values of a table that a std::shared_ptr owns keep it alive; any
+/// other has to outlive its values.
 class Parameters : public std::enable_shared_from_this<Parameters> {
 public:
     Parameters(const Parameters&) = delete;  // Handles are only meaningful to their own table.
@@ -192,7 +192,7 @@ public:
     };
 
 protected:
-    using enum Unit;  // So that a row reads `meter`, not `Unit::meter`.
+    using enum Unit;  // So that a parameter reads `meter`, not `Unit::meter`.
     using enum Scale;
 
     /// One group of an array: `name` ("ball") is the prefix of its parameters' names, `heading` is shown above them.
@@ -221,29 +221,29 @@ protected:
     requires std::is_enum_v<Enum>
     [[nodiscard]] static Quality exactAt(Enum reference) { return exactAt(static_cast<double>(reference)); }
     /// Extensions of the files that a file parameter accepts, separated by blanks: "glb gltf".
-    struct Endings {
+    struct Extensions {
         std::string_view text;
     };
-    [[nodiscard]] static Endings endings(std::string_view text) { return {text}; }
-    struct Shipped {
+    [[nodiscard]] static Extensions extensions(std::string_view text) { return {text}; }
+    struct AssetFolder {
         std::string_view folder;
     };
     /// For a file parameter: a name without a folder refers to a file in this folder of the assets, if there is one of
     /// that name (`filePath`).
-    [[nodiscard]] static Shipped shippedIn(std::string_view folder) { return {folder}; }
-    struct GivesRows {};
-    /// For a file parameter: its file adds parameters to the table (`TableFromFiles::tableFor`).
-    [[nodiscard]] static GivesRows givesRows() { return {}; }
+    [[nodiscard]] static AssetFolder inAssetFolder(std::string_view folder) { return {folder}; }
+    struct AddsParameters {};
+    /// For a file parameter: its file adds parameters to the table (`TableFromFiles::dynamicParameters`).
+    [[nodiscard]] static AddsParameters addsParameters() { return {}; }
     struct Essential {
         bool is;
     };
     /// Marks one of the six parameters that make an exhibit what it is: the panel opens with them, and the others are
     /// folded by group. `is`: false for a parameter of an array whose other groups have the mark.
     [[nodiscard]] static Essential essential(bool is = true) { return {is}; }
-    struct Called {
+    struct Label {
         std::string_view text;
     };
-    [[nodiscard]] static Called called(std::string_view text) { return {text}; }
+    [[nodiscard]] static Label labeled(std::string_view text) { return {text}; }
     /// Shows and accepts this word for `value`, which may be outside of the parameter's range, even infinite. A
     /// parameter may have several words.
     [[nodiscard]] static Word reads(double value, std::string_view word) { return {value, word}; }
@@ -386,7 +386,7 @@ protected:
     File document(std::string_view name, File of, std::string_view help)
     {
         ParameterInfo row{name, group_, help, Kind::text, Unit::none, {0, 0}, std::string()};
-        row.givesRows = true;
+        row.addsParameters = true;
         row.documentOf = nameOf(of);
         return {append(std::move(row))};
     }
@@ -421,11 +421,11 @@ private:
         row.qualityReference = quality.reference;
         row.exactByMeaning = quality.byMeaning;
     }
-    static void say(ParameterInfo& row, const Endings& endings) { row.endings = endings.text; }
-    static void say(ParameterInfo& row, const GivesRows&) { row.givesRows = true; }
-    static void say(ParameterInfo& row, const Shipped& shipped) { row.shipped = shipped.folder; }
+    static void say(ParameterInfo& row, const Extensions& extensions) { row.extensions = extensions.text; }
+    static void say(ParameterInfo& row, const AddsParameters&) { row.addsParameters = true; }
+    static void say(ParameterInfo& row, const AssetFolder& in) { row.assetFolder = in.folder; }
     static void say(ParameterInfo& row, const Essential& essential) { row.essential = essential.is; }
-    static void say(ParameterInfo& row, const Called& called) { row.called = called.text; }
+    static void say(ParameterInfo& row, const Label& label) { row.label = label.text; }
     static void say(ParameterInfo& row, const Word& word) { row.words.push_back(word); }
     static void say(ParameterInfo& row, const Option& option)
     {
@@ -467,13 +467,13 @@ private:
 /// Table whose parameters are only known at run time, such as those of a scene file.
 class MadeTable final : public Parameters {
 public:
+    using Parameters::addsParameters;
     using Parameters::choice;
     using Parameters::color;
     using Parameters::count;
     using Parameters::direction;
     using Parameters::Element;
     using Parameters::file;
-    using Parameters::givesRows;
     using Parameters::group;
     using Parameters::groups;
     using Parameters::quality;

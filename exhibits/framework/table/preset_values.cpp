@@ -60,7 +60,7 @@ std::string linesAt(const Json& json, const JsonPlace& place)
         if (!each.is_string()) wrongType(place, "an array of texts", each);
         const auto& text = each.get_ref<const std::string&>();
         if (text.empty() || text.find('\n') != std::string::npos)
-            throw place.failure("a text here has one line that is not empty; correct it there.");
+            throw place.failure("each text here must be a single line that is not empty; correct it there.");
         lines += (lines.empty() ? "" : "\n") + text;
     }
     return lines;

@@ -85,7 +85,7 @@ ParameterValues cheapestValues(const Parameters& table)
 
 namespace {
 
-/// Returns another value for a row; each kind uses one of the given random numbers.
+/// Returns another value for a parameter; each kind uses one of the given random numbers.
 Value anotherValue(const ParameterInfo& row, const Value& from, double t, const glm::dvec3& color,
                    const glm::dvec3& direction)
 {
@@ -123,7 +123,7 @@ ParameterValues variation(const ParameterValues& from, std::uint64_t seed,
     RandomNumbers random(seed), switches(seed + 0x9e3779b97f4a7c15U);
     for (std::size_t i = 0; i < values.rows().size(); ++i) {
         const ParameterInfo& row = values.rows()[i];
-        // Numbers are drawn for every row, so that a lock changes no other row.
+        // Numbers are drawn for every parameter, so that a lock changes no other parameter.
         const double t = random.number(0, 1);
         const glm::dvec3 color = random.point(glm::dvec3(0), glm::dvec3(1)), direction = random.direction();
         const bool switched = switches.chance(strength);

@@ -44,7 +44,7 @@ struct RandomReach {
 /// outside of the range, if there is one. A file keeps its initial value.
 [[nodiscard]] Value randomValue(const ParameterInfo&, RandomNumbers&, RandomReach = {});
 
-/// Returns random legal values for a share of the rows (0 to 1); the others keep their initial value.
+/// Returns random legal values for a share of the parameters (0 to 1); the others keep their initial value.
 [[nodiscard]] ParameterValues randomValues(const Parameters&, RandomNumbers&, double share = 1, RandomReach = {});
 
 /// Returns the initial values, with every count that trades speed for accuracy at its minimum.
@@ -52,9 +52,9 @@ struct RandomReach {
 
 /// Returns random values for exploration. Numbers are uniform over their comfortable ranges (logarithmic if the scale
 /// is, integers for counts). Colors, directions, toggles and choices are uniform over all values. `strength` (0 to 1)
-/// interpolates from `from` to these values (`morphed`). Rows without intermediate values switch with the probability
-/// `strength`. Unchanged are files, texts, rows that trade speed for accuracy, and rows for which `locked(index)` is
-/// true. With the same seed, the other rows get the same values, whatever is locked.
+/// interpolates from `from` to these values (`morphed`). Parameters without intermediate values switch with the
+/// probability `strength`. Unchanged are files, texts, parameters that trade speed for accuracy, and parameters for
+/// which `locked(index)` is true. With the same seed, the other parameters get the same values, whatever is locked.
 [[nodiscard]] ParameterValues variation(const ParameterValues& from, std::uint64_t seed,
                                         const std::function<bool(std::size_t row)>& locked, double strength = 1);
 

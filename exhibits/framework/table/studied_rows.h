@@ -9,8 +9,8 @@ namespace vitrine {
 
 class Parameters;
 
-/// How an accuracy study shows the effect of a parameter, if its condition (`when`) is not sufficient. Texts must be
-/// literals; names are those of parameters of the same object.
+/// Settings with which an accuracy study shows the effect of a parameter, if its condition (`when`) is not sufficient.
+/// Texts must be literals; names are those of parameters of the same object.
 struct StudiedRow {
     /// Value of another parameter.
     struct Setting {
@@ -26,7 +26,7 @@ struct StudiedRow {
     /// Parameters that take their most exact value only in the reference. The error then measures the drawn picture
     /// against the picture that the parameter helps to approximate.
     std::vector<std::string_view> exactInReference = {};
-    /// Names of study views (`Subject::studyViews`) in which the effect is visible. Empty: all in which it acts.
+    /// Names of study views (`SceneObject::studyViews`) in which the effect is visible. Empty: all in which it acts.
     std::vector<std::string_view> views = {};
     /// Reason why every value gives the same picture: a sentence. Empty: the pictures differ.
     std::string_view same = {};

@@ -55,9 +55,9 @@ void refuseDecimalComma(const std::string& option, const std::string& typed)
 {
     const std::optional<std::string> point = withDecimalPoint(typed);
     if (!point) return;
-    throw Failure(Blame::usage, option + " \"" + typed +
-                                    "\": numbers have a decimal point here, in every language; write " + point.value() +
-                                    '.');
+    throw Failure(ErrorKind::usage, option + " \"" + typed +
+                                        "\": numbers have a decimal point here, in every language; write " +
+                                        point.value() + '.');
 }
 
 std::optional<double> plainOrWithUnit(const std::string& typed, Unit unit)
@@ -75,7 +75,7 @@ double readNumber(const std::string& option, const std::string& typed, const Num
     // The conditions are written so that NaN, which fails every comparison, is refused.
     const bool good = number && *number >= range.low && *number <= range.high && std::isfinite(*number) &&
                       (!range.whole || *number == std::floor(*number));
-    if (!good) throw Failure(Blame::usage, option + " \"" + typed + "\": give " + rangeText(range) + '.');
+    if (!good) throw Failure(ErrorKind::usage, option + " \"" + typed + "\": give " + rangeText(range) + '.');
     return *number;
 }
 

@@ -31,7 +31,7 @@ template <typename Row>
 [[nodiscard]] std::string rangeText(const NumberRange&);
 
 /// Reads a finite number in the range: plain, an expression, or with a unit ("40deg", "3cm"). Throws Failure
-/// (Blame::usage) whose sentence begins with the option.
+/// (ErrorKind::usage) whose sentence begins with the option.
 [[nodiscard]] double readNumber(const std::string& option, const std::string& typed, const NumberRange&);
 
 /// The same without a range; nullopt if the text is no number.
@@ -39,7 +39,7 @@ template <typename Row>
 
 /// Returns the text with a decimal point if it is a number with a decimal comma ("0,5"); nullopt otherwise.
 [[nodiscard]] std::optional<std::string> withDecimalPoint(const std::string& typed);
-/// Refuses a number with a decimal comma. Throws Failure (Blame::usage) whose sentence begins with `option`.
+/// Refuses a number with a decimal comma. Throws Failure (ErrorKind::usage) whose sentence begins with `option`.
 void refuseDecimalComma(const std::string& option, const std::string& typed);
 
 /// Returns a unit as it follows a number: " mm", "°".

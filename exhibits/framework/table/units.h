@@ -5,7 +5,7 @@
 
 namespace vitrine {
 
-/// How a value is shown to people. Values are stored, computed and uploaded in SI (meters, seconds,
+/// Display units of values. Values are stored, computed and uploaded in SI (meters, seconds,
 /// radians; hours of the day); only panels, the manual and typed input convert, through `shown` and `stored`.
 enum class Unit : std::uint8_t {
     none,

@@ -106,7 +106,7 @@ std::string_view nameOf(const std::array<std::string_view, Count>& names, std::s
 
 }  // namespace
 
-double positionOf(const Motion& motion, const MotionMoment& moment)
+double positionOf(const Motion& motion, const AnimationTime& moment)
 {
     if (motion.kind == MotionKind::distance) {
         const double distance = motion.heldAt.value_or(moment.distance), wide = motion.farthest - motion.nearest;
@@ -125,7 +125,7 @@ double positionOf(const Motion& motion, const MotionMoment& moment)
     }
 }
 
-Value valueOf(const ParameterInfo& row, const Motion& motion, const MotionMoment& moment)
+Value valueOf(const ParameterInfo& row, const Motion& motion, const AnimationTime& moment)
 {
     return morphed(row, motion.from, motion.to, positionOf(motion, moment));
 }
@@ -153,7 +153,7 @@ double nextMotion(const ParameterValues& values, double time)
     return next;
 }
 
-ParameterValues valuesAt(const ParameterValues& values, const MotionMoment& moment)
+ParameterValues valuesAt(const ParameterValues& values, const AnimationTime& moment)
 {
     ParameterValues now = values;
     if (values.motions().empty()) return now;
@@ -171,13 +171,13 @@ ParameterValues valuesAtEnd(const ParameterValues& values, int end)
     return there;
 }
 
-Motion held(Motion motion, const MotionMoment& moment)
+Motion held(Motion motion, const AnimationTime& moment)
 {
     if (!motion.heldAt) motion.heldAt = motion.kind == MotionKind::distance ? moment.distance : moment.time;
     return motion;
 }
 
-Motion resumed(Motion motion, const MotionMoment& moment)
+Motion resumed(Motion motion, const AnimationTime& moment)
 {
     if (!motion.heldAt) return motion;
     const double missed = moment.time - *motion.heldAt;

@@ -172,7 +172,7 @@ std::vector<std::string> betweenColons(const std::string& text)
 Motion typedMotion(const ParameterInfo& row, const std::string& option, const std::string& text,
                    const std::function<std::optional<Value>(const std::string&)>& parse)
 {
-    const auto wrong = [&](const std::string& why) { return Failure(Blame::usage, option + ": " + why); };
+    const auto wrong = [&](const std::string& why) { return Failure(ErrorKind::usage, option + ": " + why); };
     if (const std::string_view why = whyUnmoved(row); !why.empty()) throw wrong(std::string(why));
     const std::vector<std::string> parts = betweenColons(text);
     const auto kind = std::find(motionKinds.begin(), motionKinds.end(), parts.front());

@@ -24,8 +24,8 @@ namespace vitrine {
                                                    std::vector<std::string>& notes);
 
 /// Parses "sine:0.1:0.9:period=4:phase=0.25": a kind, both ends as a user types them, then further members of `Motion`
-/// by their names in files, in SI; "heldAt=2" if it is held. Throws Failure (Blame::usage) that begins with `option`
-/// and says what to give. `parse` reads a typed value; nothing if it is invalid.
+/// by their names in files, in SI; "heldAt=2" if it is held. Throws Failure (ErrorKind::usage) that begins with
+/// `option` and says what to give. `parse` reads a typed value; nothing if it is invalid.
 [[nodiscard]] Motion typedMotion(const ParameterInfo&, const std::string& option, const std::string& text,
                                  const std::function<std::optional<Value>(const std::string&)>& parse);
 

@@ -89,9 +89,9 @@ void GivenValues::type(const JobOption& option, const std::vector<std::string>& 
     }
     const std::vector<std::string> parts = splitAt(parameter.given.separator, words.front());
     if (parts.size() != option.parameters.size())
-        throw Failure(Blame::usage, option.name + " \"" + words.front() + "\": give " +
-                                        typeText(values_.table(), option) + ", such as " +
-                                        typedWords(option, values_.table().initial()).front() + '.');
+        throw Failure(ErrorKind::usage, option.name + " \"" + words.front() + "\": give " +
+                                            typeText(values_.table(), option) + ", such as " +
+                                            typedWords(option, values_.table().initial()).front() + '.');
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const ParameterInfo& part = values_.rows()[option.parameters[i]];
         give(option.parameters[i], readWord(option.name + ' ' + words.front(), part, parts[i]), option.name);
@@ -139,7 +139,7 @@ ParameterValues GivenValues::withImplied() const
             if (given_.count(target) != 0) continue;
             const auto [known, isNew] = implied.try_emplace(target, implication.value, option);
             if (!isNew && known->second.first != implication.value)
-                throw Failure(Blame::usage,
+                throw Failure(ErrorKind::usage,
                               known->second.second + " and " + option + " exclude each other; give one of them.");
             values.setRow(target, implication.value);
         }
@@ -151,7 +151,7 @@ void GivenValues::refuseMissing(const std::string& command) const
     if (onDocument_) return;
     for (const JobOption& option : options_)
         if (option.mustBeGiven && given_.count(option.parameters.front()) == 0)
-            throw Failure(Blame::usage,
+            throw Failure(ErrorKind::usage,
                           '`' + command + "` needs " + option.name + "; `" + command + " --help` says what it is.");
 }
 
@@ -161,7 +161,8 @@ void GivenValues::refuseUseless(const ParameterValues& values) const
     for (const auto& [parameter, option] : given_) {
         if (acts(values, parameter)) continue;
         const std::string missing = typedCondition(*values.rows()[parameter].actsWhen, values, options_);
-        throw Failure(Blame::usage, option + " has no effect without " + missing + "; leave it out, or give that too.");
+        throw Failure(ErrorKind::usage,
+                      option + " has no effect without " + missing + "; leave it out, or give that too.");
     }
 }
 

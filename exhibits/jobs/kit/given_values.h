@@ -23,7 +23,7 @@ public:
     [[nodiscard]] const std::vector<JobOption>& options() const { return options_; }
 
     /// Sets the value of an option from the typed words: one, or several if the option accepts several. Throws Failure
-    /// (Blame::usage) that begins with the option and says which values are valid.
+    /// (ErrorKind::usage) that begins with the option and says which values are valid.
     void type(const JobOption&, const std::vector<std::string>& words);
     /// Turns a flag on or off.
     void turn(const JobOption&, bool on);
@@ -32,8 +32,8 @@ public:
     /// an unknown key.
     void read(const render::Json& object, const JsonPlace& place, std::vector<std::string>& notes);
 
-    /// Returns the values, with everything that the given ones imply. Throws Failure (Blame::usage) in three cases: a
-    /// parameter that `command` ("vitrine proof") requires is missing, two values imply different values of a third
+    /// Returns the values, with everything that the given ones imply. Throws Failure (ErrorKind::usage) in three cases:
+    /// a parameter that `command` ("vitrine proof") requires is missing, two values imply different values of a third
     /// parameter, or a typed parameter has no effect.
     [[nodiscard]] ParameterValues settled(const std::string& command) const;
 

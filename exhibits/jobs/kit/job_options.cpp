@@ -181,10 +181,11 @@ std::vector<std::string> typedWords(const JobOption& option, const ParameterValu
 Value readWord(const std::string& option, const ParameterInfo& parameter, const std::string& word)
 {
     const auto refuse = [&]() -> Failure {
-        if (parameter.isNumeric()) return {Blame::usage, option + " \"" + word + "\": give " + wanted(parameter) + '.'};
+        if (parameter.isNumeric())
+            return {ErrorKind::usage, option + " \"" + word + "\": give " + wanted(parameter) + '.'};
         if (parameter.kind == Kind::choice)
-            return {Blame::usage, noSuchChoice(option, word, {parameter.choices.begin(), parameter.choices.end()})};
-        return {Blame::usage, option + ' ' + word + ": give " + wanted(parameter) + '.'};
+            return {ErrorKind::usage, noSuchChoice(option, word, {parameter.choices.begin(), parameter.choices.end()})};
+        return {ErrorKind::usage, option + ' ' + word + ": give " + wanted(parameter) + '.'};
     };
     std::optional<Value> value;
     if (parameter.isNumeric()) {

@@ -41,8 +41,8 @@ struct JobOption {
 /// Returns the words that follow the option's name to set these values. Not for flags.
 [[nodiscard]] std::vector<std::string> typedWords(const JobOption&, const ParameterValues&);
 
-/// Parses one parameter's value from a word. Throws Failure (Blame::usage) that begins with `option` if the word is no
-/// value or the number is out of range.
+/// Parses one parameter's value from a word. Throws Failure (ErrorKind::usage) that begins with `option` if the word is
+/// no value or the number is out of range.
 [[nodiscard]] Value readWord(const std::string& option, const ParameterInfo&, const std::string& word);
 
 }  // namespace vitrine::jobs

@@ -9,6 +9,7 @@
 #include "render/files/atomic_write.h"
 #include "render/files/number_text.h"
 #include "render/text/joined.h"
+#include "render/text/nearest_word.h"
 
 #include <unistd.h>
 
@@ -22,7 +23,7 @@ constexpr double endless = std::numeric_limits<double>::infinity();
 
 struct MeshTable final : Parameters {
     Group sceneGroup = group("Scene");
-    File file = Parameters::file("scene", "Scene file.", endings("json"), positional(), mustBeGiven());
+    File file = Parameters::file("scene", "Scene file.", extensions("json"), positional(), mustBeGiven());
     Text set = text("set", "Value of one of the scene's parameters, name=value. Numbers are in SI units.", several());
     Real time = real("time", 0, second, Range{-1e9, 1e9}.soft(0, 60), "Time at which a moving scene is meshed.");
 
@@ -66,8 +67,8 @@ std::optional<glm::dvec3> cornerOf(const ParameterValues& values, const std::arr
     return corner;
 }
 
-/// Returns the box between --low and --high; nullopt if neither is given. Throws Failure (Blame::usage) if the corners
-/// do not form a box.
+/// Returns the box between --low and --high; nullopt if neither is given. Throws Failure (ErrorKind::usage) if the
+/// corners do not form a box.
 std::optional<render::Box> partOf(const ParameterValues& values)
 {
     const MeshTable& t = meshTable();
@@ -77,14 +78,14 @@ std::optional<render::Box> partOf(const ParameterValues& values)
     };
     if (!isGiven(t.low) && !isGiven(t.high)) return std::nullopt;
     if (!low || !high)
-        throw Failure(Blame::usage, "--low and --high belong together: two corners of the part that is meshed.");
+        throw Failure(ErrorKind::usage, "--low and --high belong together: two corners of the part that is meshed.");
     const glm::dvec3 size = *high - *low;
     if (!(size.x > 0 && size.y > 0 && size.z > 0))
-        throw Failure(Blame::usage, "--high: all three numbers are above those of --low.");
+        throw Failure(ErrorKind::usage, "--high: each of the three numbers must be above that of --low.");
     return render::Box{*low, *high};
 }
 
-/// Returns the values of the scene's parameters, with those given as "name=value". Throws Failure (Blame::usage).
+/// Returns the values of the scene's parameters, with those given as "name=value". Throws Failure (ErrorKind::usage).
 std::vector<double> parametersOf(const scenes::Scene& scene, const ParameterValues& values)
 {
     std::vector<double> all;
@@ -92,24 +93,27 @@ std::vector<double> parametersOf(const scenes::Scene& scene, const ParameterValu
     for (const std::string& set : linesOf(values[meshTable().set])) {
         const std::size_t equals = set.find('=');
         const std::string name = set.substr(0, equals);
-        if (equals == std::string::npos) throw Failure(Blame::usage, "--set " + set + ": give name=value.");
+        if (equals == std::string::npos) throw Failure(ErrorKind::usage, "--set " + set + ": give name=value.");
         const std::string typed = set.substr(equals + 1);
         std::size_t i = 0;
         while (i < all.size() && scene.parameters()[i].name != name) ++i;
         if (i == all.size()) {
-            const std::string names = joined(scene.parameters(), ", ", &scenes::SceneParameter::name);
-            throw Failure(Blame::usage, "--set " + name + ": the scene has no " +
-                                            (names.empty() ? "parameters." : "such parameter; it has " + names + "."));
+            std::vector<std::string> names;
+            for (const scenes::SceneParameter& parameter : scene.parameters()) names.push_back(parameter.name);
+            throw Failure(ErrorKind::usage, "--set " + name + ": the scene has no " +
+                                                (names.empty() ? "parameters."
+                                                               : "parameter of that name" + didYouMean(name, names) +
+                                                                     " it has " + joined(names, ", ") + "."));
         }
         const scenes::SceneParameter& parameter = scene.parameters()[i];
         std::optional<double> value = evaluate(typed, Unit::none);
         if (!value) value = evaluate(typed, parameter.unit);
         if (!value) refuseDecimalComma("--set " + name, typed);
         if (!value || !(*value >= parameter.low && *value <= parameter.high))
-            throw Failure(Blame::usage, "--set " + name + "=" + typed + ": give a number from " +
-                                            render::shortestNumber(parameter.low) + " to " +
-                                            render::shortestNumber(parameter.high) + " " +
-                                            std::string(info(parameter.unit).storedSymbol) + ".");
+            throw Failure(ErrorKind::usage, "--set " + name + "=" + typed + ": give a number from " +
+                                                render::shortestNumber(parameter.low) + " to " +
+                                                render::shortestNumber(parameter.high) + " " +
+                                                std::string(info(parameter.unit).storedSymbol) + ".");
         all[i] = *value;
     }
     return all;
@@ -126,22 +130,23 @@ scenes::MeshRequest requestOf(const ParameterValues& values)
     return request;
 }
 
-/// Returns the check of the mesh. Throws Failure (Blame::check) if it is empty or not closed. `isPart`: it is limited
-/// by --low and --high.
+/// Returns the check of the mesh. Throws Failure (ErrorKind::check) if it is empty or not closed. `isPart`: it is
+/// limited by --low and --high.
 scenes::MeshCheck checked(const scenes::SceneMesh& mesh, bool isPart)
 {
     if (mesh.indices.empty() && isPart)
-        throw Failure(Blame::check, "Nothing solid lies between --low and --high; nothing was written. Give other "
-                                    "corners, or a smaller --cell for what is thinner than a cell.");
+        throw Failure(ErrorKind::check, "Nothing solid lies between --low and --high; nothing was written. Give other "
+                                        "corners, or a smaller --cell for what is thinner than a cell.");
     if (mesh.indices.empty())
-        throw Failure(Blame::check, "Nothing in the scene is as thick as a cell; nothing was written. Give a smaller "
-                                    "--cell, or a thickness to the sheets of the scene.");
+        throw Failure(ErrorKind::check,
+                      "Nothing in the scene is as thick as a cell; nothing was written. Give a smaller "
+                      "--cell, or a thickness to the sheets of the scene.");
     scenes::MeshCheck check = scenes::checkMesh(mesh);
     if (!check.good())
-        throw Failure(Blame::check, "The mesh is not closed or no manifold (" + std::to_string(check.openEdges) +
-                                        " edges, " + std::to_string(check.brokenVertices) + " vertices, " +
-                                        std::to_string(check.emptyTriangles) +
-                                        " triangles); nothing was written. Give a slightly different --cell.");
+        throw Failure(ErrorKind::check, "The mesh is not closed or no manifold (" + std::to_string(check.openEdges) +
+                                            " edges, " + std::to_string(check.brokenVertices) + " vertices, " +
+                                            std::to_string(check.emptyTriangles) +
+                                            " triangles); nothing was written. Give a slightly different --cell.");
     return check;
 }
 
@@ -221,11 +226,11 @@ const Parameters& MeshJob::parameters() const
 std::shared_ptr<const JobInputs> MeshJob::read(const ParameterValues& values) const
 {
     scenes::ReadScene read = scenes::readSceneFile(values[meshTable().file]);
-    if (!read.fileRead) throw Failure(Blame::file, read.findings.front().sentence);
+    if (!read.fileRead) throw Failure(ErrorKind::file, read.findings.front().sentence);
     if (!read.scene) {
         const std::size_t others = read.findings.size() - 1;
         throw Failure(
-            Blame::check,
+            ErrorKind::check,
             read.findings.front().text() +
                 (others > 0 ? " And " + std::to_string(others) + " more; `vitrine scene check` lists them." : ""));
     }

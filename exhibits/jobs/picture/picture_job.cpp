@@ -43,7 +43,7 @@ int samplesOf(const ParameterValues& values, const JobScene& scene)
     return scene.museum ? usualSamples(scene.state.hall()) : 1;
 }
 
-/// Channels that a text names. Throws Failure (Blame::usage).
+/// Channels that a text names. Throws Failure (ErrorKind::usage).
 struct NamedChannels {
     Channels channels;
     bool depth = false, beyondColor = false;
@@ -61,7 +61,7 @@ NamedChannels channelsNamed(const std::string& text)
         else if (name == "evaluations")
             named.channels.evaluations = true;
         else if (name != "color")
-            throw Failure(Blame::usage,
+            throw Failure(ErrorKind::usage,
                           "--channels: \"" + name +
                               "\" is no channel; give color, depth, normal or evaluations, separated by commas.");
         named.beyondColor = named.beyondColor || name != "color";
@@ -107,7 +107,7 @@ PictureRequest pictureRequest(const ParameterValues& values, const JobScene& sce
         request.depth = scene.usual.depth;
     }
     if (named.beyondColor && !linear && !out.empty())
-        throw Failure(Blame::usage,
+        throw Failure(ErrorKind::usage,
                       "--channels: only OpenEXR carries more than color; give --out a name that ends in .exr.");
     return request;
 }
@@ -117,9 +117,9 @@ render::PictureFormat pictureFormat(const ParameterValues& values, const std::fi
     const std::optional<int> bits = values[pictureTable().sixteenBit] ? std::optional(16) : std::nullopt;
     if (const auto format = render::writtenFormat(out, bits)) return *format;
     if (render::writtenFormat(out))
-        throw Failure(Blame::usage, out.string() + ": this format holds no 16 bits; give a name that ends in " +
+        throw Failure(ErrorKind::usage, out.string() + ": this format holds no 16 bits; give a name that ends in " +
                                         render::writtenExtensions(bits) + ", or leave --sixteen-bit out.");
-    throw Failure(Blame::usage, out.string() + ": give a name that ends in " + render::writtenExtensions() + '.');
+    throw Failure(ErrorKind::usage, out.string() + ": give a name that ends in " + render::writtenExtensions() + '.');
 }
 
 PictureRun::PictureRun(JobOrder order)
@@ -147,7 +147,7 @@ void PictureRun::step(const Watch&)
 void PictureRun::begin()
 {
     backend_ = order_.backend ? order_.backend() : nullptr;
-    if (!backend_) throw Failure(Blame::openGl, "No picture can be made: there is no graphics context.");
+    if (!backend_) throw Failure(ErrorKind::openGl, "No picture can be made: there is no graphics context.");
     maker_ = std::make_unique<PictureMaker>(*order_.scene.museum, *backend_, order_.scene.state, request_);
 }
 

@@ -65,7 +65,7 @@ public:
 /// channels the picture has.
 [[nodiscard]] PictureRequest pictureRequest(const ParameterValues&, const JobScene&, const std::filesystem::path& out);
 
-/// Returns the format of the file. Throws Failure (Blame::usage) if its extension belongs to no format, or to one
+/// Returns the format of the file. Throws Failure (ErrorKind::usage) if its extension belongs to no format, or to one
 /// without 16 bits.
 [[nodiscard]] render::PictureFormat pictureFormat(const ParameterValues&, const std::filesystem::path& out);
 

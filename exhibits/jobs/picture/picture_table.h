@@ -17,7 +17,7 @@ struct PictureTable final : Parameters {
     Toggle transparent =
         toggle("transparent", false,
                "Draw only the exhibit, in the hall's light, and leave everything around it transparent (alpha 0).",
-               called("Only the exhibit"));
+               labeled("Only the exhibit"));
     Toggle runEverything =
         toggle("runEverything", false,
                "Run all passes, even those that can be skipped. The picture stays the same; this is a check.");
@@ -26,7 +26,7 @@ struct PictureTable final : Parameters {
     Toggle sixteenBit =
         toggle("sixteenBit", false,
                "Write 16 bits per channel: integers in PNG and TIFF, half floats for the color in OpenEXR.",
-               called("16 bits per channel"));
+               labeled("16 bits per channel"));
     Text channels =
         text("channels", "Channels of an OpenEXR file, separated by commas: color, depth, normal, evaluations. Empty: "
                          "those of the picture whose settings are used, else color only.");

@@ -71,7 +71,7 @@ std::vector<Fact> factsOf(const RecordingRequest& request)
             {"Uncompressed", frames * size.x * size.y * channels / 1e6, "MB"}};
 }
 
-/// Moves the camera around its target: in a loop, or to and fro about the view. Throws Failure (Blame::usage) if it
+/// Moves the camera around its target: in a loop, or to and fro about the view. Throws Failure (ErrorKind::usage) if it
 /// runs into an obstacle.
 void turnAround(const ParameterValues& values, const JobScene& scene, RecordingRequest& request)
 {
@@ -81,9 +81,9 @@ void turnAround(const ParameterValues& values, const JobScene& scene, RecordingR
     request.closed = isWholeTurns(angle);
     request.camera = turntable(frame.camera, angle, paceOf(values, request.closed ? Pace::constant : Pace::eased));
     if (frame.alone || firstCollision(scene.museum->obstacles(scene.state), request.camera) < 0) return;
-    throw Failure(Blame::usage, "A camera that turns by " + render::shortNumber(angle * 180 / std::numbers::pi) +
-                                    " degrees runs into a wall or what stands in the hall; turn by a smaller angle, or "
-                                    "show the exhibit alone.");
+    throw Failure(ErrorKind::usage, "A camera that turns by " + render::shortNumber(angle * 180 / std::numbers::pi) +
+                                        " degrees runs into a wall or an object; turn by a smaller angle, or "
+                                        "show the exhibit alone.");
 }
 
 /// Returns the request with the motion of the camera. Finding a way around walls takes a while.
@@ -146,7 +146,7 @@ private:
     void begin()
     {
         backend_ = order_.backend ? order_.backend() : nullptr;
-        if (!backend_) throw Failure(Blame::openGl, "Nothing can be recorded: there is no graphics context.");
+        if (!backend_) throw Failure(ErrorKind::openGl, "Nothing can be recorded: there is no graphics context.");
         const JobScene& scene = order_.scene;
         recording_ = std::make_unique<Recording>(*scene.museum, *backend_, scene.state, scene.subject, *request_,
                                                  order_.out, RecordingShare{order_.share.makes, order_.share.from});
@@ -167,7 +167,7 @@ private:
     JobOrder order_;
     std::optional<RecordingRequest> request_;
     std::unique_ptr<render::RenderBackend> backend_;
-    std::unique_ptr<Recording> recording_;  ///< Goes before what it draws with.
+    std::unique_ptr<Recording> recording_;  ///< Declared last: destroyed before the renderer that it uses.
     JobReport report_;
 };
 
@@ -175,8 +175,8 @@ std::string refusalOf(const ParameterValues& values, const JobScene& scene, cons
 {
     const RecordPath path = pathOf(values, scene);
     if (scene.frame.alone && path != RecordPath::turntable && path != RecordPath::still)
-        return "A tour goes through the hall, in which an exhibit that is shown alone does not stand; choose turntable "
-               "or still, or show it in the hall.";
+        return "A tour needs the hall, but the exhibit is shown alone; choose turntable or still, or show it in the "
+               "hall.";
     if (path != RecordPath::bookmarks) return {};
     if (!inputs.bookmarksProblem.empty()) return inputs.bookmarksProblem;
     if (inputs.bookmarks && inputs.bookmarks->bookmarks.size() > 1) return {};

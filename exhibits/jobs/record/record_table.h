@@ -15,7 +15,7 @@ struct RecordTable final : Parameters {
                "Path of the camera: around its target (turntable), none (still), along a tour, or along the bookmarks "
                "set in the window. Auto: around an exhibit; along a tour in the hall.");
     File tour = file("tour", "File of the tour that the camera follows. Empty: a tour past all exhibits.",
-                     endings("json"), when(path, RecordPath::tour), implies(path, RecordPath::tour));
+                     extensions("json"), when(path, RecordPath::tour), implies(path, RecordPath::tour));
     Real turn = real("turn", 0, degree, Range{degrees(-36000), degrees(36000)}.soft(degrees(-360), degrees(360)),
                      "Angle by which the camera turns around its target, counter-clockwise from above. Auto: once "
                      "around an exhibit that is shown alone, 60° in the hall.",
@@ -28,15 +28,15 @@ struct RecordTable final : Parameters {
 
     Group timeGroup = group("Time");
     Real seconds = real("seconds", 8, second, Range{0.001, 36000, logarithmic}.soft(1, 120), "Length of the recording.",
-                        called("Length"));
+                        labeled("Length"));
     Real framesPerSecond = real("framesPerSecond", 30, hertz, Range{0.1, 240}.soft(1, 60),
-                                "Number of frames per second.", called("Frame rate"), option("fps", hertz));
+                                "Number of frames per second.", labeled("Frame rate"), option("fps", hertz));
     Real shutter = real("shutter", 0, none, {0, 1},
                         "Motion blur: fraction of a frame's time for which it is exposed. 0 is without blur.",
-                        called("Motion blur"));
+                        labeled("Motion blur"));
     Count shutterSamples = count("shutterSamples", 8, Range{1, 4096, logarithmic}.soft(2, 64),
-                                 "Number of times within the exposure whose pictures are averaged.",
-                                 called("Times in the exposure"), whenAbove(shutter, 0));
+                                 "Number of points in time within the exposure whose pictures are averaged.",
+                                 labeled("Times in the exposure"), whenAbove(shutter, 0));
 
     Group pictureGroup = group("Picture");
     Count width = count("width", 1280, Range{1, 1000000, logarithmic}.soft(64, 3840), "Size of a frame in pixels.",

@@ -39,8 +39,8 @@ public:
 
     [[noreturn]] void fail(const Message& wanted) const
     {
-        throw Failure(Blame::file, message("Cannot read {1}: line {2} is not {3}; correct it there.", file_.string(),
-                                           number_, wanted));
+        throw Failure(ErrorKind::file, message("Cannot read {1}: line {2} is not {3}; correct it there.",
+                                               file_.string(), number_, wanted));
     }
 
 private:
@@ -149,8 +149,9 @@ std::vector<Rgb8> readPalette(const std::filesystem::path& file)
         colors = colorsOfPicture(file);
     }
     if (colors.empty() || colors.size() > mostColors)
-        throw Failure(Blame::file, message("Cannot take the palette {1}: it has {2} colors; choose one with 1 to 256.",
-                                           file.string(), colors.size()));
+        throw Failure(ErrorKind::file,
+                      message("Cannot take the palette {1}: it has {2} colors; choose one with 1 to 256.",
+                              file.string(), colors.size()));
     return colors;
 }
 

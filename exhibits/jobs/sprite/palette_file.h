@@ -17,7 +17,7 @@ enum class PaletteFormat { gpl, hex, pal };
 
 /// Reads the colors of a palette's file or of a picture, in the order of the file. Of a picture: its different colors
 /// by first appearance, without fully transparent pixels, or its 256 main colors if it has more. Throws Failure
-/// (Blame::file) naming file and line if it is not of its form, or has no color or more than 256.
+/// (ErrorKind::file) naming file and line if it is not of its form, or has no color or more than 256.
 [[nodiscard]] std::vector<Rgb8> readPalette(const std::filesystem::path&);
 
 /// Returns the text of a palette's file. `name` is the title in a .gpl.

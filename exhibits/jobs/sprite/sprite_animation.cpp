@@ -7,7 +7,7 @@
 namespace vitrine {
 namespace {
 
-constexpr int smallestSide = 256;  ///< Of the animated picture, in pixels, for frames that are smaller.
+constexpr int smallestSide = 256;  ///< Least side of the animated picture, in pixels: smaller frames are enlarged.
 constexpr double slowestTurn = 4;  ///< Directions of one frame each, per second.
 constexpr double grayCode = 0.5;   ///< sRGB code of the background where nothing can be transparent.
 

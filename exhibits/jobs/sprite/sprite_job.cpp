@@ -9,7 +9,7 @@
 namespace vitrine::jobs {
 namespace {
 
-constexpr std::int64_t draftPixels = 1U << 20U;  // Of all frames that are drawn for a preview.
+constexpr std::int64_t draftPixels = 1U << 20U;  // Most pixels of all frames of a preview.
 
 const SpriteSubject& objectOf(const JobInputs& inputs)
 {
@@ -69,7 +69,7 @@ void SpriteRun::step(const Watch&)
         return;
     }
     if (!backend_) backend_ = order_.backend ? order_.backend() : nullptr;
-    if (!backend_) throw Failure(Blame::openGl, "No sprites can be drawn: there is no graphics context.");
+    if (!backend_) throw Failure(ErrorKind::openGl, "No sprites can be drawn: there is no graphics context.");
     shots_.step(*backend_);
     if (shots_.finished()) backend_.reset();
 }

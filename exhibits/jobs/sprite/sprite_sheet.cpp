@@ -14,7 +14,7 @@ namespace {
 
 using render::Image;
 
-constexpr int fewestPixels = 12;  ///< Of a frame that shows something.
+constexpr int fewestPixels = 12;  ///< Fewest visible pixels of a frame that shows something.
 
 /// Returns the number of visible pixels in the frame that has most of them.
 int mostSeen(const std::vector<SpriteFrame>& frames)
@@ -131,7 +131,7 @@ int seenPixels(const SpriteFrame& frame)
 
 SpriteSheet spriteSheet(const std::vector<SpriteFrame>& frames, const SpriteSheetOptions& options)
 {
-    if (frames.empty()) throw Failure(Blame::usage, "A sprite sheet takes at least one frame.");
+    if (frames.empty()) throw Failure(ErrorKind::usage, "A sprite sheet takes at least one frame.");
     SpriteSheet sheet;
     for (const SpriteFrame& frame : frames) {
         sheet.cells.push_back(cellOf(frame.color, options.trimmed));

@@ -16,11 +16,11 @@ using Rgb8 = glm::u8vec3;
 /// One drawn picture of a sprite.
 struct SpriteFrame {
     int direction = 0;
-    double azimuth = 0;    ///< Of the camera around the object, radians; 0: it looks at the object's front, +Z.
+    double azimuth = 0;    ///< Azimuth of the camera around the object, in radians; 0: it looks at the front, +Z.
     render::Image color;   ///< Linear light; a: opacity, 0 where nothing is.
     render::Image normal;  ///< View space; a: 0 or 1.
     render::Image depth;   ///< One channel, 1 near to 0 far over the object's own depth; 0 where nothing is.
-    glm::dvec2 pivot{0};   ///< Where the object stands, texels from the upper left corner of the picture.
+    glm::dvec2 pivot{0};   ///< Position of the object, in texels from the upper left corner of the picture.
 };
 
 /// Returns whether a pixel is visible: its opacity is not 0 in 8 bits.
@@ -32,14 +32,14 @@ struct SpriteFrame {
 [[nodiscard]] int seenPixels(const SpriteFrame&);
 
 struct SpriteSheetOptions {
-    int colors = 32;  ///< Of the palette that is made of all frames, 1 to 256; unused where `palette` is given.
-    std::vector<Rgb8> palette{};  ///< In its place.
+    int colors = 32;  ///< Colors of the palette that is made from all frames, 1 to 256; unused if `palette` is given.
+    std::vector<Rgb8> palette{};  ///< Given palette; empty: made from all frames.
     SpriteDither dither = SpriteDither::none;
     SpritePivot pivot = SpritePivot::origin;
-    bool trimmed = false;  ///< Without the empty rows and columns around each frame.
+    bool trimmed = false;  ///< Whether the empty rows and columns around each frame are cut off.
     double frameSeconds = 1.0 / 12;
-    std::string imageName;                  ///< Of the sheet, as the description names it.
-    std::string normalName{}, depthName{};  ///< Of the maps; empty: there is none.
+    std::string imageName;                  ///< File name of the sheet, as the description names it.
+    std::string normalName{}, depthName{};  ///< File names of the maps; empty: none.
     SpriteDirectionNames directionNames = SpriteDirectionNames::numbers;
     SpriteNormalY normalY = SpriteNormalY::up;
     SpriteJson json = SpriteJson::array;
@@ -48,7 +48,7 @@ struct SpriteSheetOptions {
 /// Position of a frame in the sheet, and the margin that was cut off. In texels, from upper left corners.
 struct SpriteCell {
     glm::ivec2 place{0}, size{0};
-    glm::ivec2 cutOff{0};  ///< To the left and above.
+    glm::ivec2 cutOff{0};  ///< Size of the margin that was cut off to the left and above.
 };
 
 /// All frames in one picture, a row for each direction.
@@ -57,16 +57,16 @@ struct SpriteSheet {
     render::Image normal;  ///< RGBA, n / 2 + 1/2 as raw codes, y as `SpriteSheetOptions::normalY` says; alpha as color.
     render::Image depth;   ///< Gray, raw codes.
     std::vector<SpriteCell> cells;
-    std::vector<glm::ivec2> pivots;  ///< Of each frame, as the description has them.
-    double frameSeconds = 0;         ///< Likewise.
+    std::vector<glm::ivec2> pivots;  ///< Pivot of each frame, as written in the description.
+    double frameSeconds = 0;         ///< Duration of a frame, as written in the description.
     std::vector<Rgb8> palette;
-    std::string description;    ///< As `describe` returns it (sprite_description.h).
-    std::string godot;          ///< As `godotResource` returns it.
-    std::string settings = {};  ///< The preset that the picture carries: the look that it was drawn in; empty: none.
-    std::vector<std::string> warnings;  ///< What will disappoint, sentences.
+    std::string description;    ///< Text from `describe` (sprite_description.h).
+    std::string godot;          ///< Text from `godotResource`.
+    std::string settings = {};  ///< Preset that the picture carries, the one that it was drawn with; empty: none.
+    std::vector<std::string> warnings;  ///< Sentences on flaws of the sheet.
 };
 
-/// Makes a sheet of frames of one size, ordered by direction. Throws Failure (Blame::usage) if there are none.
+/// Makes a sheet of frames of one size, ordered by direction. Throws Failure (ErrorKind::usage) if there are none.
 [[nodiscard]] SpriteSheet spriteSheet(const std::vector<SpriteFrame>&, const SpriteSheetOptions&);
 
 }  // namespace vitrine

@@ -7,6 +7,7 @@
 #include "render/failure.h"
 #include "render/hash.h"
 #include "render/text/joined.h"
+#include "render/text/nearest_word.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -137,9 +138,12 @@ int SpriteSubject::animationOf(const SpriteRequest& request) const
     if (request.animation.empty()) return all.empty() ? -1 : 0;
     for (std::size_t i = 0; i < all.size(); ++i)
         if (all[i].name == request.animation) return static_cast<int>(i);
-    const std::string names = joined(all, ", ", [](const auto& animation) { return animation.name; });
-    throw Failure(Blame::usage, "There is no animation \"" + request.animation + "\"; " +
-                                    (names.empty() ? "the file has none." : "the file has " + names + "."));
+    std::vector<std::string> names;
+    for (const auto& animation : all) names.push_back(animation.name);
+    throw Failure(ErrorKind::usage, "There is no animation \"" + request.animation + "\"" +
+                                        (names.empty() ? "; the file has none."
+                                                       : didYouMean(request.animation, names) + " the file has " +
+                                                             joined(names, ", ") + "."));
 }
 
 double SpriteSubject::duration(const SpriteRequest& request) const
@@ -179,7 +183,7 @@ std::vector<WorldPart> SpriteSubject::parts(const SpriteRequest& request, int i)
 
 struct SpriteShots::Scene {
     std::vector<std::vector<WorldPart>> poses;
-    std::vector<glm::dvec3> origins;  ///< Of the object in the small world, for each pose.
+    std::vector<glm::dvec3> origins;  ///< Origin of the object in the small world, for each pose.
     SpriteExtent extent;
 };
 
@@ -264,7 +268,7 @@ void SpriteShots::pose()
         all.include(boxes[i].high - gone);
     }
     if (const Message why = render::whyNothingIsSeen(subject_->name(), all); !why.empty())
-        throw Failure(Blame::file, why);
+        throw Failure(ErrorKind::file, why);
     const glm::dvec3 middle = turningPoint(all);
     SpriteExtent& extent = scene->extent;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -300,7 +304,7 @@ void SpriteShots::step(render::RenderBackend& backend)
     shot.partsId = render::Hash().addValue(d).addValue(i).value();
     render::FramePlan plan;
     plan.view.raster.size = request_.size;
-    plan.allParts = true;
+    plan.allSlices = true;
     const PixelBlock block = planPixelPicture(shot, plan);
     std::vector<std::string> outputs{pixelLitImage, pixelSurfaceImage, pixelDrawnDepthImage};
     if (hasTranslucent(shot.parts))
@@ -311,9 +315,9 @@ void SpriteShots::step(render::RenderBackend& backend)
     frames_.back().azimuth = azimuth;
     if (finished() &&
         std::none_of(frames_.begin(), frames_.end(), [](const SpriteFrame& f) { return seenPixels(f) > 0; }))
-        throw Failure(Blame::file, "Nothing of " + subject_->name() +
-                                       " is to be seen: every pixel of every frame is empty; choose an object with "
-                                       "more opacity, or larger frames.");
+        throw Failure(ErrorKind::file, "Nothing of " + subject_->name() +
+                                           " is to be seen: every pixel of every frame is empty; choose an object with "
+                                           "more opacity, or larger frames.");
 }
 
 std::vector<SpriteFrame> drawSprite(const ParameterValues& look, const SpriteSubject& subject,

@@ -41,7 +41,7 @@ public:
     /// Returns its name for messages.
     [[nodiscard]] const std::string& name() const { return name_; }
 
-    /// Returns the parts in frame `i` of `n`. Throws Failure (Blame::usage) if the animation does not exist.
+    /// Returns the parts in frame `i` of `n`. Throws Failure (ErrorKind::usage) if the animation does not exist.
     [[nodiscard]] std::vector<WorldPart> parts(const SpriteRequest&, int i) const;
     /// Returns the length of the animation in seconds.
     [[nodiscard]] double duration(const SpriteRequest&) const;
@@ -68,8 +68,8 @@ public:
     SpriteShots(ParameterValues look, std::shared_ptr<const SpriteSubject>, SpriteRequest);
     ~SpriteShots();
 
-    /// Draws the next frame; the first step computes the poses of all frames. Throws Failure: Blame::usage if the
-    /// animation does not exist, Blame::file if all frames are empty. Always call it with the same backend.
+    /// Draws the next frame; the first step computes the poses of all frames. Throws Failure: ErrorKind::usage if the
+    /// animation does not exist, ErrorKind::file if all frames are empty. Always call it with the same backend.
     void step(render::RenderBackend&);
     [[nodiscard]] bool finished() const;
     /// Returns the fraction that is done, 0 to 1.

@@ -25,7 +25,7 @@ struct SpriteTable final : Parameters {
         file("model",
              "Object that is drawn: a glTF 2.0 file (.glb, .gltf), whose animation is played. Without one, the "
              "torus over its pillar.",
-             endings("glb gltf"), positional());
+             extensions("glb gltf"), positional());
     Text animation = text("animation", "Name of the model's animation to play. Empty: the first one in its file.",
                           whenGiven(model), ofFile(model));
 
@@ -58,7 +58,7 @@ struct SpriteTable final : Parameters {
         "paletteFile",
         "Path of a palette: of GIMP (.gpl), Lospec (.hex) or Paint Shop Pro (.pal, JASC), or a picture, of which all "
         "colors are taken, or 256 main ones.",
-        endings(paletteEndings()), when(palette, SpritePalette::file), implies(palette, SpritePalette::file));
+        extensions(paletteEndings()), when(palette, SpritePalette::file), implies(palette, SpritePalette::file));
     Count colors = count("colors", 32, Range{1, 256}.soft(2, 64), "Number of colors of the frames' own palette.",
                          when(palette, SpritePalette::own));
     Choice<SpriteDither> dither =
@@ -82,7 +82,7 @@ struct SpriteTable final : Parameters {
         choice("normalY", SpriteNormalY::up, {"up", "down"},
                "Direction of +Y in the normal map: up, as OpenGL, Godot and Unity expect it, or down, as DirectX and "
                "Unreal do. The description file says which.",
-               when(normals), called("+Y of the normals"));
+               when(normals), labeled("+Y of the normals"));
     Toggle depth = toggle("depth", true, "Write a third sheet with depth: near is white.");
 
     Group engineGroup = group("Files for engines");
@@ -92,7 +92,7 @@ struct SpriteTable final : Parameters {
         choice("form", SpriteJson::array, {"array", "hash"},
                "Form of the description file: an array of frames by number, for Phaser's createFromAseprite, or a hash "
                "of frames by name, with animations and anchors for Pixi.",
-               when(description), called("Form of the description"));
+               when(description), labeled("Form of the description"));
     Toggle godot = toggle("godot", false,
                           "Write a resource of Godot 4 (.tres): SpriteFrames with an animation for each direction, lit "
                           "by the normal map.");
@@ -104,7 +104,7 @@ struct SpriteTable final : Parameters {
         "animated", SpriteAnimation::none, {"none", "gif", "apng"},
         "Animated picture of all directions to write beside the sheet, enlarged to at least 256 pixels. A GIF has "
         "a gray background, an APNG is transparent.",
-        called("Animated picture"));
+        labeled("Animated picture"));
 };
 
 [[nodiscard]] const SpriteTable& spriteTable();

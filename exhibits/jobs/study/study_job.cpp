@@ -10,7 +10,7 @@
 namespace vitrine::jobs {
 namespace {
 
-/// Returns the study. Throws Failure (Blame::usage) as `studyRequest`.
+/// Returns the study. Throws Failure (ErrorKind::usage) as `studyRequest`.
 StudyRequest orderedStudy(const ParameterValues& values, const JobScene& scene)
 {
     StudyRequest request = studyRequest(values, *scene.museum, scene.state, scene.subject);
@@ -38,7 +38,7 @@ void StudyRun::step(const Watch&)
         StudyRequest request = orderedStudy(order_.values, order_.scene);
         request.largestTile = order_.largestTile;
         backend_ = order_.backend ? order_.backend() : nullptr;
-        if (!backend_) throw Failure(Blame::openGl, "Nothing can be measured: there is no graphics context.");
+        if (!backend_) throw Failure(ErrorKind::openGl, "Nothing can be measured: there is no graphics context.");
         study_ = std::make_unique<Study>(*order_.scene.museum, *backend_, std::move(request), order_.share.measures);
     }
     study_->step();

@@ -36,7 +36,7 @@ private:
 
     JobOrder order_;
     std::unique_ptr<render::RenderBackend> backend_;
-    std::unique_ptr<Study> study_;  ///< Goes before what it draws with.
+    std::unique_ptr<Study> study_;  ///< Declared last: destroyed before the renderer that it uses.
     JobReport report_;
 };
 
@@ -57,7 +57,7 @@ public:
     [[nodiscard]] std::unique_ptr<JobRun> start(JobOrder) const override;
     [[nodiscard]] std::vector<std::pair<const char*, const char*>> idleOptions(const ParameterValues&,
                                                                                const JobScene&) const override;
-    /// Measures.
+    /// Measurements, each of which has a picture.
     [[nodiscard]] std::string partItems(const std::filesystem::path&) const override { return "%s.picture"; }
 };
 

@@ -31,7 +31,7 @@ struct ProgramLimits {
 struct ProgramCounts {
     std::uint64_t instructions = 0;  ///< With every call replaced by its function, both stages.
     std::uint64_t localBytes = 0;    ///< Local and private variables.
-    std::uint64_t samplers = 0;      ///< Of the stage that has more.
+    std::uint64_t samplers = 0;      ///< Samplers of the stage that has more.
     bool recursive = false;
 
     [[nodiscard]] bool areTooLarge() const

@@ -73,12 +73,12 @@ TEST(ServeSocket, NothingElseIsReplaced)
     };
     const std::string letter = folder / "letter.txt";
     test::writeBytes(letter, "dear");
-    expectRefused(letter, 5, "something else");
+    expectRefused(letter, 5, "not a socket");
     EXPECT_EQ(test::bytesOf(letter), "dear");
     fs::create_symlink(letter, folder / "link");
-    expectRefused(folder / "link", 5, "something else");
+    expectRefused(folder / "link", 5, "not a socket");
     EXPECT_TRUE(fs::is_symlink(folder / "link"));
-    expectRefused(folder.path(), 5, "something else");
+    expectRefused(folder.path(), 5, "not a socket");
     expectRefused(folder / "no-such-folder/socket", 5, "its folder");
     expectRefused(folder / std::string(200, 'x'), 2, "107 bytes");
     expectRefused("", 2, "bytes");

@@ -101,7 +101,7 @@ TEST_F(Serve, BringsToTheNearestAndRefusesAsTheCommandLineDoes)
              {"morf", "0.5"}, {"morph", "soup"}, {"material", "wood"}, {"nobody.morph", "1"}}) {
         const Json answer = set(name, text);
         EXPECT_EQ(answer["error"]["code"], -32602) << answer;
-        EXPECT_EQ(answer["error"]["data"]["blame"], "usage");
+        EXPECT_EQ(answer["error"]["data"]["kind"], "usage");
         EXPECT_EQ(messageOf(answer), asServed(rendered(name + '=' + text)));
     }
     // If one value is invalid, none is set.
@@ -212,7 +212,7 @@ TEST_F(Serve, LoadsPresetsByNameAndByFile)
 
     const Json gone = client_.call("load", {{"exhibit", "sdf_morph"}, {"preset", "no-such-preset"}});
     EXPECT_EQ(gone["error"]["code"], -32005) << gone;
-    EXPECT_EQ(gone["error"]["data"], (Json{{"blame", "file"}, {"exitCode", 5}}));
+    EXPECT_EQ(gone["error"]["data"], (Json{{"kind", "file"}, {"exitCode", 5}}));
     EXPECT_EQ(client_.result("get", {{"exhibit", "sdf_morph"}}), again);
 }
 

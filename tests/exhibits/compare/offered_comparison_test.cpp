@@ -17,13 +17,13 @@ namespace vitrine {
 namespace {
 
 /// Returns the error for a comparison that is not offered; empty if it is offered.
-std::string refusalOf(const Subject& subject, std::string_view name)
+std::string refusalOf(const SceneObject& subject, std::string_view name)
 {
     try {
         (void)offeredComparison(subject, name);
         return {};
     } catch (const Failure& failure) {
-        EXPECT_EQ(failure.blame(), Blame::usage);
+        EXPECT_EQ(failure.kind(), ErrorKind::usage);
         return failure.what();
     }
 }
@@ -67,6 +67,7 @@ TEST(OfferedComparison, HasTheValuesOfAButForItsRowsWhichDoNotMove)
     EXPECT_TRUE(b.values[1].motions().empty());
     ASSERT_EQ(differingRows(a, b).size(), 1U);
     EXPECT_NE(refusalOf(**rays, "nothing").find("without, screen, air"), std::string::npos);
+    EXPECT_NE(refusalOf(**rays, "scren").find("did you mean screen?"), std::string::npos);
     EXPECT_EQ(refusalOf(**rays, "air"), "");
 }
 

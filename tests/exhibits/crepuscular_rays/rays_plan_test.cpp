@@ -123,7 +123,8 @@ TEST(RaysPlan, NothingToSeeAddsNoPassAndSaysWhy)
     Scene alone = atTheWindow();
     alone.request.alone = *test::museum().find("crepuscular_rays");
     alone.sceneState.hall().set(test::hallTable().sunAzimuth, 3.0);
-    EXPECT_EQ(reasonFor(alone.plan(), "crepuscular_rays/march"), "no sunbeam wider than 30 cm comes in by the window");
+    EXPECT_EQ(reasonFor(alone.plan(), "crepuscular_rays/march"),
+              "no sunbeam wider than 30 cm comes in through the window");
 }
 
 TEST(RaysPlan, TheMaskAndTheLightAloneAreShownHoweverDarkTheyAre)

@@ -68,7 +68,7 @@ TEST_F(Rays, LeaveThePictureAsItIsToTheBitWhenTheyAreOff)
 TEST_F(Rays, AreOfferedBesideThePictureWithoutThem)
 {
     const std::size_t rays = *gallery().museum.find("crepuscular_rays");
-    const Subject& subject = gallery().museum.subject(rays);
+    const SceneObject& subject = gallery().museum.subject(rays);
     for (const auto& [name, technique] :
          {std::pair{"without", RayTechnique::none}, {"screen", RayTechnique::screen}, {"air", RayTechnique::volume}}) {
         RayShot offered(RayTechnique::both), alone(technique);

@@ -175,7 +175,7 @@ TEST(BouncedLight, IsNoneWhileTheSunShinesInNowhere)
     for (const char* pass : bouncePasses) EXPECT_EQ(reasonFor(scene.plan(), pass), "it ran") << pass;
     scene.hall().set(test::hallTable().sunAzimuth, 170 * degree);
     scene.hall().set(test::hallTable().sunElevation, 12 * degree);
-    EXPECT_EQ(reasonFor(scene.plan(), "hall/bounced light"), "too little of the sun comes in by window and oculus");
+    EXPECT_EQ(reasonFor(scene.plan(), "hall/bounced light"), "too little sunlight comes in through window and oculus");
     scene.hall().set(test::hallTable().sunAzimuth, 0.0);
     scene.hall().set(test::hallTable().sunStrength, 0.0);
     EXPECT_EQ(reasonFor(scene.plan(), "hall/bounced light"), "the sun's strength is 0");

@@ -120,7 +120,8 @@ TEST(ToneCurves, OfVitrineHaveContrastAToeAndALateShoulder)
         return std::log(glsl::toneVitrine(dvec3(light * 1.001)).g / glsl::toneVitrine(dvec3(light / 1.001)).g) /
                std::log(1.001 * 1.001);
     };
-    EXPECT_NEAR(slope(0.18), 1.5 * (1 - 0.18), 2e-3);  // Of a sigmoid: the slope of its logit times the rest to white.
+    EXPECT_NEAR(slope(0.18), 1.5 * (1 - 0.18),
+                2e-3);  // The slope of a sigmoid is that of its logit times the rest to white.
     EXPECT_GT(slope(0.18 / 16), 1.3 * slope(0.18));
     const auto code = [](double light) { return codeOf(glsl::toneVitrine(dvec3(light)).g); };
     EXPECT_LT(code(0.18 / 32), 8);

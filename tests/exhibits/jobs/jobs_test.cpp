@@ -95,7 +95,7 @@ template <typename Work> void expectRefused(const Work& work, const std::string&
                                 work();
                                 return 0;
                             },
-                            Blame::usage));
+                            ErrorKind::usage));
 }
 
 TEST(EveryJob, HasAnOptionAKeyAndAHelpTextForEachParameter)
@@ -462,8 +462,8 @@ TEST(RecordJob, TellsFramesAndWhatCannotBeBeforeItStarts)
     refused({"--fps=60"}, "a.gif", "50");
     refused({}, "a.avi", "a.avi: give a name that ends in .mp4, ");
     refused({}, "a.png", "frames/%04d.png");
-    refused({"--path=tour"}, "", "A tour goes through the hall");
-    refused({"--path=bookmarks"}, "", "A tour goes through the hall");
+    refused({"--path=tour"}, "", "A tour needs the hall");
+    refused({"--path=bookmarks"}, "", "A tour needs the hall");
     EXPECT_PRED_FORMAT2(testing::IsSubstring, "the frames so far are whole", planned({}, "f/%02d.png").ifStopped);
     EXPECT_EQ(planned({}, "a.mp4").ifStopped, "Stopped; nothing was written.");
 }
@@ -542,17 +542,17 @@ TEST(Mesh, RefusesByItsFirstReasonAndSaysWhereNothingIsSolid)
     const JobOrder twice = ordered({"--time=2", "--high=1,1,1"});
     EXPECT_EQ(mesh.plan(twice.values, {}, *twice.inputs, "a.png").refusal,
               "--time has no effect on a scene in which nothing moves; leave it out.");
-    const auto expectNothing = [&](const char* low, const char* high, Blame blame, const std::string& sentence) {
+    const auto expectNothing = [&](const char* low, const char* high, ErrorKind kind, const std::string& sentence) {
         const auto run = mesh.start(ordered({"--low=" + std::string(low), "--high=" + std::string(high)}));
         const auto runAll = [&] {
             while (run->next() != JobRun::Next::done) run->step([](double) { return true; });
             return 0;
         };
-        EXPECT_PRED_FORMAT2(testing::IsSubstring, sentence.c_str(), test::failureOf(runAll, blame));
+        EXPECT_PRED_FORMAT2(testing::IsSubstring, sentence.c_str(), test::failureOf(runAll, kind));
     };
-    expectNothing("1,1,1", "2,2,2", Blame::usage, "Nothing of the scene lies between --low and --high;");
+    expectNothing("1,1,1", "2,2,2", ErrorKind::usage, "Nothing of the scene lies between --low and --high;");
     // In a corner of the box around the ball: 0.26 m from its center.
-    expectNothing("0.15,0.15,0.15", "0.2,0.2,0.2", Blame::check, "Nothing solid lies between --low and --high;");
+    expectNothing("0.15,0.15,0.15", "0.2,0.2,0.2", ErrorKind::check, "Nothing solid lies between --low and --high;");
 }
 
 TEST(Fact, ShowsThreeDigitsAndItsUnit)

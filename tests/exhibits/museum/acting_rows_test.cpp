@@ -89,7 +89,7 @@ render::Camera beforeThePlinth()
 std::vector<Situation> situationsOf(std::size_t exhibit, const ParameterValues& start)
 {
     const Museum& museum = gallery().museum;
-    const Subject& shown = museum.subject(exhibit);
+    const SceneObject& shown = museum.subject(exhibit);
     std::vector<Situation> all{{start, museum.bestView(exhibit, start)}};
     Situation later = all.front();
     later.time = 11.3;
@@ -162,8 +162,8 @@ protected:
         if (!row.documentOf.empty()) return fileFor(table, table.rows()[table.find(row.documentOf).value()]);
         const std::filesystem::path assets = std::filesystem::path(VITRINE_SOURCE_DIR) / "assets";
         if (table.find("animation")) return writeMovedModel(folder_);
-        if (row.endings.find("glb") != std::string_view::npos) return (assets / "models" / "teddy.glb").string();
-        if (row.shipped == "scenes") return (assets / "scenes" / "torus.json").string();
+        if (row.extensions.find("glb") != std::string_view::npos) return (assets / "models" / "teddy.glb").string();
+        if (row.assetFolder == "scenes") return (assets / "scenes" / "torus.json").string();
         const std::filesystem::path panorama = folder_.path() / "panorama.hdr";
         if (!std::filesystem::exists(panorama))
             writePanorama(panorama,

@@ -226,11 +226,11 @@ TEST_F(LampsTest, AreSeenByTheProbeWhereTimeDoesNotChangeThem)
     EXPECT_FALSE(lit());
     hall.bulb().set(Bulb::table.pulses, false);
     EXPECT_TRUE(lit());
-    const std::optional<std::uint64_t> key = hall.plan().find("probe/walls/0")->key;
+    const std::optional<std::uint64_t> key = hall.plan().find("probe/walls/0")->contentHash;
     hall.see({1, 8, 2.2}, {0, 0, 2});
-    EXPECT_EQ(hall.plan().find("probe/walls/0")->key, key) << "the eye moved, the lamp did not";
+    EXPECT_EQ(hall.plan().find("probe/walls/0")->contentHash, key) << "the eye moved, the lamp did not";
     hall.bulb().set(Bulb::table.strength, 5.0);
-    EXPECT_NE(hall.plan().find("probe/walls/0")->key, key);
+    EXPECT_NE(hall.plan().find("probe/walls/0")->contentHash, key);
 }
 
 TEST_F(LampsTest, OfExhibitsLightWhatIsNearThem)

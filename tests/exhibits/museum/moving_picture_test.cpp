@@ -84,7 +84,7 @@ protected:
     {
         request_.movingFrame = movingFrame;
         request_.time = time;
-        request_.cut = cut;
+        request_.resetHistory = cut;
         return planned(*museum_, sceneState_, request_, renderer_.persistentState());
     }
     render::Image frame(int movingFrame, double time, bool cut = false)
@@ -221,7 +221,7 @@ protected:
             request.raster = {.size = {640, 360}, .offset = {200, 0}, .tile = {240, 360}};
             request.camera = turned(end, i - frames, request.raster.size.y);
             request.movingFrame = i;
-            request.cut = i == 1;
+            request.resetHistory = i == 1;
             request.finished = true;
             (void)gallery().renderer.draw(planned(museum, sceneState, request, gallery().renderer.persistentState()));
             before = std::move(last);

@@ -161,7 +161,7 @@ TEST(OwnObjects, ABadFileLeavesTheOthersAsTheyAreAndIsNamedOnce)
         EXPECT_GT(drawsOf(good, passes.at(which)), 0U);
         EXPECT_EQ(drawsOf(bad, passes.at(which)), drawsOf(good, passes.at(which)));
     }
-    EXPECT_EQ(reasonFor(bad, passes[1]), "its file is not read");
+    EXPECT_EQ(reasonFor(bad, passes[1]), "its file has not been read");
     std::vector<std::string> said;
     for (const render::CulledPass& skipped : bad.skipped())
         if (!skipped.unreadable.empty()) said.push_back(skipped.unreadable);

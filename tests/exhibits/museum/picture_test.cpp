@@ -247,7 +247,7 @@ TEST_F(PictureTest, AStopOfExposureDoublesTheLightBeforeTheCurve)
 
 TEST_F(PictureTest, TheDisplayShowsTheChosenToneCurveOfTheLight)
 {
-    constexpr double exposure = 1.04;  // Of the studio.
+    constexpr double exposure = 1.04;  // Exposure of the studio.
     Shot shot;
     const Picture light = shot.take();
     shot.request.frame.averageIn = AverageIn::display;

@@ -34,7 +34,7 @@ std::map<std::string, Scene> randomScenes(int ofEach)
 {
     std::map<std::string, Scene> scenes;
     for (std::size_t i = 0; i < museum().subjects().size(); ++i) {
-        const Subject& subject = museum().subject(i);
+        const SceneObject& subject = museum().subject(i);
         for (int seed = 1; seed <= ofEach; ++seed) {
             RandomNumbers random(static_cast<std::uint64_t>(seed) * 1000 + i);
             Scene scene;

@@ -40,7 +40,7 @@ protected:
 
     test::TemporaryFolder folder_;
     test::BallsExhibit balls_;
-    std::vector<const Subject*> subjects_{&balls_};
+    std::vector<const SceneObject*> subjects_{&balls_};
     render::AssetStore assets_;
 };
 

@@ -194,7 +194,7 @@ const std::map<std::string, Claim>& claims()
         {"the sun's strength is 0", [](const Skipped& s) { return s.ofHall("sunStrength") == 0; }},
         {"the sun has set",
          [](const Skipped& s) { return s.ofHall("sunBy") == 1 && std::abs(s.ofHall("timeOfDay") - 12) >= 5.999; }},
-        {"too little of the sun comes in by window and oculus", measuredByPictures},
+        {"too little sunlight comes in through window and oculus", measuredByPictures},
         {"the sun is too high for lamps",
          [pi](const Skipped& s) { return s.ofHall("lamps") == 0 && s.sun().elevation >= pi / 180 * 7.99; }},
         {"the lamps are switched off", [](const Skipped& s) { return s.ofHall("lamps") == 2; }},
@@ -298,9 +298,9 @@ const std::map<std::string, Claim>& claims()
         {"the dust swallows all light", isBlack("airColor")},
         {"the dust swallows the light of the sun", measuredByPictures},
         {"the strength of the beams is 0", isZero("beamStrength")},
-        {"no sunbeam wider than 30 cm comes in by the window",
+        {"no sunbeam wider than 30 cm comes in through the window",
          [](const Skipped& s) { return s.alone() && s.sun().towards().z > -1 + 0.5; }},
-        {"no sunbeam wider than 30 cm comes in by window or oculus",
+        {"no sunbeam wider than 30 cm comes in through window or oculus",
          [](const Skipped& s) { return s.sun().towards().y < 0.99; }},
         {"the beams are out of view", measuredByPictures},
         // Reasons of the lake.
@@ -349,10 +349,10 @@ const std::map<std::string, Claim>& claims()
         {"the reference shows no lamps", isNot("look", 1)},
         {"no light of the scene has an area", measuredByPictures},
         {"with so few shapes, evaluating all of them is as fast", isZero("evaluation")},
-        {"its numbers changed a short time ago", [](const Skipped& s) { return !s.picture.frame.rests; }},
-        {"numbers are folded by themselves where the evaluation is automatic", isNot("evaluation", 0)},
+        {"its numbers changed a short time ago", [](const Skipped& s) { return !s.picture.frame.idle; }},
+        {"numbers are compiled in only if the evaluation is automatic", isNot("evaluation", 0)},
         {"the shader text of lists contains no numbers", measuredByPictures},
-        {"the scene has no end, so no cells hold it", measuredByPictures},
+        {"the scene is infinite, so no grid of cells can cover it", measuredByPictures},
     };
     return all;
 }

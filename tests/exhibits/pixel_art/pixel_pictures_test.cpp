@@ -60,7 +60,7 @@ struct SmallShot {
         }
         render::FramePlan plan;
         plan.view.raster.size = size;
-        plan.allParts = true;
+        plan.allSlices = true;
         Small made;
         made.block = planPixelPicture(shot, plan);
         EXPECT_TRUE(plan.errors().empty()) << plan.errors().front();

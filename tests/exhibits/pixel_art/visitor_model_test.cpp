@@ -103,7 +103,7 @@ struct ModelFrames : VisitorModel {
     {
         std::map<std::string, std::uint64_t> keys;
         for (const render::Pass& pass : plan.passes())
-            if (pass.key && pass.name.rfind("pixel_art/", 0) == 0) keys[pass.name] = *pass.key;
+            if (pass.contentHash && pass.name.rfind("pixel_art/", 0) == 0) keys[pass.name] = *pass.contentHash;
         return keys;
     }
     std::string whyStill(double time)
@@ -179,7 +179,7 @@ protected:
         shot.parts = std::move(parts);
         render::FramePlan plan;
         plan.view.raster.size = shot.camera.size;
-        plan.allParts = true;
+        plan.allSlices = true;
         planPixelPicture(shot, plan);
         plan.prune({pixelLitImage});
         gallery().renderer.draw(plan);

@@ -3,7 +3,7 @@
 
 #include "exhibits/printing/interlace.h"
 #include "exhibits/printing/sheet.h"
-#include "exhibits/printing/taps.h"
+#include "exhibits/printing/view_weights.h"
 #include "render/image/srgb.h"
 
 #include <gtest/gtest.h>
@@ -121,9 +121,9 @@ private:
     std::array<std::uint32_t, 3> interlaced(std::int64_t x, int row)
     {
         const std::int64_t front = layout_.settings().mirror ? layout_.width() - 1 - x : x;
-        tapsAt(layout_, static_cast<double>(front) + 0.5, 0, taps_);
+        viewWeightsAt(layout_, static_cast<double>(front) + 0.5, 0, taps_);
         Pixel sum{};
-        for (const Tap& tap : taps_) {
+        for (const ViewWeight& tap : taps_) {
             const Pixel lens = compensatedLens(tap.view, tap.lens, row);
             for (std::size_t c = 0; c < 3; ++c) sum.at(c) += lens.at(c) * static_cast<float>(tap.weight);
         }
@@ -186,10 +186,10 @@ private:
         const PrintSettings& s = layout_.settings();
         const double px = static_cast<double>(s.mirror ? layout_.width() - 1 - x : x) + 0.5;
         const double py = static_cast<double>(y) + 0.5;
-        tapsAt(layout_, px, py, taps_);
+        viewWeightsAt(layout_, px, py, taps_);
         const double u = layout_.lensAt(px, py);
         Pixel sum{0.5F, 0.5F, 0.5F};
-        for (const Tap& tap : taps_) {
+        for (const ViewWeight& tap : taps_) {
             const double off = static_cast<double>(tap.lens) + 0.5 - u;
             const double footX = px + off * (layout_.printPitch() * s.dpiX / 25.4 * layout_.cosine());
             const double footY = py + off * (layout_.printPitch() * s.dpiY / 25.4 * layout_.sine());
@@ -213,7 +213,7 @@ private:
     PrintLayout bordered_, layout_;
     const ViewSet& views_;
     ViewMatrix compensation_;
-    std::vector<Tap> taps_;
+    std::vector<ViewWeight> taps_;
     BoxTaps box_, rows_;
     std::int64_t x_ = -1, y_ = -1;
     std::array<std::uint32_t, 3> pixel_{};

@@ -1,6 +1,6 @@
 #include "tests/exhibits/printing/samples.h"
 
-#include "exhibits/printing/taps.h"
+#include "exhibits/printing/view_weights.h"
 #include "render/failure.h"
 
 #include <gtest/gtest.h>
@@ -19,9 +19,9 @@ constexpr std::array<Method, 3> methods{Method::nearest, Method::area, Method::g
 std::vector<int> viewsOfRow(const PrintLayout& layout)
 {
     std::vector<int> row;
-    std::vector<Tap> taps;
+    std::vector<ViewWeight> taps;
     for (std::int64_t x = 0; x < layout.width(); ++x) {
-        tapsAt(layout, static_cast<double>(x) + 0.5, 0.5, taps);
+        viewWeightsAt(layout, static_cast<double>(x) + 0.5, 0.5, taps);
         row.push_back(taps.size() == 1 ? taps[0].view : -1);
     }
     return row;
@@ -29,7 +29,7 @@ std::vector<int> viewsOfRow(const PrintLayout& layout)
 
 TEST(Lenticular, WeightsOfEveryPixelSumToOne)
 {
-    std::vector<Tap> taps;
+    std::vector<ViewWeight> taps;
     std::mt19937 random(3);
     for (int i = 0; i < 400; ++i) {
         const double dpi = 300 + static_cast<double>(random() % 2400);
@@ -42,10 +42,10 @@ TEST(Lenticular, WeightsOfEveryPixelSumToOne)
         s.guard = static_cast<double>(random() % 100) / 100;
         const PrintLayout layout(s);
         for (int at = 0; at < 50; ++at) {
-            tapsAt(layout, static_cast<double>(random() % 5000) + 0.5, static_cast<double>(random() % 5000) + 0.5,
-                   taps);
+            viewWeightsAt(layout, static_cast<double>(random() % 5000) + 0.5,
+                          static_cast<double>(random() % 5000) + 0.5, taps);
             double sum = 0;
-            for (const Tap& tap : taps) {
+            for (const ViewWeight& tap : taps) {
                 sum += tap.weight;
                 ASSERT_GE(tap.view, 0);
                 ASSERT_LT(tap.view, s.views);
@@ -63,10 +63,10 @@ TEST(Lenticular, EveryViewCoversTheSameShareOfTheLenses)
         s.phase = phase;
         const PrintLayout layout(s);
         std::map<int, double> covered;
-        std::vector<Tap> taps;
+        std::vector<ViewWeight> taps;
         for (int x = 0; x < 6000; ++x) {
-            tapsAt(layout, x + 0.5, 0.5, taps);
-            for (const Tap& tap : taps) covered[tap.view] += tap.weight;
+            viewWeightsAt(layout, x + 0.5, 0.5, taps);
+            for (const ViewWeight& tap : taps) covered[tap.view] += tap.weight;
         }
         for (const auto& [view, columns] : covered) EXPECT_NEAR(columns / 400, 15.0 / 7, 1e-9) << view;
     }
@@ -94,9 +94,9 @@ TEST(Lenticular, TheLastColumnIsWhereTheClosedFormSays)
     s.method = Method::nearest;
     const PrintLayout layout(s);  // 4e10 pixels, for which no memory is allocated.
     ASSERT_EQ(layout.width(), 200000);
-    std::vector<Tap> taps;
+    std::vector<ViewWeight> taps;
     for (const std::int64_t x : {std::int64_t{0}, std::int64_t{99999}, std::int64_t{199999}}) {
-        tapsAt(layout, static_cast<double>(x) + 0.5, 199999.5, taps);
+        viewWeightsAt(layout, static_cast<double>(x) + 0.5, 199999.5, taps);
         const long double u = (static_cast<long double>(x) + 0.5L - 100000.0L) * 60.12L / 1440.0L + 0.5L;
         EXPECT_EQ(taps.at(0).lens, static_cast<std::int64_t>(std::floor(u)));
         EXPECT_NEAR(static_cast<double>(static_cast<long double>(layout.lensAt(static_cast<double>(x) + 0.5, 0)) - u),
@@ -227,7 +227,7 @@ std::string refusal(const PrintSettings& settings)
     try {
         const PrintLayout layout(settings);
     } catch (const Failure& failure) {
-        EXPECT_EQ(failure.blame(), Blame::usage);
+        EXPECT_EQ(failure.kind(), ErrorKind::usage);
         return failure.what();
     }
     return {};

@@ -103,7 +103,7 @@ std::string refusal(const Sheet& sheet)
     try {
         check(sheet);
     } catch (const Failure& failure) {
-        EXPECT_EQ(failure.blame(), Blame::usage);
+        EXPECT_EQ(failure.kind(), ErrorKind::usage);
         return failure.what();
     }
     return {};

@@ -102,7 +102,7 @@ TEST(Sequence, TellsHowToTakeLessOfALongOne)
     EXPECT_EQ(chosenViews(256, {}).size(), 256U);
     EXPECT_NE(refusalOf([] {
                   (void)chosenViews(257, {});
-              }).find("257 views, and 256 is the most; take fewer with --every 2 or"),
+              }).find("257 views, and at most 256 are possible; take fewer with --every 2 or"),
               std::string::npos);
     EXPECT_NE(refusalOf([] { (void)chosenViews(3000, {.every = 2}); }).find("--every 12 or"), std::string::npos);
     EXPECT_EQ(chosenViews(3000, {.every = 12}).size(), 250U);

@@ -155,13 +155,14 @@ TEST(Moments, AreAtTheNumberOverTheRate)
 {
     const RecordingRequest open = steady(2, 30, false);
     ASSERT_EQ(open.frames(), 60);
-    EXPECT_EQ(momentsOf(open, 45).front().time, 101.5);
-    EXPECT_EQ(momentsOf(open, 0).front().camera.eye.x, 0);
-    EXPECT_EQ(momentsOf(open, 59).front().camera.eye.x, 1) << "an open path ends with the last frame";
+    EXPECT_EQ(motionSamplesOf(open, 45).front().time, 101.5);
+    EXPECT_EQ(motionSamplesOf(open, 0).front().camera.eye.x, 0);
+    EXPECT_EQ(motionSamplesOf(open, 59).front().camera.eye.x, 1) << "an open path ends with the last frame";
     const RecordingRequest loop = steady(2, 30, true);
-    EXPECT_NEAR(momentsOf(loop, 59).front().camera.eye.x, 59.0 / 60, 1e-12) << "the next one would be the first again";
+    EXPECT_NEAR(motionSamplesOf(loop, 59).front().camera.eye.x, 59.0 / 60, 1e-12)
+        << "the next one would be the first again";
     EXPECT_EQ(steady(0.001, 30, true).frames(), 1);
-    EXPECT_EQ(momentsOf(steady(0.001, 30, false), 0).front().camera.eye.x, 0);
+    EXPECT_EQ(motionSamplesOf(steady(0.001, 30, false), 0).front().camera.eye.x, 0);
 }
 
 TEST(Moments, LieEvenlyInTheExposure)
@@ -169,12 +170,12 @@ TEST(Moments, LieEvenlyInTheExposure)
     RecordingRequest request = steady(2, 10, true);
     request.shutter = 0.5;
     request.shutterSamples = 4;
-    const std::vector<Moment> moments = momentsOf(request, 3);
+    const std::vector<MotionSample> moments = motionSamplesOf(request, 3);
     ASSERT_EQ(moments.size(), 4U);
     for (int j = 0; j < 4; ++j)
         EXPECT_NEAR(moments[static_cast<std::size_t>(j)].time, 100.3 + 0.05 * (j + 0.5) / 4, 1e-9);
     request.shutter = 0;
-    EXPECT_EQ(momentsOf(request, 3).size(), 1U);
+    EXPECT_EQ(motionSamplesOf(request, 3).size(), 1U);
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ struct Film {
         EXPECT_EQ(maker.progress(), 1);
         return maker.picture();
     }
-    [[nodiscard]] render::Image pictureAt(const Moment& moment) const
+    [[nodiscard]] render::Image pictureAt(const MotionSample& moment) const
     {
         PictureRequest picture = request.picture;
         picture.frame.camera = moment.camera;
@@ -64,7 +64,7 @@ TEST_F(RecorderTest, AFrameIsThePictureOfItsMoment)
 {
     const Film film;
     const render::Image third = film.frame(2);
-    EXPECT_EQ(test::largestDifference(third, film.pictureAt(momentsOf(film.request, 2).front())), 0);
+    EXPECT_EQ(test::largestDifference(third, film.pictureAt(motionSamplesOf(film.request, 2).front())), 0);
     EXPECT_GT(test::largestDifference(third, film.frame(1)), 0.1) << "the control: it moves";
     EXPECT_EQ(test::largestDifference(third, film.frame(2)), 0) << "whatever was drawn before";
 }
@@ -76,7 +76,7 @@ TEST_F(RecorderTest, MotionBlurIsTheMeanOfItsMoments)
     film.request.shutterSamples = 3;
     const render::Image blurred = film.frame(1);
     render::Image mean(blurred.width, blurred.height, 4);
-    for (const Moment& moment : momentsOf(film.request, 1)) {
+    for (const MotionSample& moment : motionSamplesOf(film.request, 1)) {
         const render::Image one = film.pictureAt(moment);
         for (std::size_t i = 0; i < one.pixels.size(); ++i)
             mean.pixels[i] += one.pixels[i] * (i % 4 < 3 ? one.pixels[i - i % 4 + 3] : 1.0F) / 3;

@@ -25,7 +25,7 @@ std::string complaintOf(const std::string& text)
         static_cast<void>(parseTour(text, "tour.json"));
         return {};
     } catch (const Failure& failure) {
-        EXPECT_EQ(failure.blame(), Blame::file);
+        EXPECT_EQ(failure.kind(), ErrorKind::file);
         return failure.what();
     }
 }

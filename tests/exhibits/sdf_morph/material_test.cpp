@@ -190,7 +190,7 @@ TEST_F(Material, TheMeshComesNearerToTheMarchedObjectTheFinerItIs)
 
 TEST_F(Material, IsOfferedBesideItsMeshWithEachAsItIsAlone)
 {
-    const Subject& subject = gallery().museum.subject(*gallery().museum.find("sdf_morph"));
+    const SceneObject& subject = gallery().museum.subject(*gallery().museum.find("sdf_morph"));
     Shot shot;
     shot.values().set(sdfTable().tessellation, 24);
     const Picture marched = shot.take();

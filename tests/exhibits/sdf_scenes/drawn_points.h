@@ -24,7 +24,7 @@ void main()
     uvec3 bits = hashCell(ivec3(int(gl_FragCoord.x), int(gl_FragCoord.y), 0), 7u);
     vec3 p = vec3(unitFromBits(bits.x), unitFromBits(bits.y), unitFromBits(bits.z)) * 8.0 - vec3(4.0);
     SceneSurface surface = sceneSurface(p);
-    // In a loop, as a march asks it: outside of one, LLVM 15 takes minutes over many repetitions.
+    // Evaluated in a loop, like a march: without the loop, LLVM 15 compiles many repetitions for minutes.
     float distance = 0.0;
     for (float i = 0.0; i < min(gl_FragCoord.x, 0.5); i += 1.0) distance += fieldDistance(p);
     found = vec4(distance, surface.distance, surface.material.color.r, surface.material.roughness);

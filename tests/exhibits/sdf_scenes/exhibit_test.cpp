@@ -225,10 +225,10 @@ TEST(SceneExhibit, OnlyWhatMovesIsDrawnAgain)
 TEST(SceneExhibit, WithoutTheSceneThatIsThereAtFirstShowsASphereAndSaysWhy)
 {
     render::AssetStore assets;
-    EXPECT_EQ(SdfScenes().tableFor(table().initial(), assets).why, "");
+    EXPECT_EQ(SdfScenes().dynamicParameters(table().initial(), assets).why, "");
     const test::TemporaryFolder folder;
     const SdfScenes alone(folder.path() / "mercury.json");
-    const std::string why = alone.tableFor(alone.parameters().initial(), assets).why.english();
+    const std::string why = alone.dynamicParameters(alone.parameters().initial(), assets).why.english();
     EXPECT_NE(why.find("mercury.json"), std::string::npos) << why;
     EXPECT_TRUE(why.ends_with('.')) << why;
     EXPECT_GT(alone.bestView(alone.parameters().initial()).fovY, 0);

@@ -1,8 +1,8 @@
 // Stability cases of tests/stability/README.md that a scene file can cause.
 
 #include "exhibits/sdf_scenes/list_glsl.h"
-#include "exhibits/sdf_scenes/near_scene.h"
 #include "exhibits/sdf_scenes/scene_glsl.h"
+#include "exhibits/sdf_scenes/scene_grid.h"
 #include "tests/exhibits/sdf_scenes/ray_steps.h"
 
 #include <cmath>
@@ -174,7 +174,7 @@ TEST(HardScenes, WithoutAnythingThatShowsThereIsBackground)
         const SceneField field = test::fieldOf(root);
         EXPECT_EQ(field.distance({0, 0, 0}), scenes::nothingNear);
         const auto near =
-            scenes::nearScene(field.program(), field.words(), scenes::ListVocabulary::of(field.program()), 16);
+            scenes::sceneGrid(field.program(), field.words(), scenes::ListVocabulary::of(field.program()), 16);
         EXPECT_TRUE(near->cells.cells.empty()) << root;
     }
 }

@@ -2,7 +2,7 @@
 // the point's cell.
 
 #include "exhibits/sdf_scenes/list_glsl.h"
-#include "exhibits/sdf_scenes/near_scene.h"
+#include "exhibits/sdf_scenes/scene_grid.h"
 #include "shaders/lib/bindings.glsl"
 #include "tests/exhibits/sdf_scenes/drawn_points.h"
 
@@ -18,7 +18,7 @@ namespace {
 using SceneLists = test::GlTest;
 using SceneListsProperty = test::GlTest;
 
-std::vector<render::BufferUse> buffersOf(const scenes::NearScene& near)
+std::vector<render::BufferUse> buffersOf(const scenes::SceneGrid& near)
 {
     return {{STORAGE_EXHIBIT_A, near.records}, {STORAGE_EXHIBIT_B, near.lists}, {STORAGE_EXHIBIT_C, near.grid}};
 }
@@ -49,10 +49,10 @@ void compareLists(const scenes::SceneField& field, int across, const std::string
 {
     const scenes::ListVocabulary own = scenes::ListVocabulary::of(field.program());
     ASSERT_TRUE(fits(own)) << what;
-    const auto whole = scenes::nearScene(field.program(), field.words(), own, 0);
+    const auto whole = scenes::sceneGrid(field.program(), field.words(), own, 0);
     test::compareAtPoints(field, scenes::listGlsl(own, 0), {}, what + " by lists: ", buffersOf(*whole));
     if (testing::Test::HasFatalFailure()) return;
-    const auto near = scenes::nearScene(field.program(), field.words(), own, across);
+    const auto near = scenes::sceneGrid(field.program(), field.words(), own, across);
     test::ByCells byCells;
     if (!near->cells.cells.empty()) byCells = {0.5 * glm::length(near->cells.cellSize()), near->cells.box, near->box};
     test::compareAtPoints(field, scenes::listGlsl(own, near->planes), {}, what + " by cells: ", buffersOf(*near),
@@ -123,7 +123,7 @@ TEST_F(SceneLists, OfEveryKindAreTheEvaluatorInOneProgram)
         const scenes::SceneField field = test::fieldOf(root);
         const scenes::ListVocabulary own = scenes::ListVocabulary::of(field.program());
         if (own.results > all.results || own.places > all.places) continue;
-        const auto near = scenes::nearScene(field.program(), field.words(), all, 0);
+        const auto near = scenes::sceneGrid(field.program(), field.words(), all, 0);
         test::compareAtPoints(field, glsl, {}, root, buffersOf(*near));
         if (HasFatalFailure()) return;
     }
@@ -140,7 +140,7 @@ RC_GTEST_FIXTURE_PROP(SceneListsProperty, AnySceneIsTheEvaluator, (unsigned seed
     const scenes::SceneField field = test::fieldOf(root);
     const scenes::ListVocabulary own = scenes::ListVocabulary::of(field.program());
     RC_PRE(own.results <= all.results && own.places <= all.places);
-    const auto near = scenes::nearScene(field.program(), field.words(), all, 0);
+    const auto near = scenes::sceneGrid(field.program(), field.words(), all, 0);
     test::compareAtPoints(field, glsl, {}, root, buffersOf(*near));
     RC_ASSERT(!HasFatalFailure());
 }

@@ -216,7 +216,7 @@ TEST(SceneMesh, AsksFewShapesOfMany)
     const scenes::SceneField field = test::fieldOf(root + "]}");
     scenes::SceneMesher mesher(field, {.cell = 0.01});
     expectGood(scenes::checkMesh(mesher.mesh().value()));
-    EXPECT_LT(static_cast<double>(mesher.shapesAsked()), 10.0 * static_cast<double>(mesher.evaluations()));
+    EXPECT_LT(static_cast<double>(mesher.primitiveEvaluations()), 10.0 * static_cast<double>(mesher.evaluations()));
     EXPECT_LT(mesher.plan().cells.x, 300);  // The bounds do not include all that a thousand blends could add.
 }
 
@@ -227,7 +227,7 @@ TEST(SceneMesh, RefusesWhatHasNoEndOrNoRoom)
         try {
             const scenes::SceneMesher mesher(field, request);
         } catch (const Failure& failure) {
-            EXPECT_EQ(failure.blame(), Blame::usage);
+            EXPECT_EQ(failure.kind(), ErrorKind::usage);
             return failure.what();
         }
         return {};

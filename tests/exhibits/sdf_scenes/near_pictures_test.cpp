@@ -118,7 +118,7 @@ render::Image drawnWith(SceneShot& shot, const char* file, const std::string& fr
 {
     render::FramePlan plan = test::planned(test::gallery().museum, shot.sceneState, shot.request.frame,
                                            test::gallery().renderer.persistentState());
-    plan.allParts = true;
+    plan.allSlices = true;
     std::ifstream stream(std::filesystem::path(VITRINE_SOURCE_DIR) / "shaders" / file);
     std::string text{std::istreambuf_iterator<char>(stream), {}};
     const std::size_t at = text.find(from);

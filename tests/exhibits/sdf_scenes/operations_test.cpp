@@ -251,7 +251,7 @@ TEST(SceneOperations, CopiesThatMoveTooNearAreNotAskedWithoutEnd)
         "child": {"kind": "sphere", "radius": 0.5, "translate": [0.1, 0, 0]}})");
     const scenes::SceneProgram program(scene);
     EXPECT_LE(program.words(scene->numbersAt(0)).asked.front(), scenes::mostCopiesAsked);
-    const scenes::SceneWords words = program.words(scene->numbersAt(1.999));
+    const scenes::SceneConstants words = program.words(scene->numbersAt(1.999));
     EXPECT_GT(words.asked.front(), 1e6);
     const double* times = &words.words[program.nodes().front().numbers + 9];
     EXPECT_LE(times[0] * times[1] * times[2], scenes::mostCopiesAsked);

@@ -277,7 +277,7 @@ TEST_F(ScenePicture, AFaceThatChangedIsSeenWhenTheSceneIsReadAgain)
 render::Pass restingPass(SceneShot& shot, bool rests = true)
 {
     FrameRequest frame = shot.request.frame;
-    frame.rests = rests;
+    frame.idle = rests;
     return *test::planned(test::gallery().museum, shot.sceneState, frame).find("sdf_scenes/scene");
 }
 
@@ -286,16 +286,16 @@ TEST_F(ScenePicture, FoldedNumbersDrawTheSamePictureFromTheSameInputs)
     for (const char* name : {"torus", "intersections", "primitives"}) {
         SceneShot shot(shippedScene(name));
         FrameRequest frame = shot.request.frame;
-        frame.rests = true;
+        frame.idle = true;
         const auto image = [&](bool folded) {
             render::FramePlan plan = test::planned(test::gallery().museum, shot.sceneState, frame,
                                                    test::gallery().renderer.persistentState());
-            plan.allParts = true;
+            plan.allSlices = true;
             auto& shader = const_cast<render::Pass*>(plan.find("sdf_scenes/scene"))->shader;
-            EXPECT_TRUE(shader.better) << name;
+            EXPECT_TRUE(shader.specialized) << name;
             if (folded) {
-                EXPECT_NE(shader.sources->hash(), shader.better->sources->hash());
-                shader = render::ShaderKey(*shader.better);
+                EXPECT_NE(shader.sources->hash(), shader.specialized->sources->hash());
+                shader = render::ShaderKey(*shader.specialized);
             }
             test::gallery().renderer.draw(plan);
             return test::gallery().renderer.read(radianceImage);
@@ -318,8 +318,8 @@ TEST_F(ScenePicture, NumbersAreFoldedWhenTheyRestAndThoseThatMoveNever)
     SceneShot shot(test::writeScene(folder_, R"--({"kind": "union", "children": [{"kind": "sphere", "radius": "size"},
         {"kind": "box", "size": [0.3, 0.4, 0.512345], "translate": ["sin(t)", 0, 0]}]})--",
                                     R"("parameters": {"size": {"value": 0.5, "unit": "m", "range": [0.1, 1]}},)"));
-    const auto text = [&] { return restingPass(shot).shader.better->sources->textByPath().begin()->second; };
-    EXPECT_FALSE(restingPass(shot, false).shader.better);
+    const auto text = [&] { return restingPass(shot).shader.specialized->sources->textByPath().begin()->second; };
+    EXPECT_FALSE(restingPass(shot, false).shader.specialized);
     EXPECT_EQ(text().find("sceneValues["), text().rfind("sceneValues[")) << "declared, and never read";
     EXPECT_NE(text().find("0.512345"), std::string::npos);
     EXPECT_EQ(restingPass(shot).blocks, restingPass(shot, false).blocks);
@@ -337,7 +337,7 @@ TEST_F(ScenePicture, NumbersAreFoldedWhenTheyRestAndThoseThatMoveNever)
     EXPECT_EQ(text(), moving) << "the same text at every moment";
 
     shot.values().set(scenesTable().evaluation, SceneEvaluation::shapes);
-    EXPECT_FALSE(restingPass(shot).shader.better) << "it was asked for with its numbers beside it";
+    EXPECT_FALSE(restingPass(shot).shader.specialized) << "it was asked for with its numbers beside it";
 }
 
 TEST_F(ScenePicture, ADragAfterFoldingCompilesNothing)
@@ -348,7 +348,7 @@ TEST_F(ScenePicture, ADragAfterFoldingCompilesNothing)
     renderer.buildInBackground(test::gallery().context.shared());
     const auto frame = [&](bool rests) {
         FrameRequest request = shot.request.frame;
-        request.rests = rests;
+        request.idle = rests;
         return renderer.draw(
             test::planned(test::gallery().museum, shot.sceneState, request, renderer.persistentState()));
     };
@@ -399,7 +399,7 @@ TEST_F(ScenePicture, ASliderOfTheSceneMovesWhatItNamesWithoutAnotherProgram)
     EXPECT_NEAR(static_cast<double>(pixels()) / before, 99.0 / 24, 0.5);
     shot.values().set(scenesTable().look, SceneLook::reference);
     EXPECT_FALSE(shader() == key) << "control: another look does compile";
-    EXPECT_EQ(shader().slot, key.slot) << "and the picture does not wait for it";
+    EXPECT_EQ(shader().programFamily, key.programFamily) << "and the picture does not wait for it";
 }
 
 TEST_F(ScenePicture, IsSeenThroughItsFrameOnly)

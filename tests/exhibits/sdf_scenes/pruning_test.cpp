@@ -1,7 +1,7 @@
 // Pruning: steps that are left out in a part of space have no effect there.
 
-#include "exhibits/sdf_scenes/near_scene.h"
 #include "exhibits/sdf_scenes/pruning.h"
+#include "exhibits/sdf_scenes/scene_grid.h"
 #include "tests/exhibits/sdf_scenes/many_shapes.h"
 #include "tests/exhibits/sdf_scenes/support.h"
 
@@ -162,8 +162,8 @@ void compareCells(const glm::ivec3& count)
 {
     const scenes::SceneField field =
         test::fieldOf(rowOfBalls(64, 1, R"("kind": "union", "blend": "quadratic", "blendWidth": 0.3)"));
-    const scenes::SceneCells cells = scenes::pruneCells(field.program(), field.words(), field.program().steps(),
-                                                        {{-0.5, -0.5, -0.5}, {63.5, 0.5, 0.5}}, count);
+    const scenes::GridCells cells = scenes::pruneCells(field.program(), field.words(), field.program().steps(),
+                                                       {{-0.5, -0.5, -0.5}, {63.5, 0.5, 0.5}}, count);
     EXPECT_LE(cells.mostShapes, 2U);
     EXPECT_LE(cells.lists, 64U + 63U);
     EXPECT_LT(cells.meanShapes, 1.5);
@@ -207,7 +207,7 @@ CellCosts costsOfCells(int shapes)
     const scenes::SceneField field = test::fieldOf(test::manyShapes(shapes));
     const scenes::ListVocabulary kinds = scenes::ListVocabulary::of(field.program());
     const auto near =
-        scenes::nearScene(field.program(), field.words(), kinds, scenes::cellsAcross(std::size_t(shapes)));
+        scenes::sceneGrid(field.program(), field.words(), kinds, scenes::cellsAcross(std::size_t(shapes)));
     const double all = double(near->cells.evaluations), cells = double(near->cells.withSteps);
     return {all, all / cells, double(near->cells.cells.size()) * shapes};
 }
@@ -242,27 +242,27 @@ TEST(PruneCells, EndWithTheirBudgetAndTheSceneIsWholeWithoutThem)
                                   scenes::Pruner::asShaders, budget);
     };
     for (const int across : {12, 48}) {  // With one thread, and with two.
-        const scenes::SceneCells all = pruned(across, {});
+        const scenes::GridCells all = pruned(across, {});
         EXPECT_TRUE(all.whole);
-        EXPECT_GT(all.meanShapes, 250);  // Of 512 shapes.
+        EXPECT_GT(all.meanShapes, 250);  // The scene has 512 shapes.
         EXPECT_FALSE(pruned(across, {.bytes = 10'000}).whole);
-        const scenes::SceneCells few = pruned(across, {.evaluations = 50'000});
+        const scenes::GridCells few = pruned(across, {.evaluations = 50'000});
         EXPECT_FALSE(few.whole);
         EXPECT_LT(few.evaluations, 53'000U);
         EXPECT_TRUE(pruned(across, {all.steps.size() * 64, all.evaluations}).whole);
     }
 }
 
-TEST(NearScene, HasNoCellsWhereAllShapesAreInEach)
+TEST(SceneGrid, HasNoCellsWhereAllShapesAreInEach)
 {
     const scenes::SceneField field = test::fieldOf(crowd(3));
-    const auto near = scenes::nearScene(field.program(), field.words(), scenes::ListVocabulary::of(field.program()), 96,
+    const auto near = scenes::sceneGrid(field.program(), field.words(), scenes::ListVocabulary::of(field.program()), 96,
                                         {.evaluations = 1'000'000});
     EXPECT_TRUE(near->crowded);
     EXPECT_TRUE(near->cells.cells.empty());
     // If cells contain few of many shapes, larger cells are used.
     const scenes::SceneField many = test::fieldOf(test::manyShapes(600));
-    const auto coarse = scenes::nearScene(many.program(), many.words(), scenes::ListVocabulary::of(many.program()), 96,
+    const auto coarse = scenes::sceneGrid(many.program(), many.words(), scenes::ListVocabulary::of(many.program()), 96,
                                           {.evaluations = 1'000'000});
     EXPECT_FALSE(coarse->crowded);
     EXPECT_FALSE(coarse->cells.cells.empty());

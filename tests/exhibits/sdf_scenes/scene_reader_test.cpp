@@ -138,7 +138,7 @@ TEST(SceneReader, TakesTextThatIsNoSceneForWhatItIs)
     EXPECT_EQ(first("{\"format\": 1,\n \"format\": 2}"),
               "test.json:2:9: format: this key appears twice; remove one of the two.");
     EXPECT_EQ(first("[]"), "test.json:1:1: a scene must be an object: { ... }.");
-    EXPECT_EQ(first("{}").substr(0, 47), "test.json:1:1: this is no scene; one begins wit");
+    EXPECT_EQ(first("{}").substr(0, 47), "test.json:1:1: this is not a scene; a scene beg");
     EXPECT_EQ(first(R"({"format": "vitrine-scene", "version": 2, "root": {"kind": "sphere"}})"),
               "test.json:1:29: version: this version is not known; give \"version\": 1.");
     EXPECT_EQ(first(R"({"format": "vitrine-scene", "version": 1})"),
@@ -227,7 +227,7 @@ scenes::ReadScene readFiles(const std::map<std::string, std::string>& files)
 {
     const auto open = [&](const std::string& path) {
         const auto found = files.find(path);
-        if (found == files.end()) throw Failure(Blame::file, "Cannot read " + path + ": there is no file.");
+        if (found == files.end()) throw Failure(ErrorKind::file, "Cannot read " + path + ": there is no file.");
         return found->second;
     };
     return scenes::readScene(files.at("main.json"), "main.json", open);

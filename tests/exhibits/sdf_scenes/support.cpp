@@ -64,7 +64,7 @@ std::string sceneText(const std::string& root, const std::string& head)
 scenes::ReadScene readText(const std::string& text, const scenes::SceneLimits& limits)
 {
     const auto noFile = [](const std::string& path) -> std::string {
-        throw Failure(Blame::file, "Cannot read " + path + ": there is no file.");
+        throw Failure(ErrorKind::file, "Cannot read " + path + ": there is no file.");
     };
     return scenes::readScene(text, "test.json", noFile, limits);
 }

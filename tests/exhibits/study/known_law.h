@@ -83,7 +83,7 @@ public:
     render::FrameReport draw(const render::FramePlan& plan) override
     {
         ++drawn;
-        provisional += plan.allParts && plan.cut ? 0 : 1;
+        provisional += plan.allSlices && plan.resetHistory ? 0 : 1;
         const render::Pass& pass = *plan.find("known");
         std::memcpy(numbers_, pass.blocks.at(0).data(), sizeof numbers_);
         size_ = plan.view.raster.drawn();

@@ -17,8 +17,8 @@ namespace {
 
 using namespace test;
 
-struct Subject {
-    explicit Subject(KnownLaw law) : museum(exhibits(std::move(law))) {}
+struct SceneObject {
+    explicit SceneObject(KnownLaw law) : museum(exhibits(std::move(law))) {}
 
     static std::vector<std::unique_ptr<Exhibit>> exhibits(KnownLaw law)
     {
@@ -58,7 +58,7 @@ double valueOf(const StudyRequest& r, const StudyPoint& p, std::size_t axis = 0)
 
 TEST(Study, MeasuresTheErrorAndTheWorkThatTheLawSays)
 {
-    Subject subject(sumOfParts());
+    SceneObject subject(sumOfParts());
     const StudyRequest request = subject.request({"steps"});
     const StudyResult result = subject.run(request);
     ASSERT_EQ(result.views.size(), 3U);
@@ -84,7 +84,7 @@ TEST(Study, MeasuresTheErrorAndTheWorkThatTheLawSays)
 
 TEST(Study, TellsNumericalErrorFromModelError)
 {
-    Subject subject(sumOfParts());
+    SceneObject subject(sumOfParts());
     const StudyRequest request = subject.request({"steps"});
     const StudyResult result = subject.run(request);
     const double rms = std::sqrt((1 + 4 + 1.75 * 1.75) / 3);
@@ -99,7 +99,7 @@ TEST(Study, TellsNumericalErrorFromModelError)
 
 TEST(Study, DoublesItsReferenceUntilItNoLongerMatters)
 {
-    Subject subject(sumOfParts());
+    SceneObject subject(sumOfParts());
     StudyRequest request = subject.request({"steps"});
     // Half as exact as 256 steps are 128, with an error of 0.2 / 256. The error of 200 steps is not four times as
     // large.
@@ -115,7 +115,7 @@ TEST(Study, DoublesItsReferenceUntilItNoLongerMatters)
 
 TEST(Study, SaysWhichErrorsItsReferenceCannotTell)
 {
-    Subject subject(sumOfParts());
+    SceneObject subject(sumOfParts());
     StudyRequest request = subject.request({"steps"});
     // The legal limit is 1024, so no value is exact enough to measure the error of 1000.
     request.axes[0].values = {4, 1000};
@@ -129,7 +129,7 @@ TEST(Study, SaysWhichErrorsItsReferenceCannotTell)
 TEST(Study, SaysThatAReferenceIsExactByMeaningOnlyWhereItsRowSaysSo)
 {
     const auto convergence = [](const std::vector<std::string>& rows) {
-        Subject subject(sumOfParts());
+        SceneObject subject(sumOfParts());
         return subject.run(subject.request(rows));
     };
     const StudyResult shortcut = convergence({"shortcut"});
@@ -175,7 +175,7 @@ TEST(Study, ChecksAReferenceThatIsTheInitialValueOnBothSides)
 TEST(Study, HasSeveralViewsOfEveryExhibitAndOfTheHall)
 {
     const Museum museum{allExhibits()};
-    for (const vitrine::Subject* subject : museum.subjects()) {
+    for (const vitrine::SceneObject* subject : museum.subjects()) {
         std::set<std::string> names;
         for (const StudyView& view : subject->studyViews(subject->parameters().initial())) names.insert(view.name);
         EXPECT_GE(names.size(), 3U) << subject->name();
@@ -189,7 +189,7 @@ TEST(Study, FindsTheLawOfSampling)
     law.noisy = true;
     law.error = [](const KnownTable& t, const ParameterValues& v, double) { return 0.3 / std::sqrt(v[t.steps]); };
     law.cost = [](const KnownTable& t, const ParameterValues& v, double) { return static_cast<double>(v[t.steps]); };
-    Subject subject(std::move(law));
+    SceneObject subject(std::move(law));
     StudyRequest request = subject.request({"steps"});
     request.axes[0].values = {1, 2, 4, 8, 16};
     request.size = {64, 36};
@@ -203,7 +203,7 @@ TEST(Study, FindsTheLawOfSampling)
 
 TEST(Study, MeasuresFinishedPicturesThatDoNotBuildOnEachOther)
 {
-    Subject subject(sumOfParts());
+    SceneObject subject(sumOfParts());
     (void)subject.run(subject.request({"steps"}));
     EXPECT_GT(subject.backend.drawn, 10);
     EXPECT_EQ(subject.backend.provisional, 0);
@@ -211,7 +211,7 @@ TEST(Study, MeasuresFinishedPicturesThatDoNotBuildOnEachOther)
 
 TEST(Study, OfTwoParametersIsEverySettingOfBoth)
 {
-    Subject subject(sumOfParts());
+    SceneObject subject(sumOfParts());
     const StudyRequest request = subject.request({"method", "shortcut"});
     const StudyResult result = subject.run(request);
     EXPECT_EQ(result.points.size(), 6U);
@@ -228,7 +228,7 @@ TEST(Study, FindsTheLawAlongTheBestOfTwoParameters)
         return d * 0.2 / (v[t.steps] * std::pow(2.0, v[t.method]));
     };
     law.cost = [](const KnownTable& t, const ParameterValues& v, double d) { return d * v[t.steps]; };
-    Subject subject(std::move(law));
+    SceneObject subject(std::move(law));
     const StudyResult result = subject.run(subject.request({"method", "steps"}));
     ASSERT_TRUE(result.law);
     // The reference has 256 steps, not infinitely many, so halving the difference needs a little less than twice the
@@ -243,14 +243,14 @@ TEST(Study, SaysWhenNothingDependsOnWhatIsStudied)
     KnownLaw still;
     still.error = [](const KnownTable&, const ParameterValues&, double) { return 0.1; };
     still.cost = [](const KnownTable&, const ParameterValues&, double) { return 1.0; };
-    Subject subject(std::move(still));
+    SceneObject subject(std::move(still));
     EXPECT_EQ(subject.run(subject.request({"steps"})).convergence,
               "Nothing depends on steps at present: every setting gives the same picture. Switch on what it acts on, "
               "and study again.");
     EXPECT_EQ(subject.run(subject.request({"method", "rays"}))
                   .convergence.rfind("Nothing depends on method or rays at present", 0),
               0U);
-    Subject other(sumOfParts());
+    SceneObject other(sumOfParts());
     EXPECT_EQ(other.run(other.request({"steps"})).convergence.find("Nothing"), std::string::npos);
 }
 
@@ -261,7 +261,7 @@ TEST(Study, MarksWhatIsDominated)
     law.cost = [](const KnownTable& t, const ParameterValues& v, double) {
         return v[t.method] == 1 ? 5.0 : 1.0 + v[t.method];
     };
-    Subject subject(std::move(law));
+    SceneObject subject(std::move(law));
     const StudyResult result = subject.run(subject.request({"method"}));
     EXPECT_FALSE(result.points[0].dominated);
     EXPECT_TRUE(result.points[1].dominated);
@@ -273,13 +273,13 @@ TEST(Study, GoesByTimeWhereNoCounterTells)
 {
     KnownLaw law = sumOfParts();
     law.cost = [](const KnownTable&, const ParameterValues&, double) { return 2.0; };
-    Subject subject(std::move(law));
+    SceneObject subject(std::move(law));
     EXPECT_EQ(subject.run(subject.request({"steps"})).costName, "ms");
 }
 
 TEST(Study, LeavesTheLookAsItWasHoweverEarlyItStops)
 {
-    Subject subject(sumOfParts());
+    SceneObject subject(sumOfParts());
     const StudyRequest request = subject.request({"steps", "rays"});
     const SceneState before = request.sceneState;
     for (const int stopAfter : {0, 1, 7, 40}) {
@@ -293,7 +293,7 @@ TEST(Study, LeavesTheLookAsItWasHoweverEarlyItStops)
 
 /// All settings of these axes, measured.
 struct Sweep {
-    Subject subject;
+    SceneObject subject;
     StudyRequest request;
     std::vector<Setting> settings;
     std::vector<render::CostAndError> worst;  // Cost, and error in the hardest view of five.
@@ -366,7 +366,7 @@ TEST(StudyChooser, NoiseOfTheClockIsNotTakenForASaving)
         return 100 + difficulty * (0.1 * v[t.steps] + 2 * v[t.method]);
     };
     for (const unsigned seed : {1U, 2U, 3U}) {
-        Subject subject(law);
+        SceneObject subject(law);
         subject.backend.timeNoise = 0.06;
         subject.backend.seed(seed);
         StudyRequest request = subject.request({"steps", "rays", "method", "shortcut"}, 5);
@@ -400,7 +400,7 @@ TEST(StudyChooser, ALimitThatOnlyTheExactKeepsIsKeptWhereOneParameterHangsOnAnot
     law.error = [](const KnownTable& t, const ParameterValues& v, double d) {
         return d * (v[t.shortcut] ? 0.1 : 0.2 / v[t.steps] - 0.2 / 256);
     };
-    Subject subject(std::move(law));
+    SceneObject subject(std::move(law));
     StudyRequest request = subject.request({"steps", "rays", "shortcut"}, 17);
     request.maxError = 0.0005;
     const StudyResult result = subject.run(request);
@@ -410,7 +410,7 @@ TEST(StudyChooser, ALimitThatOnlyTheExactKeepsIsKeptWhereOneParameterHangsOnAnot
 
 TEST(StudyChooser, TheSentenceSaysDearerWhereTheChoiceIsDearer)
 {
-    Subject subject(sumOfParts());
+    SceneObject subject(sumOfParts());
     StudyRequest request = subject.request({"steps"});
     request.sceneState.values[1].setRow(request.axes[0].row, request.axes[0].values[1]);
     request.maxError = 0.1;
@@ -434,7 +434,7 @@ TEST(StudyChooser, AWinnerThatFailsInAHeldOutViewIsNotChosen)
     law.error = [honest](const KnownTable& t, const ParameterValues& v, double d) {
         return honest(t, v, d == 1.5 || d == 1.25 ? 10 * d : d);
     };
-    Subject subject(std::move(law));
+    SceneObject subject(std::move(law));
     StudyRequest request = subject.request({"steps", "shortcut"});
     request.maxError = 0.1;
     const StudyResult result = subject.run(request);
@@ -450,7 +450,7 @@ TEST(StudyChooser, AWinnerThatFailsInAHeldOutViewIsNotChosen)
 
 TEST(StudyChooser, WhatCannotBeHadIsNotChosen)
 {
-    Subject subject(sumOfParts());
+    SceneObject subject(sumOfParts());
     StudyRequest request = subject.request({"steps"});
     request.maxMilliseconds = 0.01;
     EXPECT_FALSE(subject.run(request).choice);
@@ -458,7 +458,7 @@ TEST(StudyChooser, WhatCannotBeHadIsNotChosen)
 
 TEST(Study, RefusesWhatItCannotMeasure)
 {
-    Subject subject(sumOfParts());
+    SceneObject subject(sumOfParts());
     EXPECT_FALSE(studyAxis(subject.museum.initialSceneState(), 1, *subject.table.find("hue"), 5));
     EXPECT_THROW(Study(subject.museum, subject.backend, subject.request({})), Failure);
     StudyRequest decibels = subject.request({"steps"});
@@ -468,7 +468,7 @@ TEST(Study, RefusesWhatItCannotMeasure)
 
 TEST(Study, ResolutionAndSupersamplesAreParametersOfEveryPicture)
 {
-    Subject subject(sumOfParts());
+    SceneObject subject(sumOfParts());
     StudyRequest request = subject.request({});
     request.axes.push_back(
         *studyAxis(request.sceneState, 0, *subject.museum.hall().parameters().find(supersamplesRow), 3));

@@ -133,7 +133,7 @@ TEST(IsfReader, PlacesErrorsOfTheHead)
     EXPECT_EQ(errorsOf(checked(isf("\"INPUTS\": [\n {\"NAME\": \"a b\", \"TYPE\": \"bool\"}]"))),
               "own.fs:2:12: “a b” is no name of a variable; use letters, digits and _.\n");
     EXPECT_EQ(errorsOf(checked(isf("\"PASSES\": [\n {\"WIDTH\": \"$WIDTH / parts\"}]"))),
-              "own.fs:2:13: WIDTH of a pass: “$WIDTH / parts” is no size; write an expression of numbers, $WIDTH, "
+              "own.fs:2:13: WIDTH of a pass: “$WIDTH / parts” is not a size; write an expression of numbers, $WIDTH, "
               "$HEIGHT and "
               "inputs, such as floor($WIDTH/2).\n");
     EXPECT_EQ(errorsOf(checked(isf("\"IMPORTED\": {\"m\":\n {\"PATH\": \"/etc/passwd\"}}"))).substr(0, 44),
@@ -294,10 +294,9 @@ TEST(PlainReader, MakesSlidersOfComments)
 TEST(ShaderReader, RefusesWhatIsNoShader)
 {
     EXPECT_EQ(errorsOf(checked("")), "own.fs:1:1: The file is empty; write a shader into it.\n");
-    EXPECT_EQ(
-        errorsOf(checked("hello")),
-        "own.fs:1:1: This is no shader: it has neither main() nor mainImage(), and no JSON in its first comment; write "
-        "one of them.\n");
+    EXPECT_EQ(errorsOf(checked("hello")), "own.fs:1:1: This is not a shader: it has neither main() nor mainImage(), "
+                                          "and no JSON in its first comment; write "
+                                          "one of them.\n");
     EXPECT_EQ(errorsOf(checked(std::string("void main() {\n}\0", 16))),
               "own.fs:2:2: Here is a zero byte, which no text has; remove it.\n");
     EXPECT_EQ(errorsOf(checked("void main() {}" + std::string(1U << 20U, ' '))),

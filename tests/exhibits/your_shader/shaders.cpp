@@ -9,7 +9,7 @@ guest::CheckedShader checked(const std::string& text, const Beside& beside)
     static guest::ShaderCompiler compiler;
     const guest::FileBeside find = [&](const std::string& path) {
         const auto found = beside.find(path);
-        if (found == beside.end()) throw Failure(Blame::file, message("There is no file {1}.", path));
+        if (found == beside.end()) throw Failure(ErrorKind::file, message("There is no file {1}.", path));
         return found->second;
     };
     return guest::translate(guest::readShader(text, "own.fs", find), compiler);

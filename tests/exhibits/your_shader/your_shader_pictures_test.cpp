@@ -157,7 +157,7 @@ TEST_F(YourShaderPictures, ShowAFileWithItsLowerRowBelow)
     EXPECT_EQ(ShaderShot::code(picture, 0, 0), (Codes{0, 255, 2}));
     EXPECT_EQ(ShaderShot::code(picture, 23, 0), (Codes{255, 255, 0}));
     EXPECT_EQ(ShaderShot::code(picture, 23, 15), (Codes{255, 0, 0}));
-    // Without a file there is a test picture, and a file that is missing is said.
+    // Without a file there is a test picture, and a missing file is reported.
     own.set("inputImage", std::string());
     picture = own.shot.take();
     EXPECT_NE(ShaderShot::code(picture, 23, 0), ShaderShot::code(picture, 0, 15));

@@ -38,7 +38,7 @@ struct Reader {
                 ++reads;
                 std::string text = test::bytesOf(file);
                 if (text.empty() || text == "broken")
-                    throw Failure(Blame::file, "Cannot read " + file + ": it is broken.");
+                    throw Failure(ErrorKind::file, "Cannot read " + file + ": it is broken.");
                 if (text == "huge") throw std::bad_alloc();
                 const std::uint64_t bytes = text.size();
                 return {std::make_shared<std::string>(std::move(text)), bytes};
@@ -270,20 +270,20 @@ TEST(AssetStore, WhoMustNotWaitIsToldWhatIsStillToBeReadOrMade)
                                                                });
         return std::pair(read, store.pending());
     };
-    auto [before, pending] = peek(reader.store.waitless());
+    auto [before, pending] = peek(reader.store.nonBlocking());
     EXPECT_TRUE(before.pending && !before.value && before.failure.empty());
     EXPECT_EQ(pending, (std::vector<render::PendingAsset>{{"test.text", (folder / "a").string()}}));
     EXPECT_EQ(reader.store.entries(), 0) << "whoever does not wait begins nothing";
 
     EXPECT_EQ(*reader.get(folder / "a").value, "first");
-    const auto [after, none] = peek(reader.store.waitless());
+    const auto [after, none] = peek(reader.store.nonBlocking());
     EXPECT_EQ(*after.value, "first");
     EXPECT_TRUE(!after.pending && none.empty());
 
     writeBytes(folder / "a", "broken");
-    EXPECT_TRUE(peek(reader.store.waitless()).first.pending) << "it is another file now";
+    EXPECT_TRUE(peek(reader.store.nonBlocking()).first.pending) << "it is another file now";
     EXPECT_NE(reader.get(folder / "a").failure, "");
-    EXPECT_EQ(peek(reader.store.waitless()).first.failure, reader.get(folder / "a").failure);
+    EXPECT_EQ(peek(reader.store.nonBlocking()).first.failure, reader.get(folder / "a").failure);
 }
 
 TEST(AssetStore, WhoMustNotWaitDoesNotWaitForTheOneWhoMakesIt)
@@ -299,12 +299,12 @@ TEST(AssetStore, WhoMustNotWaitDoesNotWaitForTheOneWhoMakesIt)
         });
     });
     begun.get_future().wait();
-    AssetStore waitless = store.waitless();
-    EXPECT_TRUE(waitless.made<std::string>("test.slow", "one", [] { return text("twice"); }).pending);
-    EXPECT_EQ(waitless.pending(), (std::vector<render::PendingAsset>{{"test.slow", ""}}));
+    AssetStore nonBlocking = store.nonBlocking();
+    EXPECT_TRUE(nonBlocking.made<std::string>("test.slow", "one", [] { return text("twice"); }).pending);
+    EXPECT_EQ(nonBlocking.pending(), (std::vector<render::PendingAsset>{{"test.slow", ""}}));
     asked.set_value();
     slow.join();
-    EXPECT_EQ(*waitless.made<std::string>("test.slow", "one", [] { return text("again"); }).value, "yes");
+    EXPECT_EQ(*nonBlocking.made<std::string>("test.slow", "one", [] { return text("again"); }).value, "yes");
 }
 
 }  // namespace

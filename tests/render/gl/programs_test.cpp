@@ -46,14 +46,14 @@ protected:
     }
 
     /// Returns a program that fills with `value()`, which `scene` defines.
-    [[nodiscard]] static ShaderKey key(const std::string& scene, const std::string& slot = {})
+    [[nodiscard]] static ShaderKey key(const std::string& scene, const std::string& family = {})
     {
         ShaderKey made{"lib/fullscreen.vert", "filled.frag", "", {}};
         made.sources = std::make_shared<const ShaderSources>(std::map<std::string, std::string>{
             {"filled.frag", "#include \"generated/scene.glsl\"\nlayout(location = 0) out vec4 color;\nvoid main()\n{\n "
                             "   color = vec4(value());\n}\n"},
             {"generated/scene.glsl", scene}});
-        made.slot = slot;
+        made.programFamily = family;
         return made;
     }
     [[nodiscard]] static std::string returns(int value)
@@ -64,7 +64,7 @@ protected:
     float drawn(const ShaderKey& shader, bool finishedPicture = false)
     {
         FramePlan plan = planOf({2, 2});
-        plan.allParts = finishedPicture;
+        plan.allSlices = finishedPicture;
         Pass pass = fill("filled", "frame", "");
         pass.shader = shader;
         pass.blocks[BLOCK_EXHIBIT] = block_;
@@ -112,7 +112,7 @@ TEST_F(GeneratedShaders, AreNamedInErrorsWithTheirOwnLine)
         (void)drawn(key("// A scene.\n\nfloat value()\n{\n    return undeclaredThing;\n}\n"));
         FAIL() << "nothing was thrown";
     } catch (const Failure& failure) {
-        EXPECT_EQ(failure.blame(), Blame::shader);
+        EXPECT_EQ(failure.kind(), ErrorKind::shader);
         EXPECT_NE(std::string(failure.what()).find("The generated shader generated/scene.glsl, line 5"),
                   std::string::npos)
             << failure.what();
@@ -135,7 +135,7 @@ TEST_F(GeneratedShaders, ThatDoNotBuildLeaveTheLastGoodProgramOfTheirSlotDrawing
     EXPECT_EQ(renderer().problems()[0].line, 3);
     EXPECT_EQ(drawn(key(returns(4), "scene")), 4);
     EXPECT_TRUE(renderer().problems().empty()) << "it is mended";
-    EXPECT_THROW((void)drawn(key("broken", "other")), Failure) << "a slot without a good program";
+    EXPECT_THROW((void)drawn(key("broken", "other")), Failure) << "a family without a good program";
 }
 
 TEST_F(GeneratedShaders, AreBuiltOnAThreadWhileTheLastGoodProgramDraws)
@@ -254,9 +254,9 @@ TEST_F(GeneratedShaders, OfALookThatRestsAreDrawnByABetterProgramOnceItIsThere)
     renderer().buildInBackground(gate);
     const auto resting = [&](int value) {
         ShaderKey made = key(returns(1), "scene");
-        ShaderKey better = key(returns(value), "scene");  // The different value shows which program drew.
-        better.about = "with its numbers folded";
-        made.better = std::make_shared<const ShaderKey>(better);
+        ShaderKey specialized = key(returns(value), "scene");  // The different value shows which program drew.
+        specialized.about = "with its numbers folded";
+        made.specialized = std::make_shared<const ShaderKey>(specialized);
         return made;
     };
     const auto isBetter = [&] { return report_.ran.front().reason.find("numbers folded") != std::string::npos; };
@@ -279,7 +279,7 @@ TEST_F(GeneratedShaders, OfALookThatRestsAreDrawnByABetterProgramOnceItIsThere)
     EXPECT_EQ(report_.counters.at("programs"), programs) << "and nothing is compiled";
     // A specialized program that does not build is ignored.
     ShaderKey broken = resting(2);
-    broken.better = std::make_shared<const ShaderKey>(key("float value()\n{\n    return oops;\n}\n", "scene"));
+    broken.specialized = std::make_shared<const ShaderKey>(key("float value()\n{\n    return oops;\n}\n", "scene"));
     for (int frame = 0; frame < 2000 && renderer().problems().empty(); ++frame) {
         EXPECT_EQ(drawn(broken), 1);
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -295,7 +295,7 @@ TEST_F(GeneratedShaders, ABetterProgramIsBuiltAheadWithoutAFrame)
     renderer().buildInBackground(gate);
     ShaderKey resting = key(returns(1), "scene");
     EXPECT_EQ(drawn(resting), 1);
-    resting.better = std::make_shared<const ShaderKey>(key(returns(2), "scene"));
+    resting.specialized = std::make_shared<const ShaderKey>(key(returns(2), "scene"));
     FramePlan plan = planOf({2, 2});
     Pass pass = fill("filled", "frame", "");
     pass.shader = resting;

@@ -271,17 +271,17 @@ TEST_F(HistoryImage, SaysWhereAPointOfTheWorldWas)
 class Baking : public test::RendererTest {
 protected:
     /// Bakes `value` in four slices of one column each, and shows the result so far; -1 if nothing can be used yet.
-    std::vector<float> frame(float value, bool allParts = false)
+    std::vector<float> frame(float value, bool allSlices = false)
     {
         FramePlan plan = planOf({4, 1});
-        plan.allParts = allParts;
+        plan.allSlices = allSlices;
         const ResourceId map = plan.image({.name = "map", .format = Format::r32f, .size = {4, 1}, .nearest = true});
         Pass bake =
             fill("bake", map,
-                 "if (int(gl_FragCoord.x) != temporalPart()) discard;\ncolor = vec4(" + std::to_string(value) + ");",
+                 "if (int(gl_FragCoord.x) != temporalSlice()) discard;\ncolor = vec4(" + std::to_string(value) + ");",
                  temporalInclude);
-        bake.parts = 4;
-        bake.key = static_cast<std::uint64_t>(value);
+        bake.sliceCount = 4;
+        bake.contentHash = static_cast<std::uint64_t>(value);
         plan.add(std::move(bake));
         Pass show = fill("show", "frame",
                          "color = temporalIsValid() ? texelFetch(source, ivec2(gl_FragCoord.xy), 0) : vec4(-1.0);",

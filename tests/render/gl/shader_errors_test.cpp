@@ -141,7 +141,7 @@ TEST_F(ShaderErrors, APlanWithABrokenShaderFailsWithFileAndLineAndKeepsThePictur
         (void)test::gallery().renderer.draw(plan);
         FAIL() << "nothing was thrown";
     } catch (const Failure& failure) {
-        EXPECT_EQ(failure.blame(), Blame::shader);
+        EXPECT_EQ(failure.kind(), ErrorKind::shader);
         EXPECT_NE(std::string(failure.what()).find("shaders/"), std::string::npos) << failure.what();
         EXPECT_NE(std::string(failure.what()).find("line "), std::string::npos) << failure.what();
     }

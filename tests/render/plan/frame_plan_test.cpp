@@ -106,7 +106,7 @@ FramePlan withPersistentMap(std::uint64_t key, bool kept = true)
     FramePlan plan;
     plan.image({.name = "map", .size = {8, 8}, .persistent = kept});
     Pass map = pass("map", {}, "map", Load::clear);
-    map.key = key;
+    map.contentHash = key;
     plan.add(std::move(map));
     plan.add(pass("last", {"map"}, "frame"));
     return plan;
@@ -141,7 +141,7 @@ TEST(FramePlan, DropsWhatFedOnlyAnUnchangedPass)
     plan.image({.name = "map", .persistent = true});
     plan.add(pass("feeds", {}, "temporary", Load::clear));
     Pass map = pass("map", {"temporary"}, "map", Load::clear);
-    map.key = 7;
+    map.contentHash = 7;
     plan.add(std::move(map));
     plan.add(pass("last", {"map"}, "frame"));
     plan.prune({"frame"}, {.passes = {{"map", 7}}});

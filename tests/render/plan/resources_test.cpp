@@ -35,7 +35,7 @@ struct Accumulated {
         FramePlan plan;
         plan.view = makeView(camera, raster);
         plan.time = time;
-        plan.cut = cut;
+        plan.resetHistory = cut;
         History declared = history;
         declared.dependencies = {{"a value changed", values}};
         const ResourceId mist = plan.history(std::move(declared));
@@ -63,15 +63,15 @@ TEST(History, StartsWithNothingAndIsValidInTheNextFrame)
     const Accumulated scene;
     const FramePlan first = scene.plan();
     EXPECT_FALSE(first.histories().at("mist").valid);
-    EXPECT_FALSE(first.find("march")->past.valid);
+    EXPECT_FALSE(first.find("march")->temporal.valid);
     EXPECT_NE(first.find("march")->reason.find("its history starts again: nothing was drawn before"),
               std::string::npos);
 
     const FramePlan second = scene.plan(scene.persistentState());
-    EXPECT_TRUE(second.find("march")->past.used);
-    EXPECT_TRUE(second.find("march")->past.valid);
+    EXPECT_TRUE(second.find("march")->temporal.used);
+    EXPECT_TRUE(second.find("march")->temporal.valid);
     EXPECT_EQ(second.find("march")->reason.find("starts again"), std::string::npos);
-    EXPECT_FALSE(second.find("show")->past.used) << "it reads this frame's content only";
+    EXPECT_FALSE(second.find("show")->temporal.used) << "it reads this frame's content only";
     EXPECT_TRUE(second.errors().empty());
 }
 
@@ -84,7 +84,7 @@ TEST(History, FollowsACameraThatMovesALittle)
     now.time = 1.2;
     const FramePlan plan = now.plan(last.persistentState());
     EXPECT_TRUE(plan.histories().at("mist").valid) << plan.histories().at("mist").reset;
-    EXPECT_EQ(plan.find("march")->past.lastView.eye, last.camera.eye) << "what to reproject from";
+    EXPECT_EQ(plan.find("march")->temporal.lastView.eye, last.camera.eye) << "what to reproject from";
 }
 
 TEST(History, IsResetByWhateverMakesItWorthless)
@@ -137,22 +137,22 @@ TEST(History, ThatOnlyTheNextFrameReadsIsWrittenAllTheSame)
     EXPECT_EQ(toString(unread), "picture") << "a history that feeds itself alone is called for by nothing";
 }
 
-// ---- parts
+// ---- slices
 
-FramePlan baked(std::uint64_t key, const PersistentState& kept = {}, bool allParts = false)
+FramePlan baked(std::uint64_t key, const PersistentState& kept = {}, bool allSlices = false)
 {
     FramePlan plan;
-    plan.allParts = allParts;
+    plan.allSlices = allSlices;
     plan.image({.name = "volume", .type = TextureType::volume, .size = {8, 8}, .layers = 8});
     plan.image({.name = "light", .persistent = true});
     plan.image({.name = "frame"});
     Pass bake = drawn("bake", {}, "volume");
     bake.reason = "the density is baked";
-    bake.parts = 3;
-    bake.key = key;
+    bake.sliceCount = 3;
+    bake.contentHash = key;
     plan.add(std::move(bake));
     Pass light = drawn("light", {"volume"}, "light");
-    light.key = key + 100;
+    light.contentHash = key + 100;
     plan.add(std::move(light));
     plan.add(drawn("show", {"volume", "light"}, "frame"));
     plan.prune({"frame"}, kept);
@@ -165,39 +165,39 @@ TEST(Parts, RunOnePerFrameAndSaySo)
     EXPECT_EQ(first.find("bake")->reason, "the density is baked, part 1 of 3");
     EXPECT_EQ(first.find("bake")->colors[0].load, Load::clear);
     EXPECT_TRUE(first.unfinished());
-    EXPECT_FALSE(first.find("show")->past.valid) << "nothing whole was ever made";
-    EXPECT_TRUE(first.find("light")->past.provisional) << "what is made of it must be made again";
+    EXPECT_FALSE(first.find("show")->temporal.valid) << "nothing whole was ever made";
+    EXPECT_TRUE(first.find("light")->temporal.provisional) << "what is made of it must be made again";
 
-    const FramePlan third = baked(1, {.parts = {{"bake", {1, 2, false}}}});
+    const FramePlan third = baked(1, {.slices = {{"bake", {1, 2, false}}}});
     EXPECT_EQ(third.find("bake")->reason, "the density is baked, part 3 of 3");
     EXPECT_EQ(third.find("bake")->colors[0].load, Load::keep) << "what the other parts drew stays";
     EXPECT_FALSE(third.unfinished());
-    EXPECT_TRUE(third.find("show")->past.valid);
-    EXPECT_FALSE(third.find("light")->past.provisional);
+    EXPECT_TRUE(third.find("show")->temporal.valid);
+    EXPECT_FALSE(third.find("light")->temporal.provisional);
 
-    const FramePlan after = baked(1, {.passes = {{"bake", 1}, {"light", 101}}, .parts = {{"bake", {1, 3, true}}}});
+    const FramePlan after = baked(1, {.passes = {{"bake", 1}, {"light", 101}}, .slices = {{"bake", {1, 3, true}}}});
     EXPECT_EQ(toString(after), "show");
-    EXPECT_TRUE(after.find("show")->past.valid);
+    EXPECT_TRUE(after.find("show")->temporal.valid);
     EXPECT_FALSE(after.unfinished());
 }
 
 TEST(Parts, StartAgainWhenTheirKeyChangesWhileTheLastWholeResultIsRead)
 {
-    const FramePlan half = baked(2, {.parts = {{"bake", {1, 2, false}}}});
-    EXPECT_EQ(half.find("bake")->past.firstPart, 0);
-    EXPECT_FALSE(half.find("show")->past.valid);
-    const FramePlan whole = baked(2, {.passes = {{"bake", 1}}, .parts = {{"bake", {1, 3, true}}}});
-    EXPECT_EQ(whole.find("bake")->past.firstPart, 0);
-    EXPECT_TRUE(whole.find("show")->past.valid);
+    const FramePlan half = baked(2, {.slices = {{"bake", {1, 2, false}}}});
+    EXPECT_EQ(half.find("bake")->temporal.firstSlice, 0);
+    EXPECT_FALSE(half.find("show")->temporal.valid);
+    const FramePlan whole = baked(2, {.passes = {{"bake", 1}}, .slices = {{"bake", {1, 3, true}}}});
+    EXPECT_EQ(whole.find("bake")->temporal.firstSlice, 0);
+    EXPECT_TRUE(whole.find("show")->temporal.valid);
     EXPECT_TRUE(whole.unfinished());
 }
 
 TEST(Parts, AreDoneAtOnceForPicturesThatAreNotRedrawn)
 {
-    const FramePlan plan = baked(1, {.parts = {{"bake", {1, 1, false}}}}, true);
+    const FramePlan plan = baked(1, {.slices = {{"bake", {1, 1, false}}}}, true);
     EXPECT_EQ(plan.find("bake")->reason, "the density is baked, parts 2 to 3 of 3");
     EXPECT_FALSE(plan.unfinished());
-    EXPECT_TRUE(plan.find("show")->past.valid);
+    EXPECT_TRUE(plan.find("show")->temporal.valid);
 }
 
 // ---- buffers
@@ -235,7 +235,7 @@ TEST(Buffers, ThatAreKeptNeedNotBeWrittenAgain)
         FramePlan plan;
         plan.buffer({.name = "places", .bytes = 64, .persistent = isKept});
         Pass place = writesBuffer("place", "places", Access::write);
-        place.key = 3;
+        place.contentHash = 3;
         plan.add(std::move(place));
         Pass draw = drawn("draw", {}, "frame");
         draw.buffers = {{0, std::string("places")}};

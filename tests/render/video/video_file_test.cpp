@@ -252,7 +252,7 @@ TEST(VideoFile, AFullDiskIsOneSentenceAndLeavesTheOldFile)
                 ADD_FAILURE() << name << ": " << free << " bytes were enough";
             } catch (const Failure& failure) {
                 const std::string said = failure.what();
-                EXPECT_EQ(failure.blame(), Blame::file);
+                EXPECT_EQ(failure.kind(), ErrorKind::file);
                 EXPECT_NE(said.find(name), std::string::npos) << said;
                 EXPECT_NE(said.find(std::strerror(ENOSPC)), std::string::npos) << said;
             }

@@ -4,12 +4,12 @@
 #include "tests/ui/access/every_part.h"
 #include "tests/ui/ui_main.h"
 
-#include "ui/compare/compare_desk.h"
+#include "ui/compare/compare_controller.h"
 #include "ui/compare/compare_overlay.h"
 #include "ui/parameters/number_field.h"
 #include "ui/parameters/parameter_row.h"
 #include "ui/parameters/parameter_section.h"
-#include "ui/presets/preset_shelf.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/window/status_line.h"
 
 #include <QAbstractItemView>
@@ -39,7 +39,7 @@ private slots:
     {
         window_->say(MessageStrip::Mood::notice, "Something happened.");
         window_->say(MessageStrip::Mood::problem, "Something went wrong.");
-        window_->comparison().holdPresent();
+        window_->comparison().setToCurrent();
         QStringList complaints = test::complaintsOf(*window_);
         int docks = 0;
         forEveryDock([&](QDockWidget& dock) {
@@ -161,7 +161,7 @@ private slots:
             return count;
         };
         window_->choose(1);
-        for (const char* name : {"A", "B", "C", "D", "E", "F"}) window_->shelf().saveUnder(name);
+        for (const char* name : {"A", "B", "C", "D", "E", "F"}) window_->presetController().saveUnder(name);
         QCOMPARE(read(), 0);
         QLineEdit* words = nullptr;
         for (QLineEdit* line : window_->findChildren<QLineEdit*>())
@@ -221,7 +221,7 @@ private slots:
 
     void theLineOfTheWipeIsANumber()
     {
-        window_->comparison().holdPresent();
+        window_->comparison().setToCurrent();
         CompareOverlay& overlay = window_->comparison().overlay();
         QTRY_VERIFY(overlay.isVisible());
         QAccessibleValueInterface* line = of(&overlay)->valueInterface();

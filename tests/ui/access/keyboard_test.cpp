@@ -3,7 +3,7 @@
 #include "tests/ui/access/keyboard_walk.h"
 #include "tests/ui/ui_main.h"
 
-#include "ui/compare/compare_desk.h"
+#include "ui/compare/compare_controller.h"
 #include "ui/compare/compare_overlay.h"
 #include "ui/window/dock_title.h"
 #include "ui/window/window_docks.h"
@@ -130,7 +130,7 @@ private slots:
         QVERIFY(slider->hasFocus());
         // Messages, the comparison and newly opened panels are included.
         window_->say(MessageStrip::Mood::problem, "Something went wrong.");
-        window_->comparison().holdPresent();
+        window_->comparison().setToCurrent();
         auto* report = window_->findChild<QDockWidget*>("frame-report");
         report->show();
         QTRY_VERIFY(!report->visibleRegion().isEmpty());
@@ -234,7 +234,7 @@ private slots:
         QVERIFY(std::abs(far() - 0.9 * was) < 1e-9);
         QTest::keyClick(&viewport, Qt::Key_Minus);
         QVERIFY(std::abs(far() - was) < 1e-9);
-        window_->comparison().holdPresent();
+        window_->comparison().setToCurrent();
         CompareOverlay& overlay = window_->comparison().overlay();
         QTRY_VERIFY(overlay.isVisible());
         for (int i = 0; i < 3; ++i) QTest::keyClick(&viewport, Qt::Key_Comma);

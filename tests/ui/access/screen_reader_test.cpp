@@ -2,8 +2,8 @@
 #include "tests/ui/access/every_part.h"
 #include "tests/ui/ui_main.h"
 
-#include "ui/compare/compare_desk.h"
-#include "ui/lessons/lesson_desk.h"
+#include "ui/compare/compare_controller.h"
+#include "ui/lessons/lesson_controller.h"
 
 #include <QAccessible>
 #include <QCheckBox>
@@ -85,7 +85,7 @@ private slots:
     void theWholeTreeOfEveryPanelAndDialogIsNamed()
     {
         window_->say(MessageStrip::Mood::problem, "Something went wrong.");
-        window_->comparison().holdPresent();
+        window_->comparison().setToCurrent();
         QStringList complaints;
         int parts = 0;
         const auto look = [&](const QString& name, QJsonObject request) {

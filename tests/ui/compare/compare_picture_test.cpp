@@ -58,13 +58,13 @@ private slots:
         QTRY_VERIFY(gallery_->betterBuilds > 0);  // The values are idle.
         dragInPicture(0.2, 0.3);
         rest();
-        QVERIFY2(gallery_->requests().back().rests, "a control: A was drawn as what rests is");
-        QVERIFY(!gallery_->otherRequests().back().rests);
+        QVERIFY2(gallery_->requests().back().idle, "a control: A was drawn as idle");
+        QVERIFY(!gallery_->otherRequests().back().idle);
         const std::size_t drawn = gallery_->otherRequests().size();
         gallery_->unfinishedFrames = 2;
         setRoughness(0.6);
         rest();
-        QVERIFY2(!gallery_->requests().back().rests, "a control: A is drawn as what was changed is");
+        QVERIFY2(!gallery_->requests().back().idle, "a control: A is drawn as changed");
         QCOMPARE(gallery_->unfinishedFrames, 0);
         QCOMPARE(gallery_->otherRequests().size(), drawn);
         QVERIFY(isB(0.6));
@@ -76,11 +76,11 @@ private slots:
             if (dock->objectName() == "frame-report") dock->show();
         compare();
         QVERIFY2(isB(0.6), "a control: there is a former B");
-        const QSignalSpy failed(&desk().picture(), &OtherPicture::failed);
-        gallery_->otherThrown = std::make_exception_ptr(Failure(Blame::check, "out of paint"));
+        const QSignalSpy failed(&controller().picture(), &PictureB::failed);
+        gallery_->otherThrown = std::make_exception_ptr(Failure(ErrorKind::check, "out of paint"));
         action("Hold the current settings as B")->trigger();
-        QVERIFY(!desk().picture().upToDate());
-        QTRY_VERIFY(!desk().picture().failure().isEmpty());
+        QVERIFY(!controller().picture().upToDate());
+        QTRY_VERIFY(!controller().picture().failure().isEmpty());
         QVERIFY(isA(0.3));
         QVERIFY(isA(0.6));
         QCOMPARE(failed.count(), 1);
@@ -96,7 +96,7 @@ private slots:
         setRoughness(0.2);
         action("Hold the current settings as B")->trigger();
         rest();
-        QVERIFY(desk().picture().upToDate() && desk().picture().failure().isEmpty());
+        QVERIFY(controller().picture().upToDate() && controller().picture().failure().isEmpty());
         setRoughness(0.8);
         rest();
         QVERIFY(isA(0.3));
@@ -127,7 +127,7 @@ private slots:
         QCOMPARE(gallery_->otherRequests().size(), drawn);
         write(8);
         QTRY_VERIFY(gallery_->otherRequests().size() > drawn);
-        QCOMPARE(desk().other().name(), QString("Snapshot of A"));
+        QCOMPARE(controller().other().name(), QString("Snapshot of A"));
     }
 
     void ofBNothingIsDrawnThatNothingShowsAndTheFrameReportSaysSo()
@@ -143,7 +143,7 @@ private slots:
         QCOMPARE(gallery_->otherRequests().size(), drawn);
         FrameReportDock& frameReport = window_->docks().frameReport();
         QTRY_VERIFY2(frameReport.sumsText().contains("B: not drawn"), qPrintable(frameReport.sumsText()));
-        action("Flicker")->trigger();
+        action("A/B flicker")->trigger();
         rest();
         QVERIFY2(gallery_->otherRequests().size() > drawn, "a control: a mode that needs B draws it");
         QTRY_VERIFY2(frameReport.sumsText().contains("B: 2 steps, 17.80 ms"), qPrintable(frameReport.sumsText()));
@@ -183,19 +183,20 @@ private slots:
         setRoughness(0.22);
         action("Signed difference")->trigger();
         rest();
-        ValueSlider& gain = desk().bar().gain();
+        ValueSlider& gain = controller().bar().gain();
         QVERIFY(gain.isVisible());
         // B's red is 51 of 255 and A's is 56: half of the difference of the codes, times the gain, below the middle.
         for (const auto& [key, times] : {std::pair{Qt::Key_Home, 1}, {Qt::Key_PageUp, 0}, {Qt::Key_End, 64}}) {
             QTest::keyClick(&gain, key);
-            if (times != 0) QCOMPARE(desk().overlay().gain(), times);
-            const double expected = 127.5 + 0.5 * (51 - 56) * desk().overlay().gain();
+            if (times != 0) QCOMPARE(controller().overlay().gain(), times);
+            const double expected = 127.5 + 0.5 * (51 - 56) * controller().overlay().gain();
             QTRY_VERIFY2(std::abs(shownAt(0.4).red() - std::max(expected, 0.0)) <= 1,
                          qPrintable(QString("%1: %2, not %3").arg(times).arg(shownAt(0.4).red()).arg(expected)));
             QVERIFY2(std::abs(shownAt(0.4).green() - 127.5) <= 1, "there the two are equal");
         }
         action("FLIP")->trigger();
-        QTRY_VERIFY2(!desk().overlay().difference().isNull() && shownAt(0.4).red() > 60, "a difference is bright");
+        QTRY_VERIFY2(!controller().overlay().difference().isNull() && shownAt(0.4).red() > 60,
+                     "a difference is bright");
         setRoughness(0.2);
         QTRY_VERIFY2(shownAt(0.4).red() < 10 && shownAt(0.4).green() < 10, "none is black");
     }
@@ -206,7 +207,7 @@ private slots:
         gallery_->greenIsTheClock = true;
         compare();
         action("Signed difference")->trigger();
-        desk().overlay().setGain(64);
+        controller().overlay().setGain(64);
         rest();
         gallery_->exhibit().moves = true;
         view().sceneStateChanged();
@@ -214,7 +215,7 @@ private slots:
         const double first = view().shownRequest().time;
         double farthest = 0;
         const auto look = [&] {
-            const QImage& difference = desk().overlay().difference();
+            const QImage& difference = controller().overlay().difference();
             if (difference.isNull()) return;
             seen.insert(difference.cacheKey());
             const QColor color = difference.pixelColor(difference.width() / 2, difference.height() / 2);

@@ -7,7 +7,7 @@
 #include "render/image/image_io.h"
 #include "ui/compare/compare_actions.h"
 #include "ui/compare/compare_bar.h"
-#include "ui/presets/preset_shelf.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/viewport/overlay.h"
 
 #include <QContextMenuEvent>
@@ -33,8 +33,8 @@ class CompareWindowTest : public test::OpenComparison {
     }
     [[nodiscard]] QMenu& sources()
     {
-        emit desk().actions().sources().aboutToShow();
-        return desk().actions().sources();
+        emit controller().actions().sources().aboutToShow();
+        return controller().actions().sources();
     }
 
 private slots:
@@ -44,21 +44,21 @@ private slots:
 
     void aWipeShowsAOnTheLeftOfItsLineAndBOnTheRight()
     {
-        QVERIFY2(!desk().bar().isVisible(), "nothing is compared at the start");
+        QVERIFY2(!controller().bar().isVisible(), "nothing is compared at the start");
         compare();
         QVERIFY(action("Wipe")->isChecked());
-        QVERIFY(desk().bar().isVisible());
+        QVERIFY(controller().bar().isVisible());
         QVERIFY(isA(0.3));
         QVERIFY(isB(0.6));
         const render::Camera camera = window_->history().sceneState().camera;
         dragInPicture(0.5, 0.75);
-        QVERIFY(std::abs(desk().overlay().wipe() - 0.75) < 0.01);
+        QVERIFY(std::abs(controller().overlay().wipe() - 0.75) < 0.01);
         QVERIFY(window_->history().sceneState().camera == camera);
         QVERIFY2(isA(0.6), "the line is right of it now");
         QVERIFY(isB(0.9));
         dragInPicture(0.2, 0.3);
         QVERIFY2(!(window_->history().sceneState().camera == camera), "beside the line a drag looks around");
-        QVERIFY(std::abs(desk().overlay().wipe() - 0.75) < 0.01);
+        QVERIFY(std::abs(controller().overlay().wipe() - 0.75) < 0.01);
         rest();
         window_->activateWindow();
         QTRY_VERIFY(window_->isActiveWindow());
@@ -80,7 +80,7 @@ private slots:
         QVERIFY(gallery_->otherRequests().size() > drawn);
         QTest::keyRelease(&view(), Qt::Key_B);
         QTRY_VERIFY(isA(0.1));
-        action("Flicker")->trigger();
+        action("A/B flicker")->trigger();
         rest();
         QVERIFY(isA(0.1));
         QVERIFY(isA(0.9));
@@ -98,13 +98,13 @@ private slots:
         QTest::keyPress(&view(), Qt::Key_B);
         QTRY_VERIFY2(isB(0.1), "a control: the key is held");
         action("End the comparison")->trigger();
-        QVERIFY(!desk().overlay().otherAlone());
+        QVERIFY(!controller().overlay().otherAlone());
         QTest::keyRelease(&view(), Qt::Key_B);
         setRoughness(0.2);
         action("Hold the current settings as B")->trigger();
         setRoughness(0.8);
         rest();
-        QVERIFY(!desk().overlay().otherAlone());
+        QVERIFY(!controller().overlay().otherAlone());
         QVERIFY(isA(0.3));
         QVERIFY(isB(0.6));
         QTest::keyPress(&view(), Qt::Key_B);
@@ -176,9 +176,9 @@ private slots:
         expect(0.8, 0.2, 1);
         action("Copy all from B")->trigger();
         expect(0.2, 0.2, 1);
-        QTRY_COMPARE(desk().bar().differenceText(), QString("A and B are identical"));
+        QTRY_COMPARE(controller().bar().differenceText(), QString("A and B are identical"));
         stack.undo();
-        QTRY_COMPARE(desk().bar().differenceText(), QString("1 parameter differs"));
+        QTRY_COMPARE(controller().bar().differenceText(), QString("1 parameter differs"));
         action("Copy all to B")->trigger();
         expect(0.8, 0.8, 1);
         stack.undo();
@@ -198,13 +198,14 @@ private slots:
         take->trigger();
         menu->close();
         QCOMPARE(roughness(), 0.2);
-        QTRY_COMPARE(desk().bar().differenceText(), QString("1 parameter differs"));  // The other one still differs.
+        QTRY_COMPARE(controller().bar().differenceText(),
+                     QString("1 parameter differs"));  // The other one still differs.
         stack.undo();
         menu = openMenu();
         entry(*menu, "Copy to B")->trigger();
         menu->close();
         QCOMPARE(otherRoughness(), 0.8);
-        QVERIFY(desk().other().name().endsWith(" *"));
+        QVERIFY(controller().other().name().endsWith(" *"));
         stack.undo();
         QCOMPARE(otherRoughness(), 0.2);
     }
@@ -214,7 +215,7 @@ private slots:
         compare();
         QUndoStack& stack = window_->history().stack();
         const int before = stack.count();
-        ValueSlider& slider = desk().bar().morph();
+        ValueSlider& slider = controller().bar().morph();
         const int y = slider.height() / 2;
         QTest::mousePress(&slider, Qt::LeftButton, {}, {8, y});
         for (int x = 9; x <= slider.width() / 2; x += 3) QTest::mouseMove(&slider, {x, y});
@@ -235,16 +236,16 @@ private slots:
     {
         window_->choose(1);
         setRoughness(0.3);
-        window_->shelf().saveUnder("Dull & Dusty");
+        window_->presetController().saveUnder("Dull & Dusty");
         setRoughness(0.7);
         settle();
         QAction* preset = entry(sources(), "Dull  Dusty");
         QVERIFY(preset);
         QCOMPARE(preset->text(), QString("Dull && Dusty"));  // A single ampersand would mark a shortcut key.
         preset->trigger();
-        QTRY_VERIFY(desk().other().held());
+        QTRY_VERIFY(controller().other().isSet());
         QCOMPARE(otherRoughness(), 0.3);
-        QCOMPARE(desk().other().name(), QString("Dull & Dusty"));
+        QCOMPARE(controller().other().name(), QString("Dull & Dusty"));
         QCOMPARE(roughness(), 0.7);
 
         // A picture that contains a preset.
@@ -253,9 +254,9 @@ private slots:
         const QString picture = home_->filePath("picture.png");
         render::writePicture(picture.toStdString(), render::Image(4, 4, 3, 0.5F), render::PictureFormat::png8,
                              {.preset = presetText(inside)});
-        desk().holdFile(picture);
+        controller().holdFile(picture);
         QTRY_COMPARE(otherRoughness(), 0.45);
-        QCOMPARE(desk().other().name(), QString("From a picture"));
+        QCOMPARE(controller().other().name(), QString("From a picture"));
 
         // Values from before the last edit; the present ones stay.
         const int steps = window_->history().stack().count();
@@ -272,11 +273,11 @@ private slots:
         QTRY_COMPARE(otherRoughness(), 0.7);
 
         // The later of two sources becomes B, even if the earlier one takes longer to read.
-        desk().holdFile(picture);
+        controller().holdFile(picture);
         action("Hold the current settings as B")->trigger();
         settle();
         QTest::qWait(50);
-        QCOMPARE(desk().other().name(), QString("Snapshot of A"));
+        QCOMPARE(controller().other().name(), QString("Snapshot of A"));
         setRoughness(0.7);
         action("Hold the current settings as B")->trigger();
         QTRY_COMPARE(otherRoughness(), 0.7);
@@ -287,7 +288,7 @@ private slots:
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write("{");
         file.close();
-        desk().holdFile(bad);
+        controller().holdFile(bad);
         QTest::qWait(100);
         QCOMPARE(otherRoughness(), 0.7);
         QVERIFY(window_->findChild<MessageStrip*>()->texts().join(' ').contains("bad.json"));
@@ -295,7 +296,7 @@ private slots:
 
     void everyCommandIsInThePaletteWithItsShortcutInTheTip()
     {
-        for (const QAction* each : desk().actions().all()) {
+        for (const QAction* each : controller().actions().all()) {
             if (!each) continue;
             QVERIFY2(action(qPrintable(each->text().remove('&'))) == each, qPrintable(each->text()));
             QVERIFY(!each->toolTip().isEmpty());
@@ -305,13 +306,13 @@ private slots:
         QVERIFY(!action("Swap A and B")->isEnabled());
         compare();
         QVERIFY(action("Swap A and B")->isEnabled());
-        for (const QWidget* child : desk().bar().findChildren<QWidget*>())
+        for (const QWidget* child : controller().bar().findChildren<QWidget*>())
             if (child->focusPolicy() != Qt::NoFocus)
                 QVERIFY2(!child->accessibleName().isEmpty(), child->metaObject()->className());
         window_->hidePanels(true);
-        QVERIFY2(!desk().bar().isVisible(), "the bare picture is bare");
+        QVERIFY2(!controller().bar().isVisible(), "the bare picture is bare");
         window_->hidePanels(false);
-        QVERIFY(desk().bar().isVisible());
+        QVERIFY(controller().bar().isVisible());
     }
 };
 

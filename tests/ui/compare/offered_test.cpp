@@ -16,7 +16,7 @@ class OfferedTest : public test::OpenComparison {
 
     [[nodiscard]] QAction* offer()
     {
-        for (QAction* each : desk().actions().all())
+        for (QAction* each : controller().actions().all())
             if (each && each->text() == QLatin1String("Compare with: Chalk && dust")) return each;
         return nullptr;
     }
@@ -44,12 +44,12 @@ private slots:
         window_->visit(1);
         QVERIFY(offer()->isVisible() && offer()->isEnabled());
         QVERIFY(!offer()->toolTip().isEmpty());
-        emit desk().actions().sources().aboutToShow();
-        QVERIFY(desk().actions().sources().actions().contains(offer()));
+        emit controller().actions().sources().aboutToShow();
+        QVERIFY(controller().actions().sources().actions().contains(offer()));
         window_->visit(0);
         QVERIFY(!offer()->isVisible() && !offer()->isEnabled());
-        emit desk().actions().sources().aboutToShow();
-        QVERIFY(!desk().actions().sources().actions().contains(offer()));
+        emit controller().actions().sources().aboutToShow();
+        QVERIFY(!controller().actions().sources().actions().contains(offer()));
     }
 
     void oneCommandSetsBAndAWipeOfWhichEachSideIsItsPictureToTheBit()
@@ -61,16 +61,16 @@ private slots:
         offer()->trigger();
         rest();
         QCOMPARE(otherRoughness(), 0.8);
-        QCOMPARE(desk().other().name(), QString("Chalk & dust"));
+        QCOMPARE(controller().other().name(), QString("Chalk & dust"));
         QVERIFY(action("Wipe")->isChecked());
-        QVERIFY(desk().bar().isVisible());
+        QVERIFY(controller().bar().isVisible());
         QCOMPARE(window_->history().stack().count(), steps);
         const QImage both = grabbed();
         action("Show B alone")->trigger();
         rest();
         const QImage b = grabbed();
         action("Show B alone")->trigger();
-        action("Flicker")->trigger();  // A alone, in a picture of the same size, because the bar stays.
+        action("A/B flicker")->trigger();  // A alone, in a picture of the same size, because the bar stays.
         rest();
         const QImage a = grabbed();
         QVERIFY(sameWithin(both, a, 0, 0.48));
@@ -85,7 +85,7 @@ private slots:
         offer()->trigger();
         rest();
         dragInPicture(0.5, 0.25);
-        QVERIFY(std::abs(desk().overlay().wipe() - 0.25) < 0.01);
+        QVERIFY(std::abs(controller().overlay().wipe() - 0.25) < 0.01);
         QVERIFY(std::abs(shownAt(0.2).red() - 51) <= 1);
         QVERIFY(std::abs(shownAt(0.3).red() - 204) <= 1);
     }
@@ -96,19 +96,19 @@ private slots:
         setRoughness(0.2);
         offer()->trigger();
         const auto& table = gallery_->table();
-        const auto otherMorph = [&] { return desk().other().sceneState().values[1][table.morph]; };
+        const auto otherMorph = [&] { return controller().other().sceneState().values[1][table.morph]; };
         const auto setMorph = [&](double to) { window_->history().set(1, table.morph.row, to, newGesture()); };
         setMorph(0.9);
         QCOMPARE(otherMorph(), 0.9);
         QCOMPARE(otherRoughness(), 0.8);
-        QCOMPARE(desk().bar().differenceText(), QString("1 parameter differs"));
+        QCOMPARE(controller().bar().differenceText(), QString("1 parameter differs"));
         window_->history().stack().undo();
         QCOMPARE(otherMorph(), 0.5);
         setRoughness(0.3);
         QCOMPARE(otherRoughness(), 0.8);
         // An edit of B ends following; undoing it resumes.
         setMorph(0.7);
-        desk().other().give(1, "roughness");
+        controller().other().give(1, "roughness");
         QCOMPARE(otherRoughness(), 0.3);
         setMorph(0.6);
         QCOMPARE(otherMorph(), 0.7);
@@ -129,7 +129,7 @@ private slots:
         setRoughness(0.8);
         offer()->trigger();
         QVERIFY(window_->findChild<MessageStrip*>()->texts().join(' ').contains("“Chalk & dust” is already shown"));
-        QCOMPARE(desk().bar().differenceText(), QString("A and B are identical"));
+        QCOMPARE(controller().bar().differenceText(), QString("A and B are identical"));
     }
 
     void itIsInThePaletteAndCanBeSwapped()

@@ -2,10 +2,10 @@
 
 #include "tests/ui/open_window.h"
 
-#include "ui/compare/compare_desk.h"
+#include "ui/compare/compare_controller.h"
 #include "ui/compare/compare_overlay.h"
-#include "ui/compare/other_picture.h"
-#include "ui/model/other_settings.h"
+#include "ui/compare/picture_b.h"
+#include "ui/model/settings_b.h"
 
 namespace vitrine::test {
 
@@ -13,18 +13,21 @@ namespace vitrine::test {
 /// roughness.
 class OpenComparison : public OpenWindow {
 protected:
-    [[nodiscard]] ui::CompareDesk& desk() { return window_->comparison(); }
+    [[nodiscard]] ui::CompareController& controller() { return window_->comparison(); }
     [[nodiscard]] ui::Viewport& view() { return window_->viewport(); }
     void setRoughness(double value)
     {
         window_->history().set(1, gallery_->table().roughness.row, value, ui::newGesture());
     }
-    [[nodiscard]] double otherRoughness() { return desk().other().sceneState().values[1][gallery_->table().roughness]; }
+    [[nodiscard]] double otherRoughness()
+    {
+        return controller().other().sceneState().values[1][gallery_->table().roughness];
+    }
     /// Waits until both pictures and their difference are finished.
     void rest()
     {
         settle();
-        QTRY_VERIFY(!desk().picture().wanted() || desk().picture().finished());
+        QTRY_VERIFY(!controller().picture().wanted() || controller().picture().finished());
         QTest::qWait(30);
     }
     /// Sets A to 0.8 and B to 0.2, with a wipe between them.

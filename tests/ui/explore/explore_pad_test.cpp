@@ -5,7 +5,7 @@
 
 #include "ui/explore/explore_dock.h"
 #include "ui/explore/morph_pad.h"
-#include "ui/presets/preset_shelf.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/window/window_docks.h"
 
 #include <QAccessible>
@@ -37,9 +37,9 @@ class ExplorePadTest : public test::OpenWindow {
     {
         window_->choose(1);
         setRoughness(1);
-        window_->shelf().saveUnder("Rough");
+        window_->presetController().saveUnder("Rough");
         setRoughness(0.2);
-        window_->shelf().saveUnder("Slick");
+        window_->presetController().saveUnder("Slick");
         setRoughness(0.6);
         action("Explore")->trigger();
         QTRY_VERIFY(pad().isVisible());

@@ -7,7 +7,7 @@
 #include "ui/explore/variation_grid.h"
 #include "ui/explore/variations.h"
 #include "ui/parameters/panel_choices.h"
-#include "ui/presets/preset_shelf.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/window/window_docks.h"
 
 #include <QLabel>
@@ -160,7 +160,7 @@ private slots:
         QVERIFY(!nine().stale());
         QTRY_VERIFY(says("Variation 5 is shown."));
         QCOMPARE(grid().item(1, 1)->data(Qt::AccessibleTextRole).toString(), QString("Variation 5, seed 5, shown"));
-        window_->shelf().saveUnder("Found");
+        window_->presetController().saveUnder("Found");
         QCOMPARE(rowsNamed("Found").size(), 1);
         stack().undo();
         QVERIFY(values() == before.values[1]);

@@ -7,7 +7,7 @@
 #include "ui/kit/language.h"
 #include "ui/kit/message_strip.h"
 #include "ui/parameters/shown_text.h"
-#include "ui/presets/preset_shelf.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/window/file_opener.h"
 
 #include <QDockWidget>
@@ -25,7 +25,7 @@ class GermanWindowTest final : public test::OpenWindow {
 private:
     void startIn(const QString& language)
     {
-        ui::speak(language);
+        ui::setLanguage(language);
         start();
     }
     /// Drags a slider, saves a preset, and returns the file's bytes.
@@ -37,7 +37,7 @@ private:
         const Parameters& rows = window_->history().sceneState().values[1].table();
         window_->history().set(1, *rows.find("roughness"), 0.43, 0);
         const double chosen = roughness();
-        window_->shelf().saveUnder(QStringLiteral("Rough one"));
+        window_->presetController().saveUnder(QStringLiteral("Rough one"));
         QByteArray bytes;
         for (const auto& entry : std::filesystem::recursive_directory_iterator(userPresetFolder()))
             if (QFile saved(QString::fromStdString(entry.path().string()));
@@ -62,7 +62,7 @@ private slots:
     void cleanup()
     {
         finish();
-        ui::speak(QStringLiteral("en"));
+        ui::setLanguage(QStringLiteral("en"));
     }
 
     void menusAndPanelAreGerman()
@@ -113,12 +113,12 @@ private slots:
                  qPrintable(spoken.join(' ')));
         // A copy is the visitor's own and keeps the displayed text.
         presets()->setCurrentItem(mug);
-        window_->shelf().duplicate();
+        window_->presetController().duplicate();
         const QList<QListWidgetItem*> copies =
             presets()->findItems(QStringLiteral("Porzellanbecher"), Qt::MatchStartsWith);
         QCOMPARE(copies.size(), 2);
         // Names of the visitor's own presets stay as they were typed.
-        window_->shelf().saveUnder(QStringLiteral("Night"));
+        window_->presetController().saveUnder(QStringLiteral("Night"));
         QCOMPARE(rowsNamed("Night").size(), 1);
     }
 

@@ -117,7 +117,7 @@ class LanguageTest final : public QObject {
     Q_OBJECT
 
 private slots:
-    void cleanup() { ui::speak(QStringLiteral("en")); }
+    void cleanup() { ui::setLanguage(QStringLiteral("en")); }
 
     void everyMessageIsFinishedWithTheSamePlacesAndMnemonics()
     {
@@ -138,7 +138,7 @@ private slots:
     {
         const std::set<std::string> known = knownTexts();
         const Museum museum{completeExhibits()};
-        for (const Subject* subject : museum.subjects()) {
+        for (const SceneObject* subject : museum.subjects()) {
             std::set<std::string> texts = textsOf(subject->parameters());
             texts.emplace(subject->title());
             texts.emplace(subject->summary());
@@ -156,7 +156,7 @@ private slots:
 
     void reasonsOfTheFrameReportAreGerman()
     {
-        ui::speak(QStringLiteral("de"));
+        ui::setLanguage(QStringLiteral("de"));
         const Museum museum{completeExhibits()};
         const SceneState initial = museum.initialSceneState();
         std::set<std::string> english;
@@ -178,38 +178,38 @@ private slots:
 
     void aSentenceWithPlacesIsTranslatedAsAWhole()
     {
-        ui::speak(QStringLiteral("de"));
+        ui::setLanguage(QStringLiteral("de"));
         static const QRegularExpression place(QStringLiteral("\\{=?(\\d)\\}"));
         const auto filled = [](QString text) { return text.replace(place, QStringLiteral("x\\1")); };
         int sentences = 0;
         for (const CatalogEntry& message : messagesOfTheFile()) {
             if (!message.source.contains(place) || message.translations.size() != 1) continue;
             ++sentences;
-            QCOMPARE(ui::said(filled(message.source).toStdString()), filled(message.translations.front()));
+            QCOMPARE(ui::translatedText(filled(message.source).toStdString()), filled(message.translations.front()));
         }
         QVERIFY(sentences > 300);
     }
 
     void aTextWithAnUnknownPartStaysEnglish()
     {
-        ui::speak(QStringLiteral("de"));
+        ui::setLanguage(QStringLiteral("de"));
         for (const char* text :
-             {"moving: 50% of full resolution", "\"0,3\" is no value for it; give a number from 0 to 1.",
+             {"moving: 50% of full resolution", "\"0,3\" is not a value for it; give a number from 0 to 1.",
               "study nope: sdf_morph has no such parameter; give one of bounces, hitTolerance."}) {
-            const QString shown = ui::said(text);
+            const QString shown = ui::translatedText(text);
             QVERIFY2(shown == QString::fromUtf8(text) || !englishIn(shown), qPrintable(shown));
         }
     }
 
     void whatTheWindowPutsTogetherIsGermanAsAWhole()
     {
-        ui::speak(QStringLiteral("de"));
+        ui::setLanguage(QStringLiteral("de"));
         const Museum museum{completeExhibits()};
         QStringList halves;
         const auto check = [&halves](const QString& text) {
             if (englishIn(text)) halves << text;
         };
-        for (const Subject* subject : museum.subjects()) {
+        for (const SceneObject* subject : museum.subjects()) {
             const ParameterValues values = subject->parameters().initial();
             for (std::size_t i = 0; i < values.rows().size(); ++i) {
                 const ParameterInfo& row = values.rows()[i];
@@ -221,14 +221,14 @@ private slots:
                     static_cast<void>(ui::typedValue(row, QString::fromUtf8(typed), &problem));
                     check(problem);
                 }
-                check(ui::said(whyUnmoved(row)));
+                check(ui::translatedText(whyUnmoved(row)));
                 if (!whyUnmoved(row).empty()) continue;
                 Motion motion;
                 motion.from = motion.to = row.initial;
                 for (const MotionKind kind :
                      {MotionKind::sine, MotionKind::ease, MotionKind::noise, MotionKind::distance}) {
                     motion.kind = kind;
-                    check(ui::said(describe(row, motion)));
+                    check(ui::translatedText(describe(row, motion)));
                 }
             }
         }
@@ -248,7 +248,7 @@ private slots:
 
     void theLightThemeIsBrightAndNoLamp()
     {
-        ui::speak(QStringLiteral("de"));
+        ui::setLanguage(QStringLiteral("de"));
         QCOMPARE(QObject::tr("Light", "theme"), QStringLiteral("Hell"));
         QCOMPARE(QObject::tr("Light"), QStringLiteral("Licht"));
     }
@@ -258,8 +258,8 @@ private slots:
         const Museum museum{completeExhibits()};
         const ParameterValues hall = museum.initialSceneState().hall();
         for (const char* code : {"en", "de"}) {
-            ui::speak(QString::fromLatin1(code));
-            const bool german = ui::spokenLanguage() == QLatin1String("de");
+            ui::setLanguage(QString::fromLatin1(code));
+            const bool german = ui::languageCode() == QLatin1String("de");
             const QString half = german ? QStringLiteral("0,5") : QStringLiteral("0.5");
             QCOMPARE(ui::numberLocale().toString(0.5, 'f', 1), half);
             for (std::size_t i = 0; i < hall.rows().size(); ++i) {
@@ -301,15 +301,15 @@ private slots:
 
     void aLanguageIsSpokenAtOnceAndAnUnknownOneIsEnglish()
     {
-        ui::speak(QStringLiteral("de"));
-        QCOMPARE(ui::spokenLanguage(), QStringLiteral("de"));
-        QCOMPARE(ui::said("Shadow method"), QStringLiteral("Schattenverfahren"));
-        QCOMPARE(ui::within(ui::said("Roughness")), QStringLiteral("Rauheit"));
+        ui::setLanguage(QStringLiteral("de"));
+        QCOMPARE(ui::languageCode(), QStringLiteral("de"));
+        QCOMPARE(ui::translatedText("Shadow method"), QStringLiteral("Schattenverfahren"));
+        QCOMPARE(ui::midSentence(ui::translatedText("Roughness")), QStringLiteral("Rauheit"));
         QCOMPARE(QObject::tr("&File"), QStringLiteral("&Datei"));
-        ui::speak(QStringLiteral("xx"));
-        QCOMPARE(ui::spokenLanguage(), QStringLiteral("en"));
-        QCOMPARE(ui::said("Shadow method"), QStringLiteral("Shadow method"));
-        QCOMPARE(ui::within(ui::said("Roughness")), QStringLiteral("roughness"));
+        ui::setLanguage(QStringLiteral("xx"));
+        QCOMPARE(ui::languageCode(), QStringLiteral("en"));
+        QCOMPARE(ui::translatedText("Shadow method"), QStringLiteral("Shadow method"));
+        QCOMPARE(ui::midSentence(ui::translatedText("Roughness")), QStringLiteral("roughness"));
         QCOMPARE(QObject::tr("&File"), QStringLiteral("&File"));
     }
 };

@@ -7,7 +7,7 @@
 #include "ui/kit/message_strip.h"
 #include "ui/lessons/formula_text.h"
 #include "ui/lessons/lesson_bar.h"
-#include "ui/lessons/lesson_desk.h"
+#include "ui/lessons/lesson_controller.h"
 #include "ui/lessons/page_dialog.h"
 #include "ui/window/file_opener.h"
 #include "ui/window/window_dialogs.h"
@@ -41,16 +41,16 @@ class LessonWindowTest : public test::OpenWindow {
         QApplication::setActiveWindow(window_.get());  // Under Xvfb there is no window manager.
         window_->viewport().setFocus();
     }
-    [[nodiscard]] LessonDesk& desk() { return window_->lessons(); }
+    [[nodiscard]] LessonController& controller() { return window_->lessons(); }
     [[nodiscard]] QToolButton* button(const char* name)
     {
-        for (auto* each : desk().bar().findChildren<QToolButton*>())
+        for (auto* each : controller().bar().findChildren<QToolButton*>())
             if (each->accessibleName() == QLatin1String(name)) return each;
         return nullptr;
     }
     [[nodiscard]] bool says(const QString& words)
     {
-        for (const QLabel* label : desk().bar().findChildren<QLabel*>())
+        for (const QLabel* label : controller().bar().findChildren<QLabel*>())
             if (label->isVisible() && label->text().contains(words)) return true;
         return false;
     }
@@ -85,12 +85,12 @@ private slots:
     void cleanup()
     {
         finish();
-        speak(QStringLiteral("en"));
+        setLanguage(QStringLiteral("en"));
     }
 
     void aLessonIsWalkedThroughAndWhatWasOpenComesBack()
     {
-        QVERIFY(!desk().bar().isVisible());
+        QVERIFY(!controller().bar().isVisible());
         window_->viewport().jumpTo({{1.35, 1.65, 8}, {1, 1.6, 0}, 0.9});
         dragRoughnessOf(1, 60);
         window_->choose(hallIndex);
@@ -98,8 +98,8 @@ private slots:
         const SceneState before = window_->history().sceneState();
         const int steps = window_->history().stack().count();
 
-        desk().open(goodLesson());
-        QVERIFY(desk().bar().isVisible());
+        controller().open(goodLesson());
+        QVERIFY(controller().bar().isVisible());
         QCOMPARE(window_->chosen(), std::size_t{1});
         QVERIFY(says("Two settings"));
         QVERIFY(says("What is <b>rough</b>?"));
@@ -126,7 +126,7 @@ private slots:
         QTest::mouseClick(button("Step back"), Qt::LeftButton);
         QCOMPARE(roughness(), 0.9);
         QTest::mouseClick(button("Leave the lesson"), Qt::LeftButton);
-        QVERIFY(!desk().bar().isVisible());
+        QVERIFY(!controller().bar().isVisible());
         QCOMPARE(window_->chosen(), hallIndex);
         QVERIFY(window_->history().sceneState() == before);
         QCOMPARE(window_->history().stack().count(), steps + 5);
@@ -135,28 +135,29 @@ private slots:
     void anAnswerOpensAndIsClosedAgainInTheNextStep()
     {
         const QByteArray block = "```json\n{\"values\": {\"roughness\": 0.9}}\n```\n";
-        desk().open(write("asked.md", "## One\nText.\n### Try\nSet [row:roughness].\n### Question\nWhy?\n### Answer\n"
-                                      "So **be** it.\n" +
-                                          block + "## Two\nText.\n### Question\nWhen?\n### Answer\nNow.\n" + block +
-                                          "## Three\nText.\n" + block));
+        controller().open(
+            write("asked.md", "## One\nText.\n### Try\nSet [row:roughness].\n### Question\nWhy?\n### Answer\n"
+                              "So **be** it.\n" +
+                                  block + "## Two\nText.\n### Question\nWhen?\n### Answer\nNow.\n" + block +
+                                  "## Three\nText.\n" + block));
         QToolButton* answer = button("Show the answer");
         QVERIFY(answer && !answer->isVisible());
-        desk().next();
+        controller().next();
         QVERIFY(says("<b>Try:</b> Set <a href=\"row:roughness\"><b>Roughness</b></a>."));
         QVERIFY(says("<b>Question:</b> Why?"));
         QVERIFY(answer->isVisible() && !says("So <b>be</b> it."));
         QTest::mouseClick(answer, Qt::LeftButton);
         QVERIFY(answer->isChecked() && says("So <b>be</b> it."));
-        QVERIFY2(desk().bar().accessibleName().contains("So be it."), "an opened answer is announced");
+        QVERIFY2(controller().bar().accessibleName().contains("So be it."), "an opened answer is announced");
         QTest::mouseClick(answer, Qt::LeftButton);
         QVERIFY(!answer->isChecked() && !says("So <b>be</b> it."));
-        desk().answerAction().trigger();
+        controller().answerAction().trigger();
         QVERIFY(says("So <b>be</b> it."));
-        desk().next();
+        controller().next();
         QVERIFY(says("When?") && !says("Now.") && !answer->isChecked());
-        desk().next();
-        QVERIFY(!answer->isVisible() && !desk().answerAction().isEnabled());
-        desk().back();
+        controller().next();
+        QVERIFY(!answer->isVisible() && !controller().answerAction().isEnabled());
+        controller().back();
         QVERIFY(says("When?") && answer->isVisible());
     }
 
@@ -167,20 +168,20 @@ private slots:
                                 "\"milliseconds\"}\n```\n"
                                 "## Smooth\nText.\n```json\n{\"values\": {\"roughness\": 0.1}, \"read\": "
                                 "\"milliseconds\"}\n```\n");
-        desk().open(path);
-        desk().next();
+        controller().open(path);
+        controller().next();
         QTRY_VERIFY(says("Read: time of a picture 43.8 ms"));
         settle();
-        // All later pictures wait, so that those of the step before are the last.
+        // Drawing is blocked from here on, so that the last pictures are those of the previous step.
         const auto go = std::make_shared<std::atomic<bool>>(false);
         const auto goOn = qScopeGuard([go] { *go = true; });
-        gallery_->beforeDrawing = [go](const FrameRequest&, const Renderers::Unwanted&) {
+        gallery_->beforeDrawing = [go](const FrameRequest&, const Renderers::IsCanceled&) {
             while (!*go) std::this_thread::sleep_for(std::chrono::milliseconds(1));
         };
-        desk().next();
-        QVERIFY2(says(QString::fromUtf8("Read: time of a picture …")), qPrintable(desk().numberText()));
+        controller().next();
+        QVERIFY2(says(QString::fromUtf8("Read: time of a picture …")), qPrintable(controller().numberText()));
         QTest::qWait(50);
-        QVERIFY2(says(QString::fromUtf8("Read: time of a picture …")), qPrintable(desk().numberText()));
+        QVERIFY2(says(QString::fromUtf8("Read: time of a picture …")), qPrintable(controller().numberText()));
         QVERIFY(says("previous step 43.8 ms"));
         *go = true;
         QTRY_VERIFY(says("Read: time of a picture 43.8 ms"));
@@ -189,9 +190,9 @@ private slots:
         *go = false;
         window_->history().set(1, *window_->history().sceneState().values[1].table().find("roughness"), 0.5,
                                newGesture());
-        QTRY_VERIFY2(says(QString::fromUtf8("Read: time of a picture …")), qPrintable(desk().numberText()));
-        desk().back();
-        QVERIFY2(says(QString::fromUtf8("Read: time of a picture …")), qPrintable(desk().numberText()));
+        QTRY_VERIFY2(says(QString::fromUtf8("Read: time of a picture …")), qPrintable(controller().numberText()));
+        controller().back();
+        QVERIFY2(says(QString::fromUtf8("Read: time of a picture …")), qPrintable(controller().numberText()));
         *go = true;
         QTRY_VERIFY(says("Read: time of a picture 43.8 ms"));
         settle();
@@ -200,64 +201,64 @@ private slots:
 
     void undoLeadsThroughTheLesson()
     {
-        desk().open(goodLesson());
-        desk().next();
-        desk().next();
+        controller().open(goodLesson());
+        controller().next();
+        controller().next();
         window_->history().stack().undo();
         QVERIFY(says("Step 1 of 2"));
         QCOMPARE(roughness(), 0.9);
         window_->history().stack().undo();
         window_->history().stack().undo();
-        QVERIFY(!desk().lesson());
+        QVERIFY(!controller().lesson());
         QCOMPARE(roughness(), 0.25);
         QCOMPARE(window_->chosen(), hallIndex);
         window_->history().stack().redo();
         window_->history().stack().redo();
         QVERIFY(says("Step 1 of 2"));
         QCOMPARE(roughness(), 0.9);
-        desk().leave();
+        controller().leave();
         window_->history().stack().undo();
         QVERIFY2(says("Step 1 of 2"), "undone, the lesson is open again");
     }
 
     void whatAVisitorChangesInAStepIsGoneInTheNextAndTheLessonKnowsNoOtherExhibit()
     {
-        desk().open(goodLesson());
-        desk().next();
+        controller().open(goodLesson());
+        controller().next();
         window_->history().set(1, *window_->history().sceneState().values[1].table().find("morph"), 0.875,
                                newGesture());
-        desk().next();
-        desk().back();
+        controller().next();
+        controller().back();
         const ParameterValues& values = window_->history().sceneState().values[1];
         QCOMPARE(std::get<double>(values.row(*values.table().find("morph"))), 0.5);
     }
 
     void keysAndLinksDoTheSame()
     {
-        desk().open(goodLesson());
+        controller().open(goodLesson());
         activate();
         QTest::keyClick(&window_->viewport(), Qt::Key_PageDown, Qt::ControlModifier);
         QTRY_VERIFY(says("Step 1 of 2"));
         QTest::keyClick(&window_->viewport(), Qt::Key_PageUp, Qt::ControlModifier);
         QTRY_VERIFY(says("2 steps"));
-        desk().next();
-        emit desk().rowAsked(QStringLiteral("roughness"));
+        controller().next();
+        emit controller().rowAsked(QStringLiteral("roughness"));
         QVERIFY(window_->panel().row("roughness")->isAncestorOf(window_->panel().focusWidget()));
         activate();
         QTest::keyClick(&window_->viewport(), Qt::Key_L, Qt::ControlModifier | Qt::ShiftModifier);
-        QTRY_VERIFY(!desk().lesson());
+        QTRY_VERIFY(!controller().lesson());
         window_->files().open(goodLesson());
-        QVERIFY2(desk().lesson(), "a lesson that is dropped on the window is opened");
+        QVERIFY2(controller().lesson(), "a lesson that is dropped on the window is opened");
         window_->hidePanels(true);
-        QVERIFY(!desk().bar().isVisible());
+        QVERIFY(!controller().bar().isVisible());
         window_->hidePanels(false);
-        QVERIFY(desk().bar().isVisible());
+        QVERIFY(controller().bar().isVisible());
     }
 
     void aBadLessonIsNotOpenedAndSaysWhy()
     {
-        desk().open(write("bad.md", "## One\nText.\n```json\n{\"values\": {\"roughnes\": 1}}\n```\n"));
-        QVERIFY(!desk().lesson());
+        controller().open(write("bad.md", "## One\nText.\n```json\n{\"values\": {\"roughnes\": 1}}\n```\n"));
+        QVERIFY(!controller().lesson());
         QCOMPARE(window_->history().stack().count(), 0);
         const QString said = window_->findChild<MessageStrip*>()->texts().join(QLatin1Char('\n'));
         QVERIFY2(said.contains("bad.md, line 11, values.roughnes: there is no parameter"), qPrintable(said));
@@ -265,12 +266,12 @@ private slots:
 
     void aWindowThatClosesInALessonKeepsWhatWasOpenBefore()
     {
-        desk().open(goodLesson());
-        desk().next();
+        controller().open(goodLesson());
+        controller().next();
         closeWindow();
         openWindow();
         QCOMPARE(roughness(), 0.25);
-        QVERIFY(!desk().lesson());
+        QVERIFY(!controller().lesson());
     }
 
     void everyExhibitHasItsPageAndAllPicturesAndLinksInItResolve_data()
@@ -285,7 +286,7 @@ private slots:
     {
         QFETCH(QString, language);
         QFETCH(QString, folder);
-        speak(language);
+        setLanguage(language);
         const QDir pages(QString::fromStdString(render::asset(folder.toStdString()).string()));
         QStringList names{QStringLiteral("hall"), QStringLiteral("syllabus")};
         for (const auto& exhibit : allExhibits())
@@ -392,13 +393,13 @@ private slots:
     void theMenuLeadsToTheSyllabusWhoseLinksStartLessons()
     {
         QAction* syllabus = nullptr;
-        for (QAction* action : desk().menu())
+        for (QAction* action : controller().menu())
             if (action && action->objectName() == "lesson-syllabus") syllabus = action;
         QVERIFY(syllabus);
         syllabus->trigger();
         auto* dialog = window_->findChild<PageDialog*>();
         QVERIFY(dialog && dialog->browser().source().path().endsWith("/syllabus.html"));
-        // This museum has other parameters than the shipped lessons ask for: it is the question that counts.
+        // Only the request to start the lesson is tested: the exhibits of this museum lack its parameters.
         QSignalSpy asked(dialog, &PageDialog::lessonAsked);
         emit dialog->browser().anchorClicked(QUrl(QStringLiteral("lesson:sdf_morph")));
         QCOMPARE(asked.count(), 1);
@@ -408,7 +409,7 @@ private slots:
 
     void linksOfPagesLeadToPagesInTheLanguageInUse()
     {
-        speak(QStringLiteral("de"));
+        setLanguage(QStringLiteral("de"));
         PageDialog dialog(nullptr, [](const QString&) { return nullptr; });
         dialog.setAttribute(Qt::WA_DeleteOnClose, false);
         dialog.showPage(QStringLiteral("hall"));
@@ -416,7 +417,7 @@ private slots:
         QCOMPARE(dialog.windowTitle(), QStringLiteral("Die Halle, und was in ihr steht"));
         emit dialog.browser().anchorClicked(QUrl(QStringLiteral("noise.html")));
         QVERIFY(dialog.browser().source().path().endsWith("/pages/de/noise.html"));
-        speak(QStringLiteral("en"));
+        setLanguage(QStringLiteral("en"));
         emit dialog.browser().anchorClicked(QUrl(QStringLiteral("fur.html")));
         QVERIFY(dialog.browser().source().path().endsWith("/pages/fur.html"));
     }
@@ -431,7 +432,8 @@ private slots:
         QVERIFY(dialog->browser().source().path().endsWith("/sdf_morph.html"));
         const QString page = dialog->browser().toPlainText();
         for (const ParameterInfo& row : window_->history().sceneState().values[1].rows())
-            QVERIFY2(page.contains(said(label(row))) && page.contains(said(row.help)), row.name.data());
+            QVERIFY2(page.contains(translatedText(label(row))) && page.contains(translatedText(row.help)),
+                     row.name.data());
         const auto lesson = [dialog] {
             for (QPushButton* each : dialog->findChildren<QPushButton*>())
                 if (each->text() == "&Start the exhibit's lesson") return each;

@@ -36,7 +36,7 @@ class KeysWindowTest : public test::OpenPreferences {
         QTreeWidgetItem* wipe = command("Wipe");
         wipe->treeWidget()->setCurrentItem(wipe);
         QTest::mouseClick(button("Reset"), Qt::LeftButton);
-        QVERIFY(button("Take it")->isVisible());
+        QVERIFY(button("Reassign it")->isVisible());
     }
 
 private slots:
@@ -95,7 +95,7 @@ private slots:
         record->treeWidget()->setCurrentItem(record);
         const auto press = [this] {
             pressInKeyEdit(Qt::Key_W, Qt::ControlModifier);
-            QTRY_VERIFY(button("Take it")->isVisible());
+            QTRY_VERIFY(button("Reassign it")->isVisible());
         };
         press();
         bool said = false;
@@ -106,7 +106,7 @@ private slots:
         QCOMPARE(action("Wipe")->shortcut(), QKeySequence("Ctrl+W"));
         QCOMPARE(action("Record…")->shortcut(), QKeySequence("Shift+F12"));
         press();
-        QTest::keyClick(button("Take it"), Qt::Key_Space);
+        QTest::keyClick(button("Reassign it"), Qt::Key_Space);
         QVERIFY(action("Wipe")->shortcut().isEmpty());
         QCOMPARE(action("Record…")->shortcut(), QKeySequence("Ctrl+W"));
         // Restoring a shortcut also asks, and all can be restored at once.

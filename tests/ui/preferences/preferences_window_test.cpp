@@ -150,7 +150,7 @@ private slots:
         test::takeFewSamples(*window_, 8);
         settle();
         QVERIFY(openDialog("Picture and mouse"));
-        choose("Samples at rest", "2 at most");
+        choose("Samples when idle", "2 at most");
         QCOMPARE(values().mostSamples, 2);
         QTRY_VERIFY(window_->viewport().schedule().still() && window_->viewport().schedule().samples() == 2);
         gallery_->forgetRequests();
@@ -169,7 +169,7 @@ private slots:
         QVERIFY2(commandLineOf(*window_).contains("--samples 2 "), qPrintable(commandLineOf(*window_)));
         // The hall's parameter stays unchanged.
         QCOMPARE(pictureQuality(window_->history().sceneState().hall()).supersamples, 8);
-        choose("Samples at rest", "As set in the hall");
+        choose("Samples when idle", "As set in the hall");
         QTRY_VERIFY(window_->viewport().schedule().still() && window_->viewport().schedule().samples() == 8);
         QVERIFY(!window_->viewport().reason().contains("preferences"));
     }
@@ -210,7 +210,7 @@ private slots:
         const std::vector<FrameRequest> drawn = gallery_->requests();
         QVERIFY(!drawn.empty());
         for (const FrameRequest& request : drawn) QVERIFY(request.camera == drawn.back().camera);
-        QVERIFY(drawn.front().cut);  // The history is discarded.
+        QVERIFY(drawn.front().resetHistory);  // The history is discarded.
         QTest::keyClick(&window_->viewport(), Qt::Key_Escape);
         QCOMPARE(window_->viewport().mode(), CameraControl::Mode::walk);
         window_->viewport().goBack();

@@ -2,8 +2,8 @@
 #include "tests/ui/ui_main.h"
 
 #include "ui/kit/message_strip.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/presets/preset_preview.h"
-#include "ui/presets/preset_shelf.h"
 #include "ui/presets/tag_chips.h"
 #include "ui/presets/tags_dialog.h"
 
@@ -79,7 +79,7 @@ class PresetBrowserTest : public test::OpenWindow {
         window_->choose(1);
         for (const char* name : {"Dull", "Rough", "Smooth"}) {
             dragRoughness(20 + 10 * presets()->count());
-            window_->shelf().saveUnder(name);
+            window_->presetController().saveUnder(name);
         }
     }
 
@@ -103,7 +103,7 @@ private slots:
                  QStringList{
                      name + " is supplied with the exhibit and cannot be renamed. Duplicate it, and rename the copy."});
         // Control: the visitor's own preset is renamed in its line.
-        window_->shelf().saveUnder("Mine");
+        window_->presetController().saveUnder("Mine");
         select("Mine");
         QTest::keyClick(presets(), Qt::Key_F2);
         QVERIFY(presets()->findChild<QLineEdit*>());
@@ -121,12 +121,12 @@ private slots:
         // The preset in use is saved with its tags, and no message blames a change of the file.
         tag("Smooth", "silk");
         dragRoughness(90);
-        window_->shelf().save();
+        window_->presetController().save();
         QCOMPARE(tagsInFile("smooth.json"), QStringList{"silk"});
         select("Smooth");
         const double saved = roughness();
         window_->history().stack().undo();
-        window_->shelf().load(presets()->currentItem()->data(Qt::UserRole).toString());
+        window_->presetController().load(presets()->currentItem()->data(Qt::UserRole).toString());
         QCOMPARE(roughness(), saved);
     }
 

@@ -162,7 +162,7 @@ private slots:
         file.write("{ broken");
         file.close();
         openDialog();
-        QVERIFY2(said().contains("print.json"), qPrintable(said()));
+        QVERIFY2(translatedText().contains("print.json"), qPrintable(translatedText()));
         ParameterValues first = printing::printTable().initial();
         first.set(printing::printTable().origin, printing::ViewOrigin::files);
         QVERIFY(dialog_->values() == first);
@@ -171,7 +171,7 @@ private slots:
         other.write("{\"format\": \"vitrine-job\", \"job\": \"sprite\"}");
         other.close();
         dialog_->open({other.fileName()});
-        QVERIFY2(said().contains("other.json"), qPrintable(said()));
+        QVERIFY2(translatedText().contains("other.json"), qPrintable(translatedText()));
         QVERIFY(dialog_->files().isEmpty());
     }
 

@@ -110,7 +110,7 @@ private slots:
         QVERIFY(dock_->view().showsKept());
         QCOMPARE(dock_->chart().points().size(), points);
         // Its pictures are read a moment later.
-        QTRY_VERIFY(pictures()->spokenText().isEmpty());
+        QTRY_VERIFY(pictures()->accessibleText().isEmpty());
         QVERIFY(!words().join(' ').contains("pictures were not kept"));
         QTest::keyClick(pictures(), Qt::Key_Return);
         auto* large = dock_->findChild<LargePictures*>();

@@ -65,10 +65,10 @@ public:
 
     void open() override {}
     void close() override {}
-    render::FrameReport draw(const SceneState&, const FrameRequest&, const Unwanted&) override { return {}; }
+    render::FrameReport draw(const SceneState&, const FrameRequest&, const IsCanceled&) override { return {}; }
     [[nodiscard]] QImage screenImage(const QSize&) override { return {}; }
     [[nodiscard]] QImage drawRegion(const SceneState&, const FrameRequest&, const PictureRegion&, int,
-                                    const Unwanted&) override
+                                    const IsCanceled&) override
     {
         return {};
     }

@@ -6,7 +6,7 @@
 #include "tests/ui/ui_main.h"
 
 #include "ui/kit/theme.h"
-#include "ui/model/other_settings.h"
+#include "ui/model/settings_b.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/parameters/parameter_row.h"
 #include "ui/study/both_settings_button.h"
@@ -572,7 +572,7 @@ private slots:
 
     void bothSettingsAreMeasuredIntoOneChart()
     {
-        OtherSettings other(*history_);
+        SettingsB other(*history_);
         dock_->offerBoth(other);
         auto* button = dock_->findChild<BothSettingsButton*>();
         QVERIFY(button && !button->isVisibleTo(dock_.get()));

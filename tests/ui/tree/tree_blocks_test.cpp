@@ -4,7 +4,7 @@
 #include "tests/ui/open_window.h"
 #include "tests/ui/ui_main.h"
 
-#include "ui/presets/preset_shelf.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/tree/tree_dock.h"
 #include "ui/tree/tree_editor.h"
 #include "ui/tree/tree_file.h"
@@ -175,10 +175,10 @@ private slots:
     {
         editor().select("red");
         editor().setRow(0, 0.3, newGesture(), "Change");
-        window_->shelf().saveUnder("Small red");
+        window_->presetController().saveUnder("Small red");
         stack().undo();
         QCOMPARE(size("red"), 0.6);
-        window_->shelf().load(rowsNamed("Small red").front()->data(Qt::UserRole).toString());
+        window_->presetController().load(rowsNamed("Small red").front()->data(Qt::UserRole).toString());
         QTRY_COMPARE(size("red"), 0.3);
         QVERIFY(window_->docks().treeFile().unsaved().contains("pile.json"));
     }

@@ -43,7 +43,7 @@ public:
         pass.shader.sources = std::make_shared<const render::ShaderSources>(std::map<std::string, std::string>{
             {"filled.frag", "layout(location = 0) out vec4 color;\nvoid main()\n{\n    color = vec4(" +
                                 std::to_string(context.values[table.number]) + ".0);\n}\n"}});
-        pass.shader.slot = "filled";
+        pass.shader.programFamily = "filled";
         pass.colors = {render::Attachment::whole(radianceImage)};
         pass.draws = {render::Draw{}};
         plan.add(std::move(pass));
@@ -70,7 +70,7 @@ private slots:
         frame.raster.size = {16, 9};
         frame.alone = 1;
         frame.transparent = true;
-        const Renderers::Unwanted never = [] { return false; };
+        const Renderers::IsCanceled never = [] { return false; };
         QVERIFY(!renderers.draw(sceneState, frame, never).unfinished);  // The first program is waited for.
         bool unfinished = false;
         for (int number = 2; number < 8 && !unfinished; ++number) {
@@ -108,8 +108,8 @@ private slots:
         frame.camera = museum.exhibit(1).bestView(a.values[1]);
         frame.raster.size = {16, 9};
         frame.alone = 1;
-        frame.cut = frame.finished = true;
-        const Renderers::Unwanted never = [] { return false; };
+        frame.resetHistory = frame.finished = true;
+        const Renderers::IsCanceled never = [] { return false; };
         static_cast<void>(renderers.draw(b, frame, never));
         const QImage expected = renderers.screenImage(screen);
         static_cast<void>(renderers.draw(a, frame, never));

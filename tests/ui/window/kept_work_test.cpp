@@ -147,7 +147,7 @@ private slots:
     void whatATimerOrASlotThrowsIsSaidAndTheProgramGoesOn()
     {
         QTimer::singleShot(0, window_.get(),
-                           [] { throw Failure(Blame::file, "Cannot read gone.hdr: there is no such file."); });
+                           [] { throw Failure(ErrorKind::file, "Cannot read gone.hdr: there is no such file."); });
         QTRY_VERIFY(said().contains("Cannot read gone.hdr: there is no such file."));
         auto* action = new QAction(window_.get());
         connect(action, &QAction::triggered, window_.get(), [] { throw std::runtime_error("the slot broke"); });

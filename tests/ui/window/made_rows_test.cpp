@@ -3,7 +3,7 @@
 #include "tests/ui/ui_main.h"
 
 #include "ui/parameters/number_field.h"
-#include "ui/presets/preset_shelf.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/study/study_dock.h"
 
 #include <QComboBox>
@@ -171,13 +171,13 @@ private slots:
         name(path("two.json"));
         QTRY_VERIFY(window_->panel().row("redRadius"));
         window_->history().set(balls, *values().table().find("redRadius"), 3.5, newGesture());
-        window_->shelf().saveUnder("Large");
+        window_->presetController().saveUnder("Large");
         name(path("other.json"));
         QTRY_VERIFY(window_->panel().row("greenRadius"));
-        window_->shelf().load(rowsNamed("Large").front()->data(Qt::UserRole).toString());
+        window_->presetController().load(rowsNamed("Large").front()->data(Qt::UserRole).toString());
         QTRY_VERIFY(rowOf(values(), "redRadius").has_value());
         QCOMPARE(rowOf(values(), "redRadius").value(), Value(3.5));
-        QVERIFY(!window_->shelf().titleOfUse().contains('*'));
+        QVERIFY(!window_->presetController().titleOfUse().contains('*'));
 
         closeWindow();
         openWindow();

@@ -13,8 +13,8 @@
 #include "ui/parameters/parameter_panel.h"
 #include "ui/parameters/parameter_row.h"
 #include "ui/parameters/value_slider.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/presets/preset_list.h"
-#include "ui/presets/preset_shelf.h"
 #include "ui/study/study_dock.h"
 #include "ui/viewport/gl_probe.h"
 #include "ui/viewport/museum_renderers.h"
@@ -91,7 +91,7 @@ class MemoryTest : public QObject {
         ids.removeAll(QString());
         QVERIFY(ids.size() > 3);
         for (int i = 0; i < count; ++i) {
-            window_->shelf().load(ids[i % ids.size()]);
+            window_->presetController().load(ids[i % ids.size()]);
             draw();
         }
     }
@@ -123,11 +123,11 @@ class MemoryTest : public QObject {
 
     void exportPicture()
     {
-        ExportWish wish;
-        wish.path = home_->filePath("picture.png").toStdString();
-        wish.size = {64, 36};
-        wish.samples = 1;
-        auto* work = new PictureExport(*window_, wish, window_.get());
+        ExportRequest exportRequest;
+        exportRequest.path = home_->filePath("picture.png").toStdString();
+        exportRequest.size = {64, 36};
+        exportRequest.samples = 1;
+        auto* work = new PictureExport(*window_, exportRequest, window_.get());
         QSignalSpy finished(work, &PictureExport::finished), failed(work, &PictureExport::failed);
         work->start();
         QTRY_VERIFY(finished.count() + failed.count() == 1);

@@ -332,11 +332,11 @@ private slots:
     {
         openWindow();
         const auto start = [&](const char* name, int samples) {
-            ExportWish wish;
-            wish.path = path(name).toStdString();
-            wish.size = {64, 36};
-            wish.samples = samples;
-            (new PictureExport(*window_, wish, window_.get()))->start();
+            ExportRequest exportRequest;
+            exportRequest.path = path(name).toStdString();
+            exportRequest.size = {64, 36};
+            exportRequest.samples = samples;
+            (new PictureExport(*window_, exportRequest, window_.get()))->start();
         };
         const auto answer = [&](const char* button) {
             window_->close();

@@ -48,7 +48,7 @@ private slots:
         QCOMPARE(roughness(), before);
         dialog->accept();
         QCOMPARE(window_->history().stack().count(), steps + 1);
-        choose("Hold");
+        choose("Hold the motion");
         QVERIFY(motion()->heldAt);
         settle();
         const long long held = window_->viewport().picturesDrawn();

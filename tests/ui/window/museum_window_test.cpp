@@ -15,8 +15,8 @@
 #include "ui/parameters/parameter_panel.h"
 #include "ui/parameters/parameter_row.h"
 #include "ui/parameters/value_slider.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/presets/preset_list.h"
-#include "ui/presets/preset_shelf.h"
 #include "ui/print/print_dialog.h"
 #include "ui/report/frame_report_dock.h"
 #include "ui/report/frame_report_view.h"
@@ -221,7 +221,7 @@ private slots:
         // Equal inputs give equal pictures; the mean of two samples has half floats.
         QVERIFY2(difference(before, picture()) < 0.5, qPrintable(QString::number(difference(before, picture()))));
         window_->history().stack().redo();
-        window_->shelf().saveUnder("Half melted");
+        window_->presetController().saveUnder("Half melted");
         window_->history().stack().undo();
         window_->close();
         window_.reset();
@@ -230,7 +230,7 @@ private slots:
         auto* list = window_->findChild<PresetList*>()->findChild<QListWidget*>();
         const auto items = list->findItems("Half melted", Qt::MatchExactly);
         QCOMPARE(items.size(), 1);
-        window_->shelf().load(items.first()->data(Qt::UserRole).toString());
+        window_->presetController().load(items.first()->data(Qt::UserRole).toString());
         QVERIFY(values() == changed);
         QVERIFY2(difference(after, picture()) < 0.5, qPrintable(QString::number(difference(after, picture()))));
     }
@@ -241,21 +241,21 @@ private slots:
         settle();
         dragMorph(60);
         const SceneState shown = window_->history().sceneState();
-        ExportWish wish;
-        wish.path = home_->filePath("picture.png").toStdString();
-        wish.size = {160, 90};
-        wish.samples = 2;
+        ExportRequest exportRequest;
+        exportRequest.path = home_->filePath("picture.png").toStdString();
+        exportRequest.size = {160, 90};
+        exportRequest.samples = 2;
         settle();
         const long long drawn = window_->viewport().picturesDrawn();
-        auto* work = new PictureExport(*window_, wish, window_.get());
+        auto* work = new PictureExport(*window_, exportRequest, window_.get());
         QSignalSpy finished(work, &PictureExport::finished), failed(work, &PictureExport::failed);
         work->start();
         QTRY_VERIFY(finished.count() + failed.count() == 1);
         QVERIFY2(failed.isEmpty(), failed.isEmpty() ? "" : qPrintable(failed[0][0].toString()));
         QCOMPARE(window_->viewport().picturesDrawn(), drawn);  // The viewport and its picture are left alone.
-        QVERIFY(render::embeddedPreset(wish.path).has_value());
+        QVERIFY(render::embeddedPreset(exportRequest.path).has_value());
         window_->history().stack().undo();
-        window_->files().open(QString::fromStdString(wish.path.string()));
+        window_->files().open(QString::fromStdString(exportRequest.path.string()));
         QVERIFY(window_->history().sceneState() == shown);
     }
 
@@ -370,11 +370,11 @@ private slots:
 
     void aCanceledExportLeavesNoFile()
     {
-        ExportWish wish;
-        wish.path = home_->filePath("never.png").toStdString();
-        wish.size = {640, 360};
-        wish.samples = 64;
-        auto* work = new PictureExport(*window_, wish, window_.get());
+        ExportRequest exportRequest;
+        exportRequest.path = home_->filePath("never.png").toStdString();
+        exportRequest.size = {640, 360};
+        exportRequest.samples = 64;
+        auto* work = new PictureExport(*window_, exportRequest, window_.get());
         QSignalSpy progressed(work, &PictureExport::progressed);
         work->start();
         QTRY_VERIFY(progressed.count() >= 2);

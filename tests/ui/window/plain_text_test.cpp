@@ -6,8 +6,8 @@
 #include "ui/kit/message_strip.h"
 #include "ui/kit/window_place.h"
 #include "ui/lessons/lesson_bar.h"
-#include "ui/lessons/lesson_desk.h"
-#include "ui/presets/preset_shelf.h"
+#include "ui/lessons/lesson_controller.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/print/print_dialog.h"
 #include "ui/window/exhibit_list.h"
 #include "ui/window/file_opener.h"
@@ -110,7 +110,7 @@ private slots:
         auto* strip = window_->findChild<MessageStrip*>();
         QTRY_VERIFY(strip->texts().join(' ').contains(QLatin1String("<img")));
         window_->choose(1);
-        window_->shelf().saveUnder(QStringLiteral("<img src=red.png>"));
+        window_->presetController().saveUnder(QStringLiteral("<img src=red.png>"));
         QTRY_VERIFY(!rowsNamed("<img src=red.png>").isEmpty());
         QVERIFY2(richLabels().isEmpty(), qPrintable(richLabels().join(' ')));
     }

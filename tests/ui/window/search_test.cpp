@@ -1,7 +1,7 @@
 #include "tests/ui/open_window.h"
 #include "tests/ui/ui_main.h"
 
-#include "ui/presets/preset_shelf.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/window/search_dialog.h"
 
 #include <QLabel>
@@ -78,7 +78,7 @@ private slots:
     {
         window_->choose(1);
         window_->history().set(1, gallery_->table().roughness.row, 0.75, newGesture());
-        window_->shelf().saveUnder("Dull slate");
+        window_->presetController().saveUnder("Dull slate");
         window_->history().set(1, gallery_->table().roughness.row, 0.5, newGesture());
         window_->choose(0);
         search("dull slate");

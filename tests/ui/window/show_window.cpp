@@ -9,13 +9,13 @@
 #include "exhibits/framework/scene/capabilities.h"
 #include "exhibits/framework/scene/tree.h"
 #include "ui/charts/charts_dock.h"
-#include "ui/compare/compare_desk.h"
-#include "ui/compare/other_picture.h"
+#include "ui/compare/compare_controller.h"
+#include "ui/compare/picture_b.h"
 #include "ui/explore/explore_dock.h"
 #include "ui/explore/morph_pad.h"
 #include "ui/explore/variations.h"
 #include "ui/kit/theme.h"
-#include "ui/lessons/lesson_desk.h"
+#include "ui/lessons/lesson_controller.h"
 #include "ui/lessons/page_dialog.h"
 #include "ui/parameters/color_picker.h"
 #include "ui/parameters/parameter_panel.h"
@@ -75,7 +75,7 @@ void showTrees(ui::MainWindow& window, const Museum& museum, const QString& fold
 void showComparison(ui::MainWindow& window, const QString& folder, const QString& ending)
 {
     window.visit(1);
-    window.comparison().holdPresent();
+    window.comparison().setToCurrent();
     const auto row = window.history().sceneState().values[1].table().find("morph");
     window.history().set(1, *row, 0.1, ui::newGesture());
     for (auto* dock : window.findChildren<QDockWidget*>())

@@ -3,11 +3,11 @@
 #include "tests/ui/open_window.h"
 #include "tests/ui/ui_main.h"
 
-#include "ui/compare/compare_desk.h"
+#include "ui/compare/compare_controller.h"
 #include "ui/kit/appearance.h"
 #include "ui/kit/message_strip.h"
 #include "ui/kit/name_dialog.h"
-#include "ui/lessons/lesson_desk.h"
+#include "ui/lessons/lesson_controller.h"
 #include "ui/parameters/color_picker.h"
 #include "ui/preferences/preferences_dialog.h"
 #include "ui/window/window_docks.h"
@@ -130,7 +130,7 @@ private slots:
         setType(percent);
         window_->say(MessageStrip::Mood::problem,
                      "A file that was named and cannot be read is left out until it can be read again.");
-        window_->comparison().holdPresent();
+        window_->comparison().setToCurrent();
         action("Signed difference")->trigger();
         settle();
         fits(*window_, "strips");

@@ -8,7 +8,7 @@
 #include "ui/export/picture_export.h"
 #include "ui/kit/message_strip.h"
 #include "ui/parameters/number_field.h"
-#include "ui/presets/preset_shelf.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/presets/scene_text.h"
 #include "ui/viewport/overlay.h"
 #include "ui/window/about_dialog.h"
@@ -69,7 +69,7 @@ class VisitorTest : public test::OpenWindow {
     [[nodiscard]] QTabBar* tabs()
     {
         for (QTabBar* bar : window_->findChildren<QTabBar*>())
-            if (bar->accessibleName() == "Whose parameters") return bar;
+            if (bar->accessibleName() == "Parameters of") return bar;
         return nullptr;
     }
     [[nodiscard]] QStringList menu(const char* name)
@@ -295,8 +295,7 @@ private slots:
             QTest::keyClick(stop, Qt::Key_Tab);
         }
         QVERIFY2(blind.isEmpty(), qPrintable(blind.join("; ")));
-        for (const char* stop :
-             {"Exhibits", "Presets", "Save preset", "Whose parameters", "Only changed", "Base color"})
+        for (const char* stop : {"Exhibits", "Presets", "Save preset", "Parameters of", "Only changed", "Base color"})
             QVERIFY2(seen.contains(QLatin1String(stop)), stop);
     }
 
@@ -419,7 +418,7 @@ private slots:
         QVERIFY(!window_->windowIcon().isNull());
         window_->choose(1);
         QCOMPARE(window_->windowTitle(), QString::fromUtf8("Torus to mug — Vitrine"));
-        window_->shelf().saveUnder("Dull");
+        window_->presetController().saveUnder("Dull");
         QCOMPARE(window_->windowTitle(), QString::fromUtf8("Torus to mug: Dull — Vitrine"));
         dragRoughness(60);
         QTRY_COMPARE(window_->windowTitle(), QString::fromUtf8("Torus to mug: Dull * — Vitrine"));

@@ -3,7 +3,7 @@
 
 #include "ui/kit/message_strip.h"
 #include "ui/kit/theme.h"
-#include "ui/presets/preset_shelf.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/report/frame_graph.h"
 #include "ui/report/log_view.h"
 #include "ui/window/file_opener.h"
@@ -115,7 +115,7 @@ private slots:
         file.close();
         window_->files().open(path);
         QTRY_COMPARE(strip->texts().size(), 1);
-        window_->shelf().saveUnder("Mended");
+        window_->presetController().saveUnder("Mended");
         QVERIFY(QFile::remove(path));
         QVERIFY(QFile::copy(rowsNamed("Mended").front()->data(Qt::UserRole).toString(), path));
         window_->files().open(path);

@@ -83,7 +83,7 @@ private slots:
         settle();
         dragRoughness(40);
         settle();
-        QVERIFY(!gallery_->requests().back().rests);
+        QVERIFY(!gallery_->requests().back().idle);
         gallery_->betterBuilds = 0;
         const long long drawn = window_->viewport().picturesDrawn();
         QTRY_COMPARE_WITH_TIMEOUT(gallery_->betterBuilds, 1, test::patience);
@@ -91,10 +91,10 @@ private slots:
         QCOMPARE(window_->viewport().picturesDrawn(), drawn);
         window_->viewport().sceneStateChanged();  // Like a visitor who looks around.
         settle();
-        QVERIFY(gallery_->requests().back().rests);
+        QVERIFY(gallery_->requests().back().idle);
         dragRoughness(60);
         settle();
-        QVERIFY2(!gallery_->requests().back().rests, "a drag ends the rest");
+        QVERIFY2(!gallery_->requests().back().idle, "a drag ends the rest");
     }
 
     void aStillPictureIsRefinedOverSixteenSamples()
@@ -161,7 +161,7 @@ private slots:
         closeWindow();
         gallery_ = std::make_unique<test::PaintedGallery>();
         std::atomic<bool> held = true;
-        gallery_->beforeDrawing = [&](const FrameRequest&, const Renderers::Unwanted&) {
+        gallery_->beforeDrawing = [&](const FrameRequest&, const Renderers::IsCanceled&) {
             while (held) std::this_thread::sleep_for(std::chrono::milliseconds(5));
         };
         window_ = std::make_unique<MainWindow>(gallery_->museum(), *gallery_);
@@ -188,7 +188,7 @@ private slots:
         std::promise<void> begun, enough;
         std::shared_future<void> released = enough.get_future().share();
         std::atomic<int> pictures = 0;
-        gallery_->beforeDrawing = [&](const FrameRequest&, const Renderers::Unwanted&) {
+        gallery_->beforeDrawing = [&](const FrameRequest&, const Renderers::IsCanceled&) {
             if (++pictures != 1) return;
             begun.set_value();
             released.wait();
@@ -223,10 +223,10 @@ private slots:
         settle();
         std::atomic<int> abandoned = 0;
         std::atomic<bool> reached = false;
-        gallery_->beforeDrawing = [&](const FrameRequest& request, const Renderers::Unwanted& unwanted) {
+        gallery_->beforeDrawing = [&](const FrameRequest& request, const Renderers::IsCanceled& isCanceled) {
             if (request.sample != 3 || abandoned > 0) return;
             reached = true;
-            while (!unwanted()) std::this_thread::yield();
+            while (!isCanceled()) std::this_thread::yield();
             ++abandoned;
             throw render::gl::Abandoned();
         };
@@ -315,8 +315,9 @@ private slots:
         settle();
         const std::vector<FrameRequest> requests = gallery_->requests();
         QVERIFY(requests.size() >= 32);
-        QVERIFY(requests.front().cut);
-        QCOMPARE(std::count_if(requests.begin(), requests.end(), [](const FrameRequest& r) { return r.cut; }), 1);
+        QVERIFY(requests.front().resetHistory);
+        QCOMPARE(std::count_if(requests.begin(), requests.end(), [](const FrameRequest& r) { return r.resetHistory; }),
+                 1);
         QVERIFY(std::none_of(requests.begin(), requests.end(), [](const FrameRequest& r) { return r.finished; }));
     }
 

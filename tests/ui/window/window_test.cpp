@@ -9,7 +9,7 @@
 #include "ui/parameters/color_picker.h"
 #include "ui/parameters/number_field.h"
 #include "ui/parameters/panel_choices.h"
-#include "ui/presets/preset_shelf.h"
+#include "ui/presets/preset_controller.h"
 #include "ui/report/frame_report_view.h"
 #include "ui/window/file_opener.h"
 
@@ -67,7 +67,8 @@ private slots:
         const int immediate = (history.*&Open::receivers)(SIGNAL(changed(std::size_t, std::size_t)));
         // Picture, B that follows A, tables from files, the session, and two sliders that start anew.
         QVERIFY2(immediate <= 6, qPrintable(QString::number(immediate)));
-        QSignalSpy changed(&history, &History::changed), marked(&window_->shelf(), &PresetShelf::marked);
+        QSignalSpy changed(&history, &History::changed),
+            marked(&window_->presetController(), &PresetController::marked);
         QSignalSpy settled(&history, &History::changesSettled);
         const Gesture drag = newGesture();
         for (int i = 1; i <= 60; ++i) history.set(1, gallery_->table().roughness.row, 0.3 + i / 200.0, drag);
@@ -115,7 +116,7 @@ private slots:
         window_->choose(1);
         dragRoughness(60);
         const double saved = roughness();
-        window_->shelf().saveUnder("Dull");
+        window_->presetController().saveUnder("Dull");
         closeWindow();
         openWindow();
         QCOMPARE(window_->chosen(), std::size_t{1});
@@ -124,7 +125,7 @@ private slots:
         action("Reset all parameters")->trigger();
         QCOMPARE(roughness(), 0.25);
         QCOMPARE(rowsNamed("Dull").size(), 1);
-        window_->shelf().load(rowsNamed("Dull").front()->data(Qt::UserRole).toString());
+        window_->presetController().load(rowsNamed("Dull").front()->data(Qt::UserRole).toString());
         QCOMPARE(roughness(), saved);  // ... and the preset from disk.
         window_->history().stack().undo();
         QCOMPARE(roughness(), 0.25);
@@ -136,7 +137,7 @@ private slots:
         auto* list = window_->findChild<PresetList*>()->findChild<QListWidget*>();
         const int shipped = list->count();
         QVERIFY(shipped > 0);
-        window_->shelf().saveUnder("Zz, the last by name");
+        window_->presetController().saveUnder("Zz, the last by name");
         QCOMPARE(list->count(), shipped + 1);
         QCOMPARE(list->item(0)->text(), QString("Zz, the last by name"));
         QCOMPARE(list->item(0)->data(TileDelegate::secondLine).toString(), QString("Yours"));
@@ -194,11 +195,11 @@ private slots:
     void aDeletedPresetComesBackByUndo()
     {
         window_->choose(1);
-        window_->shelf().saveUnder("Dull");
+        window_->presetController().saveUnder("Dull");
         QCOMPARE(rowsNamed("Dull").size(), 1);
         auto* list = window_->findChild<PresetList*>()->findChild<QListWidget*>();
         list->setCurrentItem(rowsNamed("Dull").front());
-        window_->shelf().remove();
+        window_->presetController().remove();
         QCOMPARE(rowsNamed("Dull").size(), 0);
         window_->history().stack().undo();
         QCOMPARE(rowsNamed("Dull").size(), 1);

@@ -22,7 +22,7 @@ class RequestError(Error):
     def __init__(self, message, code=0, data=None):
         super().__init__(message)
         self.code = code  #: Code of JSON-RPC or of the service.
-        self.data = data or {}  #: "blame" and "exitCode" of an error that the command line has, too.
+        self.data = data or {}  #: "kind" and "exitCode" of an error that the command line has, too.
 
 
 class Canceled(RequestError):
@@ -65,7 +65,7 @@ class Connection:
         try:
             self._socket.sendall(line.encode())
         except OSError as error:
-            # What the service said last explains more than a broken pipe.
+            # The last message of the service explains more than a broken pipe.
             self._raise_last_words()
             raise ConnectionLost(f"The connection to the service broke: {error.strerror or error}.") from error
 

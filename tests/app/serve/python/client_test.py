@@ -89,7 +89,7 @@ class ClientTest(unittest.TestCase):
             self.ask(lambda _: None)
 
     def test_a_refusal_raises_with_its_message_code_and_data(self):
-        error = {"code": -32005, "message": "Cannot write x.", "data": {"blame": "file", "exitCode": 5}}
+        error = {"code": -32005, "message": "Cannot write x.", "data": {"kind": "file", "exitCode": 5}}
         with self.assertRaises(vitrine.RequestError) as caught:
             self.ask(lambda request: line({"id": request["id"], "error": error}))
         self.assertEqual(str(caught.exception), "Cannot write x.")

@@ -5,7 +5,7 @@ for python in python3 /usr/bin/python3; do
     "$python" -c "import numpy" 2>/dev/null || continue
     VITRINE_PROGRAM=$1
     PYTHONPATH=$here/../../../../app/serve/python:$here
-    # What is compiled goes nowhere: the sources stay as they are.
+    # Python writes no compiled files: the source tree stays unchanged.
     PYTHONDONTWRITEBYTECODE=1
     export VITRINE_PROGRAM PYTHONPATH PYTHONDONTWRITEBYTECODE
     exec "$python" "$here/$2.py"

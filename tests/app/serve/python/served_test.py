@@ -158,7 +158,7 @@ class ServedTest(unittest.TestCase):
             self.v.render("noise", raw="png")
 
     def test_the_report_has_times_counters_and_memory(self):
-        self.v.picture("fur", **SMALL)  # What is made once and kept is not timed: here it is there already.
+        self.v.picture("fur", **SMALL)  # Results that are made once and cached must not be timed: this picture fills the caches.
         report = self.v.picture("fur", frame_report=True, **SMALL).report
         self.assertTrue(report["ran"])
         self.assertTrue(all(entry["ms"] > 0 for entry in report["ran"]), report["ran"])

@@ -146,7 +146,7 @@ TEST(Preset, NamesFileLineAndKeyOfWhatIsWrong)
 
 TEST(Preset, RefusesOtherFormatsExhibitsAndVersions)
 {
-    EXPECT_FAILURE(read("[]"), "this is no preset");
+    EXPECT_FAILURE(read("[]"), "this is not a preset");
     EXPECT_FAILURE(read("{}"), "says neither format nor version");
     EXPECT_FAILURE(read(R"({"version": 1})"), "\"format\" is missing");
     EXPECT_FAILURE(read(R"({"version": 1, "format": "other"})"), "no format of Vitrine");

@@ -24,7 +24,7 @@ struct Table final : Parameters {
     File picture = file("picture", "On the wall.");
     Real turn = real("turn", 0, degree, {-3, 3}, "Of the picture.", whenGiven(picture), reads(0, "straight"));
     Color glow = color("glow", {1, 1, 1}, "Of sun or lamp.",
-                       when(light, {Light::sun, Light::lamp}) || whenLater("always", 1), called("Glow of all"));
+                       when(light, {Light::sun, Light::lamp}) || whenLater("always", 1), labeled("Glow of all"));
     Toggle always = toggle("always", false, "Glow in the dark.");
     Real lightFall = real("lightFall", 1, none, {0, 2}, "How fast it fades.");
 };

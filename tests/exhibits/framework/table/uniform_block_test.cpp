@@ -91,7 +91,7 @@ void expectBlockOf(const Parameters& table, const std::string& exhibit)
 
 TEST_F(UniformBlock, HasEveryParameterWhereTheDriverLooksForIt)
 {
-    for (const Subject* subject : test::gallery().museum.subjects())
+    for (const SceneObject* subject : test::gallery().museum.subjects())
         expectBlockOf(subject->parameters(), std::string(subject->name()));
 }
 
