@@ -77,7 +77,7 @@ jobs::JobScene sceneOf(const CLI::App& command, const jobs::Job& job, const JobA
         scene.usual.depth = picture.taken->depth;
         // Plaques are in the language of the picture.
         if (picture.taken->language != language() && !ui::languageAsked())
-            ui::applyLanguage(QString::fromStdString(picture.taken->language));
+            ui::setLanguage(QString::fromStdString(picture.taken->language));
     }
     if (needs.anySettings) scene.pinned = pinnedRows(scene, options.sets, like != nullptr);
     return scene;

@@ -15,8 +15,8 @@ BothSettingsButton::BothSettingsButton(StudyDock& dock, const SettingsB& other, 
 {
     setToolTip(tr("Measures with the present settings, A, and then with the settings B of the comparison. Both curves "
                   "are shown in one chart."));
-    setVisible(other.held());
-    connect(&other, &SettingsB::changed, this, [this] { setVisible(other_.held()); });
+    setVisible(other.isSet());
+    connect(&other, &SettingsB::changed, this, [this] { setVisible(other_.isSet()); });
     connect(this, &QPushButton::clicked, this, &BothSettingsButton::begin);
     connect(&dock, &StudyDock::finished, this, &BothSettingsButton::goOn);
     connect(&dock, &StudyDock::stopped, this, [this] { b_.reset(); });
@@ -24,7 +24,7 @@ BothSettingsButton::BothSettingsButton(StudyDock& dock, const SettingsB& other, 
 
 void BothSettingsButton::begin()
 {
-    if (!other_.held()) return;
+    if (!other_.isSet()) return;
     const SceneState b = other_.sceneState();  // Later edits of B do not change what is measured.
     const QString name = other_.name();
     a_.reset();

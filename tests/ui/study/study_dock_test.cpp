@@ -578,7 +578,7 @@ private slots:
         QVERIFY(button && !button->isVisibleTo(dock_.get()));
         SceneState b = history_->sceneState();
         b.values[1].setRow(row("rays"), 64.0);
-        other.hold(b, QStringLiteral("Many rays"));
+        other.set(b, QStringLiteral("Many rays"));
         QVERIFY(button->isVisibleTo(dock_.get()));
         dock_->ask(1, row("steps"));
         finish();
