@@ -19,8 +19,8 @@ uniform float u_walk;       // 0 .. 8, default 1.2, "Speed of the walk"
 uniform vec3 u_sand;        // 0 .. 1, default 0.90 0.62 0.38, "Sand"
 uniform vec2 u_view;        // -1 .. 1, default 0 0, "View"
 
-#define STEPS 96            // 10 .. 400, default 96, exact 400, "Steps of a ray"
-#define SHADOW_STEPS 28     // 0 .. 200, default 28, exact 200, "Steps of a shadow"
+const int steps = 88; // 10 .. 400, default 88, exact 400, "Steps of a ray"
+const int shadowSteps = 24; // 0 .. 200, default 24, exact 200, "Steps of a shadow"
 
 const float farthest = 420.0;
 
@@ -42,7 +42,7 @@ float noise(vec2 p)
     return mix(rows.x, rows.y, f.y);
 }
 
-// One range of dunes: gentle towards the u_wind, steep behind the crest, flat between.
+// One range of dunes: gentle towards the wind, steep behind the crest, flat between.
 float range(vec2 p)
 {
     float side = 2.0 * noise(p) - 1.0;
@@ -73,7 +73,7 @@ vec3 sunColor()
     return mix(vec3(1.55, 0.62, 0.24), vec3(1.45, 1.22, 0.98), smoothstep(0.0, 40.0, u_sun_height));
 }
 
-// The sky without clouds and sun: what u_haze looks like.
+// The sky without clouds and sun: what haze looks like.
 vec3 dome(vec3 ray, vec3 sun)
 {
     float low = smoothstep(30.0, 3.0, u_sun_height), up = max(ray.y, 0.03), near = max(dot(ray, sun), 0.0);
@@ -88,7 +88,7 @@ vec3 dome(vec3 ray, vec3 sun)
 vec3 sky(vec3 ray, vec3 sun)
 {
     vec3 color = dome(ray, sun);
-    // Thin clouds, drawn out by the u_wind.
+    // Thin clouds, drawn out by the wind.
     float up = max(ray.y, 0.0), near = max(dot(ray, sun), 0.0);
     vec2 at = ray.xz / (up + 0.11) * vec2(0.5, 1.7) + vec2(0.012 * u_time, 0.0);
     float cloud = noise(at) * 0.55 + noise(2.7 * at + 5.0) * 0.3 + noise(6.1 * at) * 0.15;
@@ -100,7 +100,7 @@ vec3 sky(vec3 ray, vec3 sun)
 float hit(vec3 eye, vec3 ray)
 {
     float t = 0.5, before = 0.5, freeBefore = 1.0;
-    for (int i = 0; i < STEPS; ++i) {
+    for (int i = 0; i < steps; ++i) {
         vec3 p = eye + t * ray;
         float free = p.y - ground(p.xz);
         if (free < 0.0) {
@@ -127,7 +127,7 @@ float hit(vec3 eye, vec3 ray)
 float sunlight(vec3 p, vec3 sun)
 {
     float share = 1.0, t = 0.35;
-    for (int i = 0; i < SHADOW_STEPS; ++i) {
+    for (int i = 0; i < shadowSteps; ++i) {
         vec3 q = p + t * sun;
         float free = q.y - ground(q.xz);
         share = min(share, 0.5 + 0.5 * free / (0.022 * t + 0.02));
@@ -138,7 +138,7 @@ float sunlight(vec3 p, vec3 sun)
     return share * share * (3.0 - 2.0 * share);
 }
 
-// Slope of the u_ripples, which lie across the u_wind and bend with the ground. They fade where a pixel is wider.
+// Slope of the ripples, which lie across the wind and bend with the ground. They fade where a pixel is wider.
 vec2 rippled(vec2 p, vec3 n, float width)
 {
     float bend = 1.6 * noise(0.35 * p) + 0.9 * noise(1.1 * p + 7.0) + 2.5 * n.x;
@@ -170,29 +170,25 @@ vec3 sandColor(vec3 p, vec3 ray, float t, vec3 sun)
     return color + 1.5 * glint * sunColor() * direct * exp(-300.0 * t / u_resolution.y);
 }
 
-// Sand that the u_wind carries off the crests: how much of it lies before a point at a distance.
+// Sand that the wind carries off the crests: how much of it lies before a point at a distance.
 float blown(vec3 eye, vec3 ray, float t)
 {
     float sum = 0.0;
-    for (int i = 0; i < 4; ++i) {
-        float at = t * (float(i) + 0.5) / 4.0;
+    for (int i = 0; i < 3; ++i) {
+        float at = t * (float(i) + 0.5) / 3.0;
         vec3 p = eye + at * ray;
         float above = p.y - ground(p.xz);
         vec2 q = p.xz * vec2(0.10, 0.55) - vec2(0.9 * u_time, 0.0);
         sum += exp(-1.1 * max(above, 0.0)) * smoothstep(0.35, 0.9, 0.6 * noise(q) + 0.4 * noise(3.1 * q));
     }
-    return 1.0 - exp(-0.012 * u_wind * sum * min(t, 70.0) / 4.0);
+    return 1.0 - exp(-0.012 * u_wind * sum * min(t, 70.0) / 3.0);
 }
 
-// The u_place of the visitor, who walks on the ground; over a wide base, so that the u_view does not shake.
+// The place of the visitor, who walks on the ground and looks over the next crest.
 vec3 standing()
 {
     vec2 foot = vec2(u_place, u_walk * u_time - 20.0);
-    float under = 0.0;
-    for (int i = 0; i < 3; ++i) {
-        float ahead = 11.0 * float(i) - 6.0;
-        under = max(under, ground(foot + vec2(0.0, ahead)) - 0.004 * ahead * ahead);
-    }
+    float under = max(ground(foot + vec2(0.0, 4.0)), ground(foot + vec2(0.0, 15.0)) - 0.9);
     return vec3(foot.x, under + 3.6, foot.y);
 }
 

@@ -16,9 +16,9 @@ uniform float u_dust;    // 0 .. 2, default 1, "Dust in the air"
 uniform float u_shine;   // 0.2 .. 3, default 1, "Brightness of the bulb"
 uniform float u_warmth;  // 0 .. 1, default 0.85, "Warmth of the bulb"
 
-#define STEPS 64     // 8 .. 256, default 64, exact 256, "Steps of a ray"
-#define BEAM_STEPS 28 // 2 .. 200, default 28, exact 200, "Steps through the dust"
-#define SAMPLES 2    // 1 .. 4, default 2, exact 4, "Rays along a pixel's side"
+const int steps = 64; // 8 .. 256, default 64, exact 256, "Steps of a ray"
+const int beamSteps = 28; // 2 .. 200, default 28, exact 200, "Steps through the dust"
+const int samples = 2; // 1 .. 4, default 2, exact 4, "Rays along a pixel's side"
 
 const float bulb = 0.13;
 const float ground = -1.42;
@@ -125,7 +125,7 @@ vec3 seen(vec2 pixel, mat3 pose, vec3 glow, vec3 eye, out vec3 ray, out float al
     float bulbInside = b * b - dot(eye, eye) + bulb * bulb;
     float bulbAt = bulbInside > 0.0 ? -b - sqrt(bulbInside) : 1e3;
     end = min(end, bulbAt);
-    for (int i = 0; i < STEPS; ++i) {
+    for (int i = 0; i < steps; ++i) {
         float free = lantern(eye + t * ray, pose);
         if (free < 0.0008) {
             along = t;
@@ -145,8 +145,8 @@ float dust(vec3 eye, vec3 ray, float along, mat3 pose, float shift)
     float b = dot(eye, ray), inside = b * b - dot(eye, eye) + 6.5;
     if (inside < 0.0) return 0.0;
     float begin = max(-b - sqrt(inside), 0.0), end = min(-b + sqrt(inside), along);
-    float stride = max(end - begin, 0.0) / float(BEAM_STEPS), sum = 0.0;
-    for (int i = 0; i < BEAM_STEPS; ++i) {
+    float stride = max(end - begin, 0.0) / float(beamSteps), sum = 0.0;
+    for (int i = 0; i < beamSteps; ++i) {
         vec3 p = eye + (begin + (float(i) + shift) * stride) * ray;
         float r2 = dot(p, p);
         sum += light(p, pose) * smoothstep(6.5, 2.0, r2) / (0.35 + r2);
@@ -161,13 +161,13 @@ void main()
     vec3 eye = vec3(0.0, 0.22, 4.9);
     vec3 color = vec3(0.0), ray;
     float along, near = 1e3;
-    for (int i = 0; i < SAMPLES * SAMPLES; ++i) {
-        vec2 part = (vec2(i % SAMPLES, i / SAMPLES) + 0.5) / float(SAMPLES) - 0.5;
+    for (int i = 0; i < samples * samples; ++i) {
+        vec2 part = (vec2(i % samples, i / samples) + 0.5) / float(samples) - 0.5;
         vec3 light = seen(gl_FragCoord.xy + part, pose, glow, eye, ray, along);
         color += 1.0 - exp(-1.4 * light);
         near = min(near, along);
     }
-    color /= float(SAMPLES * SAMPLES);
+    color /= float(samples * samples);
     // A fixed pattern of shifts, so that nothing flickers.
     float shift = fract(52.9829189 * fract(dot(floor(gl_FragCoord.xy), vec2(0.06711056, 0.00583715))));
     vec3 veil = 1.0 - exp(-0.19 * u_dust * glow * dust(eye, ray, near, pose, shift));
