@@ -120,7 +120,7 @@ float hit(vec3 eye, vec3 ray)
         t += max(0.65 * free, (0.004 + 0.0001 * float(i)) * t);
     }
     // A ray that is out of steps has nearly arrived, except in the sky.
-    return t < farthest && ray.y < 0.0 ? t : farthest;
+    return t < farthest && (ray.y < 0.0 || freeBefore < 0.012 * t) ? t : farthest;
 }
 
 // Share of the sun that a point of the ground sees.
@@ -150,7 +150,7 @@ vec2 rippled(vec2 p, vec3 n, float width)
 
 vec3 sandColor(vec3 p, vec3 ray, float t, vec3 sun)
 {
-    float e = 0.02 + 0.0012 * t;
+    float e = 0.02 + 1.7 * t / u_resolution.y;
     float here = ground(p.xz);
     vec3 n = normalize(vec3(here - ground(p.xz + vec2(e, 0.0)), e, here - ground(p.xz + vec2(0.0, e))));
     float smoothLight = dot(n, sun);
