@@ -160,17 +160,18 @@ void main()
     vec3 glow = u_shine * mix(vec3(0.62, 0.80, 1.10), vec3(1.08, 0.52, 0.17), u_warmth);
     vec3 eye = vec3(0.0, 0.22, 4.9);
     vec3 color = vec3(0.0), ray;
-    float along, near = 1e3;
+    float along, reach = 0.0;
     for (int i = 0; i < samples * samples; ++i) {
         vec2 part = (vec2(i % samples, i / samples) + 0.5) / float(samples) - 0.5;
         vec3 light = seen(gl_FragCoord.xy + part, pose, glow, eye, ray, along);
         color += 1.0 - exp(-1.4 * light);
-        near = min(near, along);
+        reach += along;
     }
     color /= float(samples * samples);
+    reach /= float(samples * samples);
     // A fixed pattern of shifts, so that nothing flickers.
     float shift = fract(52.9829189 * fract(dot(floor(gl_FragCoord.xy), vec2(0.06711056, 0.00583715))));
-    vec3 veil = 1.0 - exp(-0.19 * u_dust * glow * dust(eye, ray, near, pose, shift));
+    vec3 veil = 1.0 - exp(-0.19 * u_dust * glow * dust(eye, ray, reach, pose, shift));
     color = 1.0 - (1.0 - color) * (1.0 - veil);
     color = pow(color, vec3(1.0 / 2.2));
     color = mix(color, color * color * (3.0 - 2.0 * color), 0.55) + (shift - 0.5) / 255.0;
