@@ -68,6 +68,8 @@ documents()
     presets pixel_art 480x270 pixel-art- reference handheld-of-1989 console-of-1983 low-sun
     picture pixel-art-isle pixel_art --alone --size 960x540
     samples=16
+    picture your-shader your_shader --size 960x540
+    presets your_shader 480x270 your-shader- gyroid-lantern dunes rose-window agate circle-limit ink
 }
 
 # The window's list shows the thumbnails: their sum says which ones it showed.

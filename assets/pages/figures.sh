@@ -47,3 +47,9 @@ figure paper_lanterns-picture paper_lanterns --alone
 figure paper_lanterns-one paper_lanterns --alone --preset one-lantern
 figure paper_lanterns-thin paper_lanterns --alone --set lanterns=400 --set spacing=6 --set paperThickness=0.2
 figure paper_lanterns-thick paper_lanterns --alone --set lanterns=400 --set spacing=6 --set paperThickness=8
+figure your_shader-dunes your_shader --alone --preset dunes
+figure your_shader-lantern your_shader --alone --preset gyroid-lantern
+figure your_shader-ink your_shader --alone --preset ink
+figure your_shader-circle your_shader --alone --preset circle-limit
+figure your_shader-few your_shader --alone --preset dunes --set steps=20
+figure your_shader-many your_shader --alone --preset dunes --set steps=400

@@ -42,6 +42,35 @@ vec3 inkOf(int drop, int count)
     return mix(first_ink.rgb, last_ink.rgb, share);
 }
 
+float random(vec2 cell)
+{
+    vec3 q = fract(vec3(cell.xyx) * vec3(0.1031, 0.1030, 0.0973));
+    q += dot(q, q.yzx + 33.33);
+    return fract((q.x + q.y) * q.z);
+}
+
+float noise(vec2 p)
+{
+    vec2 c = floor(p), f = p - c;
+    f = f * f * (3.0 - 2.0 * f);
+    return mix(mix(random(c), random(c + vec2(1.0, 0.0)), f.x), mix(random(c + vec2(0.0, 1.0)), random(c + vec2(1.0)), f.x), f.y);
+}
+
+// The ink as it dries on paper: pigment gathers along its edges and in the hollows of the grain.
+vec3 onPaper(vec2 at, vec2 p)
+{
+    vec3 taken = IMG_NORM_PIXEL(water, at).rgb;
+    vec2 e = vec2(0.0025 * RENDERSIZE.y / RENDERSIZE.x, 0.0025);
+    vec3 across = IMG_NORM_PIXEL(water, at + vec2(e.x, 0.0)).rgb - IMG_NORM_PIXEL(water, at - vec2(e.x, 0.0)).rgb;
+    vec3 up = IMG_NORM_PIXEL(water, at + vec2(0.0, e.y)).rgb - IMG_NORM_PIXEL(water, at - vec2(0.0, e.y)).rgb;
+    vec3 edges = sqrt(across * across + up * up);
+    float grain = 0.55 * noise(p * 150.0) + 0.30 * noise(p * 330.0) + 0.15 * noise(p * vec2(40.0, 700.0));
+    taken = taken * (1.0 + 0.35 * (grain - 0.5) * exp(-0.6 * taken)) + 0.9 * edges * exp(-1.5 * taken);
+    vec3 paper = vec3(0.965, 0.95, 0.915) * (1.0 - 0.12 * dot(at - 0.5, at - 0.5)) * (0.985 + 0.03 * grain);
+    // On black, the ink is light.
+    return on_black ? (1.0 - exp(-1.6 * taken)) * (0.9 + 0.2 * grain) + 0.012 : paper * exp(-taken);
+}
+
 void main()
 {
     vec2 at = isf_FragNormCoord;
@@ -60,8 +89,5 @@ void main()
         gl_FragColor = vec4(clear ? vec3(0.0) : taken, 1.0);
         return;
     }
-    vec3 taken = IMG_NORM_PIXEL(water, at).rgb;
-    vec3 paper = vec3(0.965, 0.95, 0.915) * (1.0 - 0.12 * dot(at - 0.5, at - 0.5));
-    vec3 color = on_black ? 1.0 - exp(-taken) : paper * exp(-taken);
-    gl_FragColor = vec4(color, 1.0);
+    gl_FragColor = vec4(onPaper(at, p), 1.0);
 }

@@ -20,8 +20,7 @@ public:
     }
     [[nodiscard]] std::string_view tryThis() const override { return "name a file of yours, or load a preset."; }
     [[nodiscard]] int place() const override { return 10; }
-    /// It has no lesson and no page yet.
-    [[nodiscard]] bool isComplete() const override { return false; }
+    [[nodiscard]] bool isComplete() const override { return true; }
     [[nodiscard]] const Table& parameters() const override { return table_; }
     [[nodiscard]] render::Box bounds(const ParameterValues&) const override;
     [[nodiscard]] bool surrounds(const ParameterValues&) const override { return true; }

@@ -12,8 +12,11 @@
 #include "tests/support/temporary_folder.h"
 
 #include <array>
+#include <filesystem>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace vitrine {
 namespace {
@@ -50,6 +53,19 @@ public:
         const auto row = shot.values().table().find(name);
         ASSERT_TRUE(row) << name;
         shot.values().setRow(*row, value);
+    }
+    /// Copies the shaders of the folder "shadertoy" with a picture, shows one of them, and returns the problems.
+    std::string showOurs(const char* file)
+    {
+        const std::filesystem::path ours = folder / "shadertoy";
+        std::filesystem::copy(VITRINE_SOURCE_DIR "/tests/exhibits/your_shader/shadertoy", ours,
+                              std::filesystem::copy_options::skip_existing);
+        const auto redRightGreenBelow = [](int x, int y, int c) {
+            return c == 0 ? static_cast<float>(x) : c == 1 ? static_cast<float>(y) : 0;
+        };
+        render::writePicture(ours / "four.png", made(2, 2, redRightGreenBelow), render::PictureFormat::png8);
+        set("file", (ours / file).string());
+        return read();
     }
     /// Returns the display value of a pixel, 0 to 255; rows count from the bottom.
     static std::array<int, 3> code(const Picture& picture, int x, int y)
@@ -137,6 +153,51 @@ TEST_F(YourShaderPictures, OfShadertoyCodeAreItsFormula)
     EXPECT_EQ(own.codeAt(5, 9), (Codes{21, 25, 63}));
     own.set("mouseDown", 1.0);
     EXPECT_EQ(own.codeAt(5, 9), (Codes{12, 8, 63}));
+}
+
+TEST_F(YourShaderPictures, OfEachFeatureOfShadertoyAreItsFormula)
+{
+    struct Expected {
+        const char* file;
+        std::vector<std::pair<const char*, double>> settings;
+        Codes at5And9;
+    };
+    // The pictures have 24 x 16 pixels, and 60 steps a second. The files say what each channel shows.
+    const std::vector<Expected> all{
+        {"image.glsl", {}, {5, 9, 40}},
+        {"date.glsl", {{"moment", 7200}}, {26, 1, 14}},
+        {"time_delta.glsl", {{"moment", 1}}, {100, 60, 10}},
+        {"frame.glsl", {{"moment", 33 / 60.0}}, {33, 1, 0}},
+        {"mouse.glsl", {{"mouseX", 0.25}, {"mouseY", 0.5}, {"mouseDown", 1}}, {6, 8, 1}},
+        {"sliders.glsl", {{"count", 5}}, {7 + 5, 10 + 4 + 5, 1 + 2 + 3}},
+        {"texture.glsl", {}, {2, 255, 255}},
+        {"include.glsl", {}, {5, 9, 77}},
+        {"es300.glsl", {}, {5 + 11 + 9, 84, 2 + 2 * 5}},
+        {"feedback.json", {{"moment", 3 / 60.0}}, {1024 / 8, 0, 0}},
+        {"buffers.json", {}, {7 * (5 + 3 * 2), 7 * (5 + 3 * 5), 2}},
+        {"common.json", {}, {40 + 2 * 5, 40 + 2 * 9, 0}},
+        {"earlier_buffer.json", {{"moment", 5 / 60.0}}, {2 * 4, 2 * 5, 0}},
+        {"keyboard.json", {}, {0, 0, 9}},
+    };
+    for (const Expected& expected : all) {
+        SCOPED_TRACE(expected.file);
+        ShaderShot own;
+        ASSERT_EQ(own.showOurs(expected.file), "");
+        for (const auto& [name, value] : expected.settings) own.set(name, value);
+        EXPECT_EQ(own.codeAt(5, 9), expected.at5And9);
+    }
+}
+
+TEST_F(YourShaderPictures, NameWhatOfShadertoyIsNotDrawn)
+{
+    for (const auto& [file, word] : {std::pair("cube_map.json", "“iChannel0” is a samplerCube"),
+                                     std::pair("cube_buffer.json", "“iChannel1” is a samplerCube"),
+                                     std::pair("volume.json", "“iChannel2” is a sampler3D")}) {
+        ShaderShot own;
+        EXPECT_NE(own.showOurs(file).find(std::string(word) + "; cube maps and volumes are not drawn yet"),
+                  std::string::npos)
+            << file;
+    }
 }
 
 TEST_F(YourShaderPictures, ShowAFileWithItsLowerRowBelow)

@@ -1,0 +1,4 @@
+vec4 tint(vec2 at)
+{
+    return vec4(floor(at), 77.0, 255.0) / 255.0;
+}
