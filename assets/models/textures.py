@@ -137,24 +137,26 @@ def plaster(n=512):
 
 
 def travertine(n=512):
-    warp = 0.022 * noise(n, 2, 31, 3) + 0.008 * noise(n, 12, 32, 2)
+    # Cut across the bed: fine level layers, of which few differ much, and clouds of calcite between them.
+    warp = 0.006 * noise(n, 2, 31, 2) + 0.003 * noise(n, 10, 32, 3)
     y = (np.mgrid[0:n, 0:n][0] + 0.5) / n
     rng = np.random.default_rng(33)
     line = np.zeros(4096)
-    for f in range(3, 60):
-        line += rng.standard_normal() / f ** 0.55 * np.sin(2 * np.pi * (f * np.arange(4096) / 4096 + rng.random()))
+    for f in range(5, 90):
+        line += rng.standard_normal() / f ** 0.35 * np.sin(2 * np.pi * (f * np.arange(4096) / 4096 + rng.random()))
     line /= line.std()
-    band = np.take(line, ((y + warp) * 4096).astype(int) % 4096)
-    fine = noise(n, 5, 34, 4, stretch=(1, 9))
-    t = np.clip(0.5 + 0.26 * band + 0.16 * fine, 0, 1)
-    color = mix((0.46, 0.36, 0.255), (0.68, 0.60, 0.49), t)
-    rust = np.clip(noise(n, 2, 35, 4, stretch=(1, 4)) - 0.7, 0, 1)
-    color = color * (1 - np.stack([0.05 * rust, 0.16 * rust, 0.26 * rust], -1))
-    # Pits: elongated holes that follow the darker bands.
-    pits = 0.8 * noise(n, 44, 36, 2, stretch=(1, 2.6)) + 0.6 * noise(n, 9, 39, 2, stretch=(1, 4))
-    holes = np.clip((pits - 1.75 + 1.3 * (0.5 - t)) * 2.2, 0, 1)
-    color *= (1 - 0.5 * holes)[..., None]
-    height = -0.0011 * blur(holes, 0.6) + 0.00010 * fine + 0.00007 * noise(n, 120, 38)
+    band = np.take(line, ((y + warp) * 4096).astype(int) % 4096) * (0.6 + 0.4 * np.clip(noise(n, 3, 30, 2), -1, 1))
+    fine = noise(n, 9, 34, 5, stretch=(1, 4))
+    grain = noise(n, 150, 40, 2)
+    t = np.clip(0.5 + 0.13 * band + 0.14 * fine + 0.05 * grain, 0, 1)
+    color = mix((0.47, 0.385, 0.29), (0.65, 0.555, 0.44), t)
+    rust = np.clip(noise(n, 2, 35, 4, stretch=(1, 4)) - 0.9, 0, 1)
+    color = color * (1 - np.stack([0.03 * rust, 0.09 * rust, 0.15 * rust], -1))
+    # Pits: small elongated holes, in the darker layers and in groups.
+    pits = 0.8 * noise(n, 80, 36, 2, stretch=(1, 2.0)) + 0.5 * noise(n, 7, 39, 2, stretch=(1, 3))
+    holes = np.clip((pits - 1.7 + 1.5 * (0.5 - t)) * 2.4, 0, 1)
+    color *= (1 - 0.42 * holes)[..., None]
+    height = -0.0008 * blur(holes, 0.5) + 0.00006 * fine + 0.00003 * grain
     rough = np.clip(0.42 + 0.05 * fine * 0.5 + 0.35 * holes, 0.3, 0.9)
     save("travertine", color, height, 1 - 0.6 * holes, rough)
 

@@ -1,6 +1,7 @@
 #include "exhibits/hall/hall.h"
 
 #include "exhibits/hall/plaque_text.h"
+#include "exhibits/hall/spotlights.h"
 #include "exhibits/kit/panorama.h"
 #include "render/hash.h"
 
@@ -29,6 +30,11 @@ std::vector<StudyView> Hall::studyViews(const ParameterValues& values) const
             {"along the floor", {{4.6, 0.45, 2.5}, {-2.5, 0.35, -9}, 0.959931}, 0, values},
             {"up into the vault", {{-2.2, 1.65, 5.5}, {0.6, 7.2, -3}, 1.047198}, 0, values},
             {"into the window", {{1.2, 1.65, -5.5}, {-0.4, 3.6, -12}, 0.959931}, 0, values}};
+}
+
+std::vector<render::LocalLight> Hall::localLights(const ExhibitState& state) const
+{
+    return spotlights(*model_, exhibits_, table_, state.values);
 }
 
 std::shared_ptr<const PreparedHall> Hall::prepare(const ParameterValues& values, render::AssetStore& assets) const

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "exhibits/framework/scene/capabilities.h"
 #include "exhibits/framework/scene/scene_object.h"
 #include "exhibits/hall/hall_scene.h"
 #include "exhibits/hall/hall_table.h"
@@ -9,7 +10,7 @@
 namespace vitrine {
 
 /// The building: light, walls, shadows, reflections and tone mapping.
-class Hall final : public SceneObject {
+class Hall final : public SceneObject, public HasLocalLights {
 public:
     /// Creates the hall with these exhibits in it. Throws Failure (ErrorKind::file) if the font of the plaques cannot
     /// be read.
@@ -22,6 +23,9 @@ public:
     [[nodiscard]] render::Box bounds(const ParameterValues&) const override;
     [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;
     [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;
+
+    [[nodiscard]] std::vector<render::LocalLight> localLights(const ExhibitState&) const override;
+    [[nodiscard]] bool lightsChange(const ExhibitState&) const override { return false; }
 
     /// Reads the user's panorama and objects. Thread-safe.
     [[nodiscard]] std::shared_ptr<const PreparedHall> prepare(const ParameterValues&, render::AssetStore&) const;

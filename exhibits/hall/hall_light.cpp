@@ -3,6 +3,8 @@
 #include "exhibits/framework/table/derive.h"
 #include "exhibits/hall/sun.h"
 #include "exhibits/hall/walk.h"
+#include "exhibits/kit/clear_sky.h"
+#include "exhibits/kit/sky_view.h"
 #include "render/hash.h"
 #include "shaders/lib/bindings.glsl"
 
@@ -73,15 +75,44 @@ double largest(const glm::vec3& color)
 }
 
 /// Returns an upper bound of the radiance of sky, panorama and studio, and of the walls lit by them and by the sun.
-/// `bounced` is the largest bounced light in the air for a sun of irradiance 1.
-double brightestAround(const HallScene& scene, const LightBlock& light, double bounced)
+/// `skyBrightest` is the largest radiance of the clear sky, `bounced` the largest bounced light in the air for a sun of
+/// irradiance 1.
+double brightestAround(const HallScene& scene, const LightBlock& light, double skyBrightest, double bounced)
 {
     if (scene.alone) return scene.environment ? scene.environmentBrightest : brightestOfStudio;
-    const double sky = std::max(largest(light.skyZenith), largest(light.skyHorizon)) + 1.35 * largest(light.skySunward);
+    const double sky = std::max({largest(light.skyZenith), largest(light.skyHorizon), skyBrightest}) +
+                       0.35 * largest(light.skySunward);
     const double sun = largest(light.sunIrradiance);
     // The sky's lightmap contains 0 to 1 times its scale. Around the sun the sky glows (lib/sky.glsl).
     const double baked = sky * static_cast<double>(light.skyLightmapScale) + sun * bounced;
     return std::max(scene.environment ? scene.environmentBrightest : sky + 0.35 * sun, baked + mostReflected * sun);
+}
+
+/// Returns the light of the clear sky outside. Set by angles, a sky is as bright under any sun; by the hour, it dims.
+SkySource skySource(const HallScene& scene, const Sun& sun)
+{
+    /// Scale that makes the sky in the window as bright as the light that falls in from it.
+    constexpr double perStrength = 14;
+    constexpr double initialTemperature = 9500;
+    constexpr double hazeOutside = 2;  // It makes the sky around a low sun glow.
+    const glm::dvec3 luminance(0.2126, 0.7152, 0.0722);
+    const HallTable& table = scene.table;
+    const ParameterValues& values = scene.values;
+    SkySource source{.sunElevation = sun.elevation, .haze = hazeOutside};
+    source.sun = blackBodyColor(values[table.skyTemperature]) / blackBodyColor(initialTemperature) *
+                 (perStrength * values[table.skyStrength]);
+    if (values[table.sunBy] == SunBy::hour) {
+        // Eyes that have adapted to the lamps see the evening sky darker, and its colors deeper.
+        source.sun *= 1 - 0.65 * lampsShareAt(sun.elevation);
+        source.night = moonlitSky * source.sun * 0.05;
+        return source;
+    }
+    const auto around = [&](double elevation) {
+        const ClearSky sky(elevation, hazeOutside);
+        return glm::dot(luminance, sky.radiance(0.2, 0.4) + sky.radiance(0.2, 1.6));
+    };
+    source.sun *= around(referenceSunElevation) / around(sun.elevation);
+    return source;
 }
 
 /// Returns the exposure to which the eye is adapted: in the hall, or in the studio.
@@ -211,7 +242,13 @@ SceneLighting sceneLighting(const HallScene& scene, bool runEverything)
     result.sunShare = source.strength / std::get<double>(table.rows()[table.sunStrength.row].initial);
     result.lampLight = lampBound(scene, vaultLampsOf(table, values));
     result.hasLampLight = !scene.alone && (runEverything || !result.lampLight.isZero());
-    result.brightest = brightestAround(scene, light, bounced) + result.lampLight.absolute;
+    double skyBrightest = 0;
+    if (result.background == BACKGROUND_SKY) {
+        const std::shared_ptr<const SkyView> sky = skyView(skySource(scene, source));
+        result.inputs.push_back({UNIT_ENVIRONMENT, sky->radiance});
+        skyBrightest = sky->brightest;
+    }
+    result.brightest = brightestAround(scene, light, skyBrightest, bounced) + result.lampLight.absolute;
     const std::optional<render::LocalLighting> lamps = probeLamps(scene);
     result.probeLight = render::boundOf(
         0, mostAmbient, {{result.brightest + (lamps ? mostRadianceBy(*lamps) : 0), "there is no light to reflect"}});

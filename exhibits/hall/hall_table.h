@@ -138,9 +138,16 @@ struct HallTable final : Parameters {
     Choice<LampsLit> lamps = choice("lamps", LampsLit::automatic, {"automatic", "on", "off"},
                                     "When the lamps in the vault are lit: automatically while the sun is lower than "
                                     "eight degrees, always, or never.");
-    Real lampStrength = real("lampStrength", 1.0, none, Range{0, 1000}.soft(0, 4),
-                             "Strength of the lamps in the vault: 0 is a dark night, 1 is enough to read by.",
-                             when(lamps, {LampsLit::on, LampsLit::automatic}));
+    Real spotStrength =
+        real("spotStrength", 1.0, none, Range{0, 1000}.soft(0, 4),
+             "Strength of the spotlights on the exhibits, which shine with the lamps: 0 leaves the even light of the "
+             "vault, high makes pools of light.",
+             when(lamps, {LampsLit::on, LampsLit::automatic}));
+    Real lampStrength =
+        real("lampStrength", 1.0, none, Range{0, 1000}.soft(0, 6),
+             "Strength of the lamps in the vault: 0 leaves the spotlights alone, 1 is a dim background, 5 lights "
+             "the whole hall evenly.",
+             when(lamps, {LampsLit::on, LampsLit::automatic}));
     Real lampTemperature =
         real("lampTemperature", 4300, kelvin, Range{1000, 20000}.soft(1800, 6500),
              "Color temperature of the lamps: low is candlelight, high is bluish.", whenAbove(lampStrength, 0));

@@ -15,9 +15,6 @@ constexpr double latitude = 48 * degree;
 constexpr double windowAzimuth = 70.6 * degree;
 /// Strength above the air that makes the light at four o'clock as strong as the hall's initial sun.
 constexpr double strengthAboveAir = 7.5;
-/// Light of the sky at night relative to four o'clock: moonlight, brighter than in reality, as eyes adapted to the dark
-/// see it.
-const glm::dvec3 moonlitSky{0.011, 0.015, 0.024};
 
 }  // namespace
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "exhibits/framework/table/parameters.h"
-#include "exhibits/hall/clear_sky.h"
 #include "exhibits/hall/hall_table.h"
+#include "exhibits/hall/sky_tint.h"
 
 #include <glm/glm.hpp>
 
@@ -20,6 +20,10 @@ struct Sun {
 };
 
 [[nodiscard]] Sun sunOf(const HallTable&, const ParameterValues&);
+
+/// Radiance of the moonlit sky at night relative to that at the initial sun, brighter than in reality, as eyes adapted
+/// to the dark see it.
+inline constexpr glm::dvec3 moonlitSky{0.011, 0.015, 0.024};
 
 /// Returns the clear sky for a sun set by the hour, `sunElevation` radians above the horizon. At night it is the sky in
 /// moonlight.

@@ -10,8 +10,8 @@
 namespace vitrine {
 namespace {
 
-/// Radiance of a lamp of strength 1. Walls at night are then about half as bright as in the shade by day.
-constexpr double radianceOfLamp = 4.5;
+/// Radiance of a lamp of strength 1. The vault is then a dim background for the pools of the spotlights.
+constexpr double radianceOfLamp = 1.1;
 
 }  // namespace
 
@@ -24,18 +24,17 @@ double lampsShareAt(double sunElevation)
 VaultLamps vaultLampsOf(const HallTable& table, const ParameterValues& values)
 {
     VaultLamps lamps;
-    double share = 0;
     switch (values[table.lamps]) {
     case LampsLit::automatic:
-        share = lampsShareAt(sunOf(table, values).elevation);
-        if (share <= 0) lamps.whyDark = "the sun is too high for lamps";
+        lamps.share = lampsShareAt(sunOf(table, values).elevation);
+        if (lamps.share <= 0) lamps.whyDark = "the sun is too high for lamps";
         break;
-    case LampsLit::on: share = 1; break;
+    case LampsLit::on: lamps.share = 1; break;
     case LampsLit::off: lamps.whyDark = "the lamps are switched off"; break;
     }
     const double strength = values[table.lampStrength];
     if (lamps.whyDark.empty() && !(strength > 0)) lamps.whyDark = "the strength of the lamps is 0";
-    lamps.radiance = blackBodyColor(values[table.lampTemperature]) * (radianceOfLamp * strength * share);
+    lamps.radiance = blackBodyColor(values[table.lampTemperature]) * (radianceOfLamp * strength * lamps.share);
     return lamps;
 }
 

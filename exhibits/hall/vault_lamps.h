@@ -14,6 +14,7 @@ namespace vitrine {
 
 /// Current state of the lamps in the coffers of the vault.
 struct VaultLamps {
+    double share = 0;            ///< Share of their full brightness by the hour, 0 to 1; that of the spotlights, too.
     glm::dvec3 radiance{0};      ///< Radiance of their glass in all directions; linear Rec. 709, in the hall's units.
     std::string_view whyDark{};  ///< Why they do not shine: part of a sentence in the frame report.
 };

@@ -167,8 +167,12 @@ void Noise::plan(const PlanContext& context, render::FramePlan& plan) const
                 : field && values[t.march] == NoiseMarch::bounded && values[t.fieldNoise] == NoiseLookup::baked);
     const WorkShader shader = shaderOf(work);
     render::Pass pass = portalPass(shader.name, "in view", values, shader.fragment, noisePortal(t, values), context);
-    pass.blocks[BLOCK_EXHIBIT] = render::std140Bytes(
-        noiseBlock(t, values, noiseTime(t, values, context.time), towardsSunOf(t, context), plan.sample));
+    const glm::dvec3 towardsSun = towardsSunOf(t, context);
+    NoiseBlock block = noiseBlock(t, values, noiseTime(t, values, context.time), towardsSun, plan.sample);
+    const std::shared_ptr<const SkyView> sky = noiseSky(t, values, towardsSun);
+    lightBy(*sky, block);
+    pass.blocks[BLOCK_EXHIBIT] = render::std140Bytes(block);
+    pass.inputs.push_back({UNIT_ENVIRONMENT, sky->radiance});
     addPermutation(t, values, pass);
     if (clouds) pass.inputs.push_back({UNIT_EXHIBIT_B, blueNoise()});
     if (baked) {

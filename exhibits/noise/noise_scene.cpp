@@ -100,6 +100,37 @@ void setSea(const NoiseTable& t, const ParameterValues& values, double seconds, 
     block.skyTime = static_cast<float>(wrapped(0.004 * seconds, NOISE_PERIOD));
 }
 
+/// Returns the number of standard deviations that a normal variable exceeds with this probability, at most one half.
+/// Abramowitz and Stegun 1964, "Handbook of Mathematical Functions", 26.2.22; off by at most 0.003.
+double exceededWith(double probability)
+{
+    const double t = std::sqrt(-2 * std::log(std::clamp(probability, 1e-12, 0.5)));
+    return t - (2.30753 + 0.27061 * t) / (1 + t * (0.99229 + 0.04481 * t));
+}
+
+/// Sets where waves break: where the horizontal displacement draws the water together. The share of whitecaps at the
+/// initial chop is that of Monahan and O'Muircheartaigh 1980, "Optimal Power-Law Description of Oceanic Whitecap
+/// Coverage", times a factor of the parameter.
+void setFoam(const NoiseTable& t, const ParameterValues& values, NoiseBlock& block)
+{
+    constexpr double shortest = 60;  // Shorter waves than this share of the highest one do not break: wave numbers.
+    const double wind = values[t.windSpeed];
+    const double peak = std::pow(0.877 * 9.81 / (1.026 * wind), 2) / 9.81;
+    block.foamCut = static_cast<float>(1 / std::pow(shortest * peak, 2));
+    double variance = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(block.waves); ++i) {
+        const glm::dvec4 w(block.wave[i]);
+        const double k = glm::length(glm::dvec2(w));
+        const double share = w.z * k / (1 + k * k * static_cast<double>(block.foamCut));
+        variance += 0.5 * share * share;
+    }
+    block.foamDeviation = static_cast<float>(std::sqrt(variance));
+    const double foam = values[t.foam];
+    const double coverage = 3.84e-6 * std::pow(wind, 3.41) * std::exp2(3 * (foam - 0.5));
+    const double initialChop = t.initial()[t.chop];
+    block.foamBelow = foam > 0 ? static_cast<float>(1 - initialChop * exceededWith(coverage) * std::sqrt(variance)) : 0;
+}
+
 void setClouds(const NoiseTable& t, const ParameterValues& values, double seconds, NoiseBlock& block)
 {
     const double angle = values[t.windDirection];
@@ -143,8 +174,33 @@ NoiseBlock noiseBlock(const NoiseTable& t, const ParameterValues& values, double
     block.sampleShift = static_cast<float>(std::fmod(0.6180339887498949 * sample, 1.0));
     setField(t, values, seconds, block);
     setSea(t, values, seconds, block);
+    setFoam(t, values, block);
     setClouds(t, values, seconds, block);
     return block;
+}
+
+std::shared_ptr<const SkyView> noiseSky(const NoiseTable& t, const ParameterValues& values,
+                                        const glm::dvec3& towardsSun)
+{
+    // The parameter is a share of the haze that hides the horizon: 28 times that of clear air.
+    const double haze = values[t.haze];
+    return skyView({.sunElevation = std::asin(std::clamp(towardsSun.y, -1.0, 1.0)), .haze = 1 + 27.7 * haze * haze});
+}
+
+void lightBy(const SkyView& sky, NoiseBlock& block)
+{
+    constexpr double initial = 5;        // Exposure of a day on which the level ground sends `day`.
+    constexpr double day = 0.12;         // Radiance, for sunlight of 1 above the air.
+    constexpr double adaptation = 0.55;  // Share of stops by which the exposure follows the light.
+    const glm::dvec3 luminance(0.2126, 0.7152, 0.0722);
+    const double up = std::max(static_cast<double>(block.sunDirection.y), 0.0);
+    const double level = glm::dot(luminance, sky.above + sky.sun * (up / std::numbers::pi));
+    const double exposure = initial * std::pow(day / std::max(level, 1e-6), adaptation);
+    block.skyScale = static_cast<float>(exposure);
+    block.sunLight = glm::vec3(sky.sun * exposure);
+    block.sunOnClouds = glm::vec3(sky.sunOnClouds * exposure);
+    block.skyAbove = glm::vec3(sky.above * exposure);
+    block.skyAround = glm::vec3(sky.around * exposure);
 }
 
 }  // namespace vitrine

@@ -1,10 +1,13 @@
 #pragma once
 
 #include "exhibits/kit/portal.h"
+#include "exhibits/kit/sky_view.h"
 #include "exhibits/noise/noise_table.h"
 #include "render/glsl/std140.h"
 
 #include <glm/glm.hpp>
+
+#include <memory>
 
 namespace vitrine {
 
@@ -20,5 +23,12 @@ namespace vitrine {
 /// is the number of the supersample.
 [[nodiscard]] NoiseBlock noiseBlock(const NoiseTable&, const ParameterValues&, double seconds,
                                     const glm::dvec3& towardsSun, int sample);
+
+/// Returns the clear sky of the works, for a sun of irradiance 1 above the air.
+[[nodiscard]] std::shared_ptr<const SkyView> noiseSky(const NoiseTable&, const ParameterValues&,
+                                                      const glm::dvec3& towardsSun);
+/// Sets the light of the block. It is exposed as a photographer would: longer at a low sun, so that dusk is darker than
+/// day, but not black.
+void lightBy(const SkyView&, NoiseBlock&);
 
 }  // namespace vitrine

@@ -127,6 +127,9 @@ struct NoiseTable final : Parameters {
     Real backward = real("backward", 0.3, none, {0, 1},
                          "Share of the light that the clouds scatter backward, in a second lobe of the phase function.",
                          inClouds and physical);
+    Real powder = real("powder", 0.6, none, {0, 1},
+                       "Strength of the dark edges of billows that are seen with the sun behind the eye: 0 is none.",
+                       inClouds and physical);
     Count scatterings = count("scatterings", 6, {1, 8},
                               "Number of orders of scattering that are summed (how often light is scattered on its "
                               "way): 1 leaves clouds dark inside, each further one makes them whiter.",

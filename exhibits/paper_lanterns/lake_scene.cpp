@@ -228,6 +228,16 @@ Portal lakePortal(const PaperLanternsTable& t, const ParameterValues& values)
     return portal;
 }
 
+std::shared_ptr<const SkyView> lakeDusk(const PaperLanternsTable& t, const ParameterValues& values)
+{
+    constexpr double lowest = -0.12, highest = -0.03;  // Radians: end of the blue hour, and just after sunset.
+    constexpr double nearHorizon = 0.17;               // Mean luminance.
+    SkySource source{.sunElevation = glm::mix(lowest, highest, values[t.afterglow]), .haze = 2};
+    const double luminance = glm::dot(glm::dvec3(0.2126, 0.7152, 0.0722), skyView(source)->around);
+    source.sun = glm::dvec3(nearHorizon / luminance);
+    return skyView(source);
+}
+
 LakeBlock lakeBlock(const PaperLanternsTable& t, const ParameterValues& values, double seconds, const LakePress& press)
 {
     LakeBlock block;

@@ -1,12 +1,14 @@
 #pragma once
 
 #include "exhibits/kit/portal.h"
+#include "exhibits/kit/sky_view.h"
 #include "exhibits/paper_lanterns/paper_lanterns_table.h"
 #include "render/glsl/std140.h"
 
 #include <glm/glm.hpp>
 
 #include <limits>
+#include <memory>
 #include <type_traits>
 
 namespace vitrine {
@@ -15,6 +17,9 @@ namespace vitrine {
 
 /// Seconds for which a released lantern is visible.
 inline constexpr double releasedFor = 60;
+
+/// Returns the clear sky at a dusk of strength 1: the warmer the afterglow, the higher the sun below the horizon.
+[[nodiscard]] std::shared_ptr<const SkyView> lakeDusk(const PaperLanternsTable&, const ParameterValues&);
 
 /// Returns the position of the lake behind the frame. y is up, and the center of the frame is above the origin; +x and
 /// -z are 45 degrees to the right and left of straight ahead. So the lanes between the cells of the lattice, whose

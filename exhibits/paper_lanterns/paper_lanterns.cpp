@@ -249,7 +249,8 @@ void PaperLanterns::plan(const PlanContext& context, render::FramePlan& plan) co
     if (context.prepared)
         for (const std::string& note : static_cast<const PreparedSky*>(context.prepared)->notes)
             plan.warn("paper_lanterns/panorama", note);
-    if (called.panorama) pass.inputs.push_back({UNIT_ENVIRONMENT, panoramaOf(context.prepared)});
+    pass.inputs.push_back(
+        {UNIT_ENVIRONMENT, called.panorama ? panoramaOf(context.prepared) : lakeDusk(t, values)->radiance});
     plan.add(std::move(pass));
 }
 

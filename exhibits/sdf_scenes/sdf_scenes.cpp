@@ -27,7 +27,7 @@
 namespace vitrine {
 namespace {
 
-constexpr const char* firstScene = "scenes/mercury.json";
+constexpr const char* firstScene = "scenes/dahlia.json";
 
 using scenes::SceneContents;
 using scenes::ShownScene;

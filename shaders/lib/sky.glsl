@@ -2,7 +2,14 @@
 // panorama.
 #include "lib/light.glsl"
 #include "lib/terrain.glsl"
+#ifndef BACKGROUND
+#define BACKGROUND BACKGROUND_SKY
+#endif
+#if BACKGROUND == BACKGROUND_SKY
+#include "lib/sky_view.glsl"
+#else
 #include "lib/panorama.glsl"
+#endif
 
 // A soft box of the studio: a bright rectangle `size` (tangents of half angles) around `center`.
 float softBox(vec3 d, vec3 center, vec2 size)
@@ -31,27 +38,6 @@ vec3 studioRadiance(vec3 d)
     return room + key + rim + fill;
 }
 
-// Clear sky without the sun's disk.
-vec3 clearSky(vec3 d)
-{
-    float up = max(d.y, 0.0);
-    float haze = exp2(-4.0 * up);
-    vec3 sky = mix(light.skyZenith, light.skyHorizon, haze);
-    // The air glows at the horizon above the sun's position, also after sunset.
-    vec2 level = safeNormalize(vec3(d.x, 0.0, d.z), vec3(0.0, 0.0, -1.0)).xz;
-    vec2 sunLevel = safeNormalize(vec3(light.sunDirection.x, 0.0, light.sunDirection.z), vec3(0.0, 0.0, -1.0)).xz;
-    float beside = 0.5 + 0.5 * dot(level, sunLevel);
-    sky += light.skySunward * (beside * beside * exp2(-9.0 * up));
-    // Thin streaks of cloud, so that the window does not look like paper. A low sun colors them.
-    vec2 high = d.xz / (up + 0.12) * 1.7;
-    float streaks = 0.5 + 0.5 * sin(high.x * 1.3 + 1.7 * sin(high.y * 0.7) + 0.6 * sin(high.x * 3.1 - high.y * 1.9));
-    return sky * mix(0.72, 1.0, streaks) + light.skySunward * (0.35 * (1.0 - streaks) * beside * exp2(-3.0 * up));
-}
-
-#ifndef BACKGROUND
-#define BACKGROUND BACKGROUND_SKY
-#endif
-
 #ifndef CAPTURE
 // Transmittance of the panes of a tall old window, for the view only; light that enters the room is not dimmed.
 const float SKY_PANE = 0.4;
@@ -60,11 +46,25 @@ const float SKY_PANE = 1.0;
 #endif
 
 #if BACKGROUND == BACKGROUND_SKY
-// Radiance of the sky alone from the unit vector `d`, through the panes.
+// Clear sky without the sun's disk, with thin streaks of cloud, so that the window does not look like paper. The glow
+// of the air at a low sun colors them.
+vec3 clearSky(vec3 d)
+{
+    float up = max(d.y, 0.0);
+    vec2 level = safeNormalize(vec3(d.x, 0.0, d.z), vec3(0.0, 0.0, -1.0)).xz;
+    vec2 sunLevel = safeNormalize(vec3(light.sunDirection.x, 0.0, light.sunDirection.z), vec3(0.0, 0.0, -1.0)).xz;
+    float beside = 0.5 + 0.5 * dot(level, sunLevel);
+    vec2 high = d.xz / (up + 0.12) * 1.7;
+    float streaks = 0.5 + 0.5 * sin(high.x * 1.3 + 1.7 * sin(high.y * 0.7) + 0.6 * sin(high.x * 3.1 - high.y * 1.9));
+    vec3 glow = light.skySunward * (0.35 * (1.0 - streaks) * beside * exp2(-3.0 * up));
+    return skyViewRadiance(d, light.sunDirection) * mix(0.8, 1.0, streaks) + glow;
+}
+
+// Radiance of the sky alone from the unit vector `d`, through the panes. Haze and panes spread the sun's light around it.
 vec3 skyThroughPanes(vec3 d)
 {
     float toSun = max(dot(d, light.sunDirection), 0.0);
-    return SKY_PANE * (clearSky(d) + light.sunIrradiance * (0.05 * pow(toSun, 24.0) + 0.3 * pow(toSun, 400.0)));
+    return SKY_PANE * (clearSky(d) + light.sunIrradiance * (0.06 * pow(toSun, 14.0) + 0.3 * pow(toSun, 400.0)));
 }
 #endif
 

@@ -56,10 +56,11 @@ float terrainCrowns(vec2 p, float spacing, float size, uint row)
     return nearest;
 }
 
-// Light of hazy air, and light on the ground; `pane` as in behindGrounds.
-vec3 terrainHaze(float pane)
+// Light of hazy air, which glows below a low sun, and light on the ground; `pane` as in behindGrounds.
+vec3 terrainHaze(vec3 d, float pane)
 {
-    return pane * mix(light.skyZenith, light.skyHorizon, 0.8);
+    float towardsSun = 0.5 + 0.5 * dot(safeNormalize(vec3(d.x, 0.0, d.z), vec3(0.0, 0.0, -1.0)), light.sunDirection);
+    return pane * (mix(light.skyZenith, light.skyHorizon, 0.8) + light.skySunward * (towardsSun * towardsSun));
 }
 
 vec3 terrainLight(vec3 d, float pane)
@@ -75,7 +76,7 @@ vec3 behindBlurredGrounds(vec3 sky, vec3 d, float angle, float pane)
     float level = max(length(d.xz), 1e-4);
     vec2 p = vec2(d.x / max(-d.z, 0.2 * level), d.y / level);
     float width = max(angle, 1e-4) * 1.5;
-    vec3 haze = terrainHaze(pane);
+    vec3 haze = terrainHaze(d, pane);
     vec3 lit = terrainLight(d, pane);
     vec3 color = mix(sky, mix(vec3(0.12, 0.12, 0.10) * lit, haze, 0.2), terrainBelow(p.y - 0.04, width));
     float crowns = 0.17 * clamp(abs(p.x) * 7.0 - 0.1, 0.25, 1.0);
@@ -92,7 +93,7 @@ vec3 behindGrounds(vec3 sky, vec3 d, float angle, float pane)
     float level = max(length(d.xz), 1e-4);
     vec2 p = vec2(atan(d.x, -d.z), d.y / level);
     float width = max(angle, 1e-4) * 1.5;
-    vec3 haze = terrainHaze(pane);
+    vec3 haze = terrainHaze(d, pane);
     vec3 lit = terrainLight(d, pane);
     // From far to near, each with less haze than the one behind it.
     float hills = 0.020 + 0.035 * terrainNoise(p.x * 3.0 + 7.0, 21u) + 0.006 * terrainNoise(p.x * 17.0, 22u);

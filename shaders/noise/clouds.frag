@@ -31,12 +31,18 @@ float weatherAt(vec3 p)
     return clamp(parameters.coverage + (wide - 0.5) * 1.5, 0.0, 1.0);
 }
 
+// Height of the clouds' top as a share of that of the layer.
+float cloudTop(float weather)
+{
+    return mix(0.2, 0.98, weather * weather);
+}
+
 // Extinction per meter. `fine`: with eroded edges.
 float cloudDensity(vec3 p, float weather, bool fine)
 {
     float h = p.y / CLOUD_TOP;
     if (h <= 0.0 || h >= 1.0) return 0.0;
-    float top = mix(0.2, 0.98, weather * weather);
+    float top = cloudTop(weather);
     // Above its top there is no cloud, for any noise value.
     if (h >= top) return 0.0;
     float profile = smoothstep(0.0, 0.09, h) * (1.0 - smoothstep(0.35 * top, top, h));
@@ -45,7 +51,10 @@ float cloudDensity(vec3 p, float weather, bool fine)
     if (d <= 0.0) return 0.0;
     d = min(d, 1.0);
     if (fine && parameters.erosion > 0.0) {
-        float edges = noiseOfClouds(p + work.fineShift, CLOUD_FINE_REPEAT).y;
+        vec3 q = p + work.fineShift;
+        float edges = noiseOfClouds(q, CLOUD_FINE_REPEAT).y;
+        // Finer octaves of the same noise, in a period that divides that of the others.
+        edges = mix(edges, noiseOfClouds(q, CLOUD_FINE_REPEAT / 4.0).y, 0.2);
         // Wisps at the bottom, lumps at the top.
         float eaten = mix(edges, 1.0 - edges, clamp(h * 4.0, 0.0, 1.0));
         d = clamp((d - parameters.erosion * eaten * (1.0 - 0.5 * d)) / (1.0 - 0.5 * parameters.erosion), 0.0, 1.0);
@@ -72,14 +81,33 @@ float depthToSun(vec3 p, float weather, float shift, int count)
     return depth;
 }
 
-vec3 ground(PortalRay ray)
+float hazeReach()
+{
+    return mix(60000.0, 7000.0, sqrt(parameters.haze));
+}
+
+// Sky, and below it a sea that mirrors it. The clouds' shadow on the sea is that of their cover.
+vec3 behindClouds(PortalRay ray)
 {
     vec3 d = ray.direction;
-    vec3 sky = skyLight(d) + sunDisk(d);
-    if (d.y >= 0.0) return sky;
-    float t = (CLOUD_GROUND - ray.origin.y) / min(d.y, -1e-4);
-    vec3 color = vec3(0.03, 0.055, 0.075) * (skyAmbient(1.0) + sunLight() * max(work.sunDirection.y, 0.0) * 0.3183);
-    return throughAir(color, d, max(t, 0.0), mix(60000.0, 8000.0, sqrt(parameters.haze)));
+    if (d.y >= 0.0) return skyLight(d) + sunDisk(d, ray.footprint);
+    float t = max((CLOUD_GROUND - ray.origin.y) / min(d.y, -1e-4), 0.0);
+    vec3 p = ray.origin + d * t;
+    // Gusts roughen the water in patches.
+    float slopes = 0.012 + 0.05 * smoothstep(0.3, 0.7, noiseOfClouds(vec3(p.x, 900.0, p.z) + work.fineShift, 3.0 * CLOUD_FINE_REPEAT).x);
+    vec3 up = vec3(0.0, 1.0, 0.0);
+    float fresnel = schlick(clamp(-d.y + 0.55 * sqrt(slopes), 0.0, 1.0), 0.02);
+    vec3 mirrored = normalize(vec3(d.x, -d.y + 0.9 * sqrt(slopes), d.z));
+    vec3 above = p + work.sunDirection * ((0.3 * CLOUD_TOP - p.y) / max(work.sunDirection.y, 0.15));
+    float sunny = 1.0 - 0.85 * smoothstep(0.35, 0.75, weatherAt(above));
+    vec3 sun = sunLight() * sunny;
+    vec3 color = vec3(0.012, 0.04, 0.055) * (skyAmbient(1.0) + sun * (max(work.sunDirection.y, 0.0) * 0.3183));
+    vec3 met = p + mirrored * ((0.3 * CLOUD_TOP - p.y) / mirrored.y);
+    float clouded = smoothstep(0.4, 0.8, weatherAt(met));
+    vec3 cloud = skyAmbient(0.0) * 0.6 + sun * 0.05;
+    color = mix(color, mix(skyLight(mirrored), cloud, 0.7 * clouded), fresnel);
+    color += sun * (sunGlitter(up, -d, slopes) * max(work.sunDirection.y, 0.0));
+    return throughAir(color, d, t, hazeReach());
 }
 
 PortalSeen ourClouds(PortalRay ray)
@@ -91,7 +119,7 @@ PortalSeen ourClouds(PortalRay ray)
     float b = (CLOUD_TOP - ray.origin.y) / rise;
     float first = max(max(min(a, b), ray.start), 0.0);
     float end = min(max(a, b), CLOUD_FARTHEST);
-    vec3 behind = ground(ray);
+    vec3 behind = behindClouds(ray);
     seen.radiance = behind;
     if (!(end > first)) return seen;
 
@@ -111,9 +139,9 @@ PortalSeen ourClouds(PortalRay ray)
     float begun = shift;
     // Up to three times `cloudSteps`, because steps inside clouds are shorter.
     for (int i = 0; i < 3 * parameters.cloudSteps && through > 0.01 && t < end; ++i) {
-        // A stride of twice the root of the distance covers the whole ray in `cloudSteps` steps; inside a cloud it is
-        // about a third.
-        float stretch = max(2.0 * sqrt((end - first) * (t - first)), 60.0) / float(parameters.cloudSteps) + 4.0;
+        // A stride of twice the root of the distance would cover the whole ray in `cloudSteps` steps. Shorter ones miss
+        // fewer thin clouds; inside a cloud they are about a third.
+        float stretch = max(1.6 * sqrt((end - first) * (t - first)), 50.0) / float(parameters.cloudSteps) + 4.0;
         if (fineLeft > 0.0) stretch *= 0.35;
         stretch = min(stretch * begun, end - t);
         float at = t + stretch;
@@ -135,9 +163,11 @@ PortalSeen ourClouds(PortalRay ray)
         begun = 1.0;
         t = at;
         float h = p.y / CLOUD_TOP;
-        vec3 source = sun * cloudSunlight(cosine, toSun, parameters.forward, parameters.backward, parameters.scatterings);
-        // Sky light from above, weaker deep inside; light reflected from ground and haze from below.
-        source += mix(below, above, smoothstep(0.0, 0.8, h)) * mix(1.0, 0.35, clamp(density / parameters.density, 0.0, 1.0));
+        float sunlit = cloudSunlight(cosine, toSun, parameters.forward, parameters.backward, parameters.scatterings);
+        vec3 source = sun * (0.95 * sunlit * cloudPowder(toSun + 25.0 * density, cosine, parameters.powder));
+        // Sky light from above, weaker under the rest of the cloud; light reflected from sea and haze from below.
+        float over = exp(-0.12 * density * max(CLOUD_TOP * cloudTop(weather) - p.y, 0.0));
+        source += mix(below, above, smoothstep(0.0, 0.8, h)) * mix(0.22, 0.9, over);
         vec3 glow = source * density;
 #ifdef EVEN_STEPS
         float depth = density * stretch;
@@ -160,8 +190,7 @@ PortalSeen ourClouds(PortalRay ray)
     // The remaining transmittance at the step limit counts as 0.
     through = through > 0.01 ? (through - 0.01) / 0.99 : 0.0;
     if (weight > 0.0) {
-        float reach = mix(60000.0, 7000.0, sqrt(parameters.haze));
-        sum = throughAir(sum / weight, d, distance / weight, reach) * weight;
+        sum = throughAir(sum / weight, d, distance / weight, hazeReach()) * weight;
         seen.distance = through < 0.5 ? distance / weight : 1e20;
     }
     seen.radiance = sum + behind * through;

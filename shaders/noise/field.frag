@@ -7,11 +7,11 @@
 const float FIELD_FARTHEST = 60.0;
 const float LEAST_LOOKED_STRIDE = 0.002;  // cells: for shorter strides, evaluating the noise is faster
 
-// Widened free space: positive in a cone around the entry ray, so that nothing is directly in front of the eye. From
-// the reference.
+// Widened free space: positive around the entry of the ray, so that nothing is directly in front of the eye. As in the
+// reference, but beginning farther away: tips of blobs near the eye would be flat ovals against the light.
 float clearing(float t)
 {
-    return clamp(1.0 - t * CLEARING_SLOPE, 0.0, 1.0);
+    return clamp(1.4 - t * CLEARING_SLOPE, 0.0, 1.0);
 }
 
 // Advances the ray through empty space by lookups alone, without evaluating noise.
@@ -149,9 +149,12 @@ FieldSearch searchStep(FieldSearch s, PortalRay ray, const bool looked)
     return searchFurther(s, fieldAt(searchPoint(s, ray, footprint), direction, width, clear, all, looked), ray, footprint);
 }
 
+// Air behind the field: the sky, continued below the horizon. The clearer the air, the darker it is: against deep
+// shadow, thin parts glow.
 vec3 backdrop(vec3 d)
 {
-    return mix(skyLight(normalize(vec3(d.x, abs(d.y) * 0.6 + 0.06, d.z))), vec3(0.55, 0.62, 0.66), 0.35);
+    float share = mix(0.02, 0.75, parameters.haze);
+    return share * skyLight(normalize(vec3(d.x, abs(d.y) * 0.6 + 0.04, d.z)));
 }
 
 vec3 shadeField(FieldSearch s, vec3 direction)
@@ -189,7 +192,7 @@ PortalSeen ourField(PortalRay ray)
 #else
     for (int i = 0; i < steps && s.phase != FIELD_DONE && !(s.phase == FIELD_MARCH && s.t > farthest); ++i) s = searchStep(s, ray, false);
 #endif
-    vec3 back = backdrop(ray.direction) + sunDisk(ray.direction) * 0.05;
+    vec3 back = backdrop(ray.direction) + sunDisk(ray.direction, ray.footprint) * 0.05;
     seen.radiance = back;
     if (s.phase != FIELD_MARCH) {
         seen.radiance = mix(back, shadeField(s, ray.direction), exp(-max(s.t - ray.start - 1.0, 0.0) / reach));

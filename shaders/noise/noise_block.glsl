@@ -20,6 +20,14 @@
     FIELD(float, foamTime)         /* time of the foam's noise in cells, within its period */ \
     FIELD(float, skyTime)          /* the same for the high clouds */ \
     FIELD(int, waves)              /* number of waves of the sea */ \
+    FIELD(vec3, sunLight)          /* irradiance on a plane that faces the sun, at the ground ... */ \
+    FIELD(float, foamBelow)        /* waves break where the water's area shrinks below this share; 0: nowhere */ \
+    FIELD(vec3, sunOnClouds)       /* ... and at the height of cirrus */ \
+    FIELD(float, foamCut)          /* squared length that scales the wave numbers of waves too short to break, m^2 */ \
+    FIELD(vec3, skyAbove)          /* irradiance over pi of the sky on level ground */ \
+    FIELD(float, foamDeviation)    /* standard deviation of the area of waves that break, at a chop of 1 */ \
+    FIELD(vec3, skyAround)         /* mean radiance near the horizon */ \
+    FIELD(float, skyScale)         /* exposure of the sky's table */ \
     FIELD(int, tallWaves)          /* number of the first waves that determine where a ray hits the water */ \
     FIELD(float, seaTop)           /* SEA_HIGHEST standard deviations of the height of these waves, meters */ \
     FIELD(float, hiddenSlopes)     /* mean square slope of waves finer than the last one */ \

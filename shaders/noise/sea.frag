@@ -67,18 +67,29 @@ TallWater tallWaterAt(vec2 p, vec2 moved, float footprint)
 
 struct Water {
     vec3 normal;
-    float folded;   // 1 where the surface is not compressed; below 0 it folds over
-    float resolved; // mean square slope of resolved waves, ...
-    float hidden;   // ... and of unresolved ones
+    float hidden;   // mean square slope of unresolved waves
     float height;
+    float area;     // area of the water where waves that can break have drawn it together, 1 at rest, ...
+    float areaLast; // ... the same FOAM_AGE seconds ago, ...
+    float areaSeen; // ... and the share of its variance that is resolved
 };
+
+const float FOAM_AGE = 1.4;  // seconds
+
+// Determinant of the identity minus a symmetric matrix (xx, yy, xy).
+float areaOf(vec3 stretch)
+{
+    return (1.0 - stretch.x) * (1.0 - stretch.y) - stretch.z * stretch.z;
+}
 
 Water waterAt(vec2 p, vec2 moved, float footprint)
 {
     vec2 q = p - moved;
     vec2 slope = vec2(0.0);
     vec3 stretch = vec3(0.0);
-    float resolved = 0.0;
+    vec3 breaking = vec3(0.0);
+    vec3 broken = vec3(0.0);
+    float seen = 0.0;
     float hidden = work.hiddenSlopes;
     float height = 0.0;
     for (int i = 0; i < work.waves; ++i) {
@@ -86,15 +97,19 @@ Water waterAt(vec2 p, vec2 moved, float footprint)
         float k = length(w.xy);
         float fade = waveFade(w.xy, footprint);
         float steep = w.z * k;
-        resolved += 0.5 * steep * steep * fade * fade;
         hidden += 0.5 * steep * steep * (1.0 - fade * fade);
         if (fade <= 0.0) continue;
         float phase = dot(w.xy, q) - w.w;
         float a = w.z * fade;
         float c = cos(phase);
         slope -= w.xy * (a * sin(phase));
-        stretch += vec3(w.x * w.x, w.y * w.y, w.x * w.y) * (parameters.chop * a / k * c);
+        vec3 drawn = vec3(w.x * w.x, w.y * w.y, w.x * w.y) * (parameters.chop * a / k);
+        stretch += drawn * c;
         height += a * c;
+        float breaks = 1.0 / (1.0 + k * k * work.foamCut);
+        breaking += drawn * (breaks * c);
+        broken += drawn * (breaks * cos(phase + sqrt(9.81 * k) * FOAM_AGE));
+        seen += 0.5 * steep * steep * fade * fade * breaks * breaks;
     }
     evaluations += 1.0;
     // Tangents of the displaced water surface, and the remaining area.
@@ -103,10 +118,11 @@ Water waterAt(vec2 p, vec2 moved, float footprint)
     Water water;
     vec3 n = cross(south, east);
     water.normal = safeNormalize(n.y > 0.05 ? n : vec3(n.x, 0.05, n.z), vec3(0.0, 1.0, 0.0));
-    water.folded = (1.0 - stretch.x) * (1.0 - stretch.y) - stretch.z * stretch.z;
-    water.resolved = resolved;
     water.hidden = hidden;
     water.height = height;
+    water.area = areaOf(breaking);
+    water.areaLast = areaOf(broken);
+    water.areaSeen = clamp(seen / max(work.foamDeviation * work.foamDeviation, 1e-9), 0.0, 1.0);
     return water;
 }
 
@@ -176,17 +192,6 @@ SeaHit seaHit(PortalRay ray)
     return SeaHit(min(last + gapBefore / -d.y, bottom), moved);
 }
 
-// Sunlight reflected by unresolved waves: Beckmann distribution of slopes.
-float glitter(vec3 n, vec3 toEye, float slopes)
-{
-    vec3 h = safeNormalize(work.sunDirection + toEye, n);
-    float c = max(dot(n, h), 1e-3);
-    float c2 = c * c;
-    float d = exp((c2 - 1.0) / (c2 * slopes)) / (PI * slopes * c2 * c2);
-    float f = schlick(max(dot(h, toEye), 0.0), 0.02);
-    return f * d / (4.0 * max(dot(n, toEye), 0.08));
-}
-
 // Ripples finer than the last wave: noise with the hidden mean square slope, as far as a pixel resolves it.
 vec2 ripples(vec2 p, float footprint, float slopes)
 {
@@ -197,10 +202,26 @@ vec2 ripples(vec2 p, float footprint, float slopes)
     return n.slope.xz * sqrt(0.5 * slopes / 0.55);
 }
 
-// Foam at compressed crests, and the lace of old foam on their windward side.
-float foamAt(vec2 p, Water water, float footprint)
+// Probability that the water breaks: the logistic curve about the normal distribution of the unresolved part of the
+// area. Near the eye it is an edge of fixed softness.
+float breakingShare(float area, float seen)
 {
-    if (parameters.foam <= 0.0) return 0.0;
+    float deviation = parameters.chop * work.foamDeviation;
+    float width = max(deviation * sqrt(1.0 - seen), 0.16 * deviation + 1e-4);
+    return 1.0 / (1.0 + exp(clamp(1.702 * (area - work.foamBelow) / width, -40.0, 40.0)));
+}
+
+// Cover of foam and spray over the water, 0 to 1 each.
+struct Foam {
+    float cover;
+    float spray;
+};
+
+// Foam where crests break, and its lace where they have broken: waves leave it behind on their windward side.
+Foam foamAt(vec2 p, Water water, float footprint)
+{
+    Foam foam = Foam(0.0, 0.0);
+    if (work.foamBelow <= 0.0) return foam;
     vec2 wind = vec2(sin(parameters.windDirection), -cos(parameters.windDirection));
     // Wind stretches the foam along itself.
     vec2 q = vec2(dot(p, wind) * 0.7, dot(p, vec2(-wind.y, wind.x)) * 1.5);
@@ -213,17 +234,14 @@ float foamAt(vec2 p, Water water, float footprint)
         grain += 0.5 * amplitude * (1.0 - noiseFootprintFade(footprint * 1.5 * exp2(float(i))));
         amplitude *= 0.62;
     }
-    // Compression in standard deviations of the slope; stronger wind breaks more of the crests (Monahan and
-    // O'Muircheartaigh 1980, "Optimal Power-Law Description of Oceanic Whitecap Coverage", gives the share).
-    float together = (1.0 - water.folded) / max(sqrt(water.resolved), 0.01);
-    float least = max(2.6 - 0.1 * (parameters.windSpeed - 7.5) + 2.0 * (0.5 - parameters.foam), 0.5);
-    float breaking = smoothstep(least - 0.3, least + 0.9, together);
-    float fresh = smoothstep(0.0, 0.3, breaking) * smoothstep(0.75 - 0.65 * breaking, 0.95 - 0.45 * breaking, grain);
-    float behind = mix(0.55, 1.0, smoothstep(-0.05, 0.1, -dot(water.normal.xz, wind)));
-    behind *= smoothstep(-0.15, 0.3, water.height / work.seaTop);
-    float stormy = parameters.foam * smoothstep(5.0, 16.0, parameters.windSpeed);
-    float lace = behind * stormy * smoothstep(0.6, 0.85, grain + 0.25 * stormy + 0.3 * breaking);
-    return clamp(max(fresh, 0.8 * lace), 0.0, 1.0);
+    float fresh = breakingShare(water.area, water.areaSeen);
+    float old = breakingShare(water.areaLast, water.areaSeen);
+    float froth = smoothstep(0.9 - 0.5 * fresh, 1.1 - 0.45 * fresh, grain) * smoothstep(0.03, 0.25, fresh);
+    float lace = smoothstep(0.95 - 0.4 * old, 1.1 - 0.3 * old, grain) * smoothstep(0.05, 0.5, old);
+    foam.cover = clamp(max(froth, 0.7 * lace), 0.0, 1.0);
+    // Droplets that the wind tears off the crest, seen as a veil.
+    foam.spray = 0.35 * smoothstep(0.3, 1.0, fresh) * smoothstep(5.0, 18.0, parameters.windSpeed);
+    return foam;
 }
 
 vec3 waterLight(PortalRay ray, SeaHit hit)
@@ -254,17 +272,21 @@ vec3 waterLight(PortalRay ray, SeaHit hit)
     float thin = smoothstep(0.0, work.seaTop, water.height) * pow(clamp(dot(-toEye, work.sunDirection) * 0.5 + 0.5, 0.0, 1.0), 3.0);
     vec3 body = parameters.water * (day * 0.9 + sun * thin * 1.6) * (1.0 + 0.35 * clamp(water.height / work.seaTop, -1.0, 1.0));
     vec3 color = mix(body, sky, fresnel);
-    color += sun * glitter(n, toEye, max(water.hidden, 0.0008)) * max(dot(n, work.sunDirection), 0.0) * 1.0;
-    float foam = foamAt(p.xz, water, footprint);
-    vec3 white = vec3(0.85) * (skyAmbient(n.y) + sun * max(dot(n, work.sunDirection), 0.0) * 0.32);
-    color = mix(color, white, foam * 0.85);
+    color += sun * (sunGlitter(n, toEye, max(water.hidden, 0.0025)) * max(dot(n, work.sunDirection), 0.0));
+    Foam foam = foamAt(p.xz, water, footprint);
+    // Light passes through bubbles and droplets, so foam is lit from behind, too.
+    float lit = mix(0.35 + 0.65 * dot(n, work.sunDirection), max(dot(n, work.sunDirection), 0.0), 0.5);
+    vec3 white = 0.85 * (skyAmbient(n.y) + sun * (max(lit, 0.0) * 0.3183));
+    color = mix(color, white, foam.cover * 0.92);
+    float ahead = max(dot(-toEye, work.sunDirection), 0.0);
+    color = mix(color, skyAmbient(0.0) + sun * (0.08 + 0.5 * pow(ahead, 12.0)), foam.spray);
     return throughAir(color, ray.direction, t, mix(40000.0, 1800.0, sqrt(parameters.haze)));
 }
 
 // Sky with thin high clouds.
 vec3 highClouds(vec3 d, float footprint)
 {
-    vec3 sky = skyLight(d) + sunDisk(d);
+    vec3 sky = skyLight(d) + sunDisk(d, footprint);
     if (d.y < 0.004) return sky;
     vec2 p = d.xz / (d.y + 0.05) * vec2(0.55, 1.3);
     float blur = footprint / ((d.y + 0.05) * (d.y + 0.05));
@@ -273,7 +295,7 @@ vec3 highClouds(vec3 d, float footprint)
     evaluations += 20.0;
     float veil = smoothstep(-0.02, 0.42, n) * smoothstep(0.0, 0.12, d.y) * 0.75;
     float cosine = dot(d, work.sunDirection);
-    vec3 lit = sunLight() * (0.10 + 0.24 * pow(max(cosine, 0.0), 8.0)) + skyAmbient(-0.2) * 0.7;
+    vec3 lit = work.sunOnClouds * (0.07 + 0.22 * pow(max(cosine, 0.0), 8.0)) + skyAmbient(-0.2) * 0.7;
     return mix(sky, lit, veil);
 }
 

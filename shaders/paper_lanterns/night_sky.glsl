@@ -7,6 +7,8 @@ vec3 panoramaSky(vec3 d, float angle)
 {
     return min(panoramaRadiance(vec3(0.70710678 * (d.x + d.z), d.y, 0.70710678 * (d.z - d.x)), angle), vec3(60.0));
 }
+#else
+#include "lib/sky_view.glsl"
 #endif
 
 // Moonlight from directions around `d`, for a ray blurred by these standard deviations, vertical and horizontal.
@@ -72,17 +74,18 @@ vec3 starLight(vec3 d, float pixel)
     return tint * (power * lobe * coarse * coarse * smoothstep(0.0, 0.25, d.y));
 }
 
-// The sky without moon and stars.
+// Direction of the sun below the horizon: to the right of straight ahead.
+const vec3 SUN_BELOW = vec3(0.857493, 0.0, -0.514496);
+
+// The sky without moon and stars: that of the night, and what is left of the day.
 vec3 nightAir(vec3 d)
 {
-    float up = max(d.y, 0.0);
-    float low = exp(-up * 4.5);
-    vec3 night = mix(vec3(0.0016, 0.003, 0.0075), vec3(0.006, 0.008, 0.014), low);
-    float towards = 0.5 + 0.5 * dot(normalize(vec2(d.x, d.z) + vec2(0.0, 1e-6)), normalize(vec2(1.0, -0.6)));
-    vec3 warm = mix(vec3(0.24, 0.28, 0.36), vec3(0.95, 0.40, 0.16), parameters.afterglow * (0.25 + 0.75 * towards * towards));
-    vec3 rose = mix(vec3(0.16, 0.2, 0.31), vec3(0.42, 0.22, 0.3), parameters.afterglow * (0.3 + 0.7 * towards));
-    vec3 day = mix(mix(vec3(0.035, 0.07, 0.18), rose, exp(-up * 4.0)), warm, exp(-up * 13.0));
-    return night + parameters.dusk * day;
+#ifdef PANORAMA
+    return panoramaSky(d, 1.0);
+#else
+    vec3 night = mix(vec3(0.0016, 0.003, 0.0075), vec3(0.006, 0.008, 0.014), exp(-4.5 * max(d.y, 0.0)));
+    return night + parameters.dusk * skyViewRadiance(d, SUN_BELOW);
+#endif
 }
 
 // Radiance of the sky from a direction; `blur` as above, `pixel` is the width of a pixel.

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace vitrine {
 namespace {
 
@@ -98,10 +101,33 @@ TEST_F(Hours, TheLampsMakeANightToStandIn)
     }
 }
 
+TEST_F(Hours, TheNightHasPoolsOfLight)
+{
+    const auto levelsOf = [](double vault, double spots) {
+        Shot shot = hallAt(21);
+        shot.see({1.35, 1.65, 10.2}, {-0.35, 2.15, -4.0});
+        shot.hall().set(hallTable().lampStrength, vault);
+        shot.hall().set(hallTable().spotStrength, spots);
+        shot.request.frame.averageIn = AverageIn::radiance;
+        const Picture p = shot.take();
+        std::vector<double> levels;
+        p.each([&](int x, int y) { levels.push_back(p.luminance(x, y)); });
+        std::sort(levels.begin(), levels.end());
+        return levels;
+    };
+    // The ratio of bright to dark places, as in photographs of museums at night.
+    const auto contrast = [](const std::vector<double>& levels) {
+        return levels[levels.size() * 95 / 100] / levels[levels.size() * 5 / 100];
+    };
+    EXPECT_GE(contrast(levelsOf(1, 1)), 12);
+    EXPECT_LT(contrast(levelsOf(5, 0)), 12) << "the lamps of the vault alone light it evenly";
+}
+
 TEST_F(Hours, LampsWithoutStrengthAreNoLampsToTheBit)
 {
     Shot shot = hallAt(20);
     shot.hall().set(hallTable().lampStrength, 0.0);
+    shot.hall().set(hallTable().spotStrength, 0.0);
     const render::Image none = shot.take().image;
     shot.request.frame.runEverything = true;
     EXPECT_EQ(test::largestDifference(shot.take().image, none), 0) << "also where they are reckoned with all the same";
@@ -109,7 +135,10 @@ TEST_F(Hours, LampsWithoutStrengthAreNoLampsToTheBit)
     shot.hall().set(hallTable().lamps, LampsLit::off);
     EXPECT_EQ(test::largestDifference(shot.take().image, none), 0);
     shot.hall().resetRow(hallTable().lamps.row);
-    shot.hall().set(hallTable().lampStrength, 0.1);
+    shot.hall().set(hallTable().lampStrength, 0.5);
+    EXPECT_GT(test::largestDifference(shot.take().image, none), 0.01);
+    shot.hall().set(hallTable().lampStrength, 0.0);
+    shot.hall().set(hallTable().spotStrength, 0.1);
     EXPECT_GT(test::largestDifference(shot.take().image, none), 0.01);
 }
 

@@ -98,7 +98,7 @@ FieldCheck checkField(WorkShot& shot)
             const double start = p.view.nearPlane * glm::length(ray);
             const double seen = std::min(p.depth(x, y) * glm::length(ray), 1e9);
             for (double t = start + 0.02; t < 12; t += 0.002) {
-                const double clear = std::clamp(1 - (t - start) / 6, 0.0, 1.0);
+                const double clear = std::clamp(1.4 - (t - start) / 6, 0.0, 1.0);
                 if (outsideAt(shot.values(), block, p.view.eye + d * t, clear) > 0) continue;
                 ++check.checked;
                 check.missed += seen > 1.01 * t;
@@ -181,7 +181,8 @@ TEST_F(NoiseWorks, OfTheDerivativeHasTheNormalsOfDifferences)
     }
 }
 
-/// Returns the share of the surface between 6.5 and 12 m at which the noise at float64 differs from its threshold.
+/// Returns the share of the surface between 9 and 14 m, behind the space that is kept free around the eye, at which the
+/// noise at float64 differs from its threshold.
 double shareOff(double distance)
 {
     WorkShot shot(NoiseWork::field);
@@ -196,7 +197,7 @@ double shareOff(double distance)
         const dvec3 ray =
             p.view.direction(glm::dvec2(x + 0.5, p.height() - y - 0.5) / glm::dvec2(p.width(), p.height()) * 2.0 - 1.0);
         const double t = p.depth(x, y) * glm::length(ray);
-        if (!(t > 6.5 && t < 12)) return;
+        if (!(t > 9 && t < 14)) return;
         ++surface;
         const dvec3 at = frequency * (p.view.eye + ray * p.depth(x, y) + dvec3(distance, 0, 0));
         const dvec3 base = glm::floor(at);

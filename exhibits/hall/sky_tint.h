@@ -4,16 +4,6 @@
 
 namespace vitrine {
 
-/// Returns the radiance of the clear sky over sea level, seen from the ground, in linear Rec. 709 and not negative.
-/// Sunlight has irradiance 1 above the air.
-///
-/// `sunElevation` is in radians above the horizon, negative at night. `elevation` and `fromSun` are the direction of
-/// the view: radians above the horizon, and radians of azimuth away from the sun.
-///
-/// Hillaire 2020, "A Scalable and Production Ready Sky and Atmosphere Rendering Technique": single scattering along the
-/// ray, and multiple scattering as if it were isotropic.
-[[nodiscard]] glm::dvec3 clearSkyRadiance(double sunElevation, double elevation, double fromSun);
-
 /// Color of a clear sky relative to the one for which the hall's colors of sun and sky were chosen.
 struct SkyTint {
     glm::dvec3 zenith{1};   ///< Factor of the zenith's radiance.

@@ -1,12 +1,15 @@
-#include "exhibits/hall/clear_sky.h"
+#include "exhibits/kit/clear_sky.h"
 
 #include <algorithm>
 #include <cmath>
+#include <list>
+#include <memory>
+#include <mutex>
 #include <numbers>
 #include <vector>
 
 namespace vitrine {
-namespace {
+namespace clear_sky {
 
 // Lengths are in kilometers, coefficients per kilometer.
 constexpr double groundRadius = 6360;
@@ -15,48 +18,20 @@ const glm::dvec3 rayleighScattering{5.802e-3, 13.558e-3, 33.1e-3};
 constexpr double mieScattering = 3.996e-3;
 constexpr double mieExtinction = 8.396e-3;
 const glm::dvec3 ozoneAbsorption{0.650e-3, 1.881e-3, 0.085e-3};
+/// Haze beyond that of clear air absorbs a tenth of the light that it takes.
+constexpr double furtherMieScattering = 3.996e-3, furtherMieExtinction = 4.44e-3;
 constexpr double mieForward = 0.8;  ///< Mean cosine of the scattering angle of haze.
 
-/// Densities of molecules, haze and ozone, relative to the place where each is densest.
-struct AirDensity {
-    double molecules, haze, ozone;
+/// Haze in the air, as a multiple of that of clear air.
+struct Haze {
+    double scattering = mieScattering, extinction = mieExtinction;  ///< Per kilometer, where it is densest.
+
+    explicit Haze(double amount)
+        : scattering(mieScattering + (amount - 1) * furtherMieScattering),
+          extinction(mieExtinction + (amount - 1) * furtherMieExtinction)
+    {
+    }
 };
-
-AirDensity airDensity(double height)
-{
-    return {std::exp(-height / 8), std::exp(-height / 1.2), std::max(1 - std::abs(height - 25) / 15, 0.0)};
-}
-
-glm::dvec3 extinction(const AirDensity& air)
-{
-    return rayleighScattering * air.molecules + glm::dvec3(mieExtinction * air.haze) + ozoneAbsorption * air.ozone;
-}
-
-/// Returns the distance along a ray to a sphere of radius `sphere` around the center of the earth. The ray begins at
-/// `radius` from the center; `up` is the cosine of its angle to the vertical. Negative if the sphere is missed or lies
-/// behind.
-double distanceToSphere(double radius, double up, double sphere)
-{
-    const double b = radius * up;
-    const double discriminant = b * b - radius * radius + sphere * sphere;
-    if (discriminant < 0) return -1;
-    const double root = std::sqrt(discriminant);
-    return radius > sphere ? -b - root : -b + root;
-}
-
-/// Returns the transmittance from the sun to a place; 0 in the shadow of the earth.
-glm::dvec3 sunTransmittance(const glm::dvec3& place, const glm::dvec3& towardsSun)
-{
-    const double radius = glm::length(place);
-    const double up = glm::dot(place, towardsSun) / radius;
-    if (distanceToSphere(radius, up, groundRadius) > 0 && up < 0) return glm::dvec3(0);
-    constexpr int steps = 24;
-    const double step = distanceToSphere(radius, up, airRadius) / steps;
-    glm::dvec3 depth(0);
-    for (int i = 0; i < steps; ++i)
-        depth += extinction(airDensity(glm::length(place + towardsSun * ((i + 0.5) * step)) - groundRadius)) * step;
-    return glm::exp(-depth);
-}
 
 /// Table over height and the cosine of the angle between sun and vertical, interpolated bilinearly.
 class HeightAndSun {
@@ -106,26 +81,65 @@ private:
     std::vector<glm::dvec3> cells_;
 };
 
+/// Light in the air of one haze: the transmittance from the sun, and the multiply scattered light.
+struct LitAir {
+    Haze haze;
+    HeightAndSun sunlight{32, 65}, skylight{12, 33};
+
+    explicit LitAir(double amount);
+};
+
+namespace {
+
+/// Densities of molecules, haze and ozone, relative to the place where each is densest.
+struct AirDensity {
+    double molecules, haze, ozone;
+};
+
+AirDensity airDensity(double height)
+{
+    return {std::exp(-height / 8), std::exp(-height / 1.2), std::max(1 - std::abs(height - 25) / 15, 0.0)};
+}
+
+glm::dvec3 extinction(const AirDensity& air, const Haze& haze)
+{
+    return rayleighScattering * air.molecules + glm::dvec3(haze.extinction * air.haze) + ozoneAbsorption * air.ozone;
+}
+
+/// Returns the distance along a ray to a sphere of radius `sphere` around the center of the earth. The ray begins at
+/// `radius` from the center; `up` is the cosine of its angle to the vertical. Negative if the sphere is missed or lies
+/// behind.
+double distanceToSphere(double radius, double up, double sphere)
+{
+    const double b = radius * up;
+    const double discriminant = b * b - radius * radius + sphere * sphere;
+    if (discriminant < 0) return -1;
+    const double root = std::sqrt(discriminant);
+    return radius > sphere ? -b - root : -b + root;
+}
+
+/// Returns the transmittance from the sun to a place; 0 in the shadow of the earth.
+glm::dvec3 sunTransmittance(const glm::dvec3& place, const glm::dvec3& towardsSun, const Haze& haze)
+{
+    const double radius = glm::length(place);
+    const double up = glm::dot(place, towardsSun) / radius;
+    if (distanceToSphere(radius, up, groundRadius) > 0 && up < 0) return glm::dvec3(0);
+    constexpr int steps = 24;
+    const double step = distanceToSphere(radius, up, airRadius) / steps;
+    glm::dvec3 depth(0);
+    for (int i = 0; i < steps; ++i)
+        depth +=
+            extinction(airDensity(glm::length(place + towardsSun * ((i + 0.5) * step)) - groundRadius), haze) * step;
+    return glm::exp(-depth);
+}
+
 glm::dvec3 towards(double cosine)
 {
     return {std::sqrt(std::max(1 - cosine * cosine, 0.0)), cosine, 0};
 }
 
-/// Returns the table of the transmittance from the sun to a height.
-const HeightAndSun& sunlight()
-{
-    static const HeightAndSun table = [] {
-        HeightAndSun made(32, 65);
-        made.fill([](double height, double cosine) {
-            return sunTransmittance({0, groundRadius + height, 0}, towards(cosine));
-        });
-        return made;
-    }();
-    return table;
-}
-
 /// Returns multiply scattered light as isotropic radiance: Hillaire 2020, section 5.5.
-glm::dvec3 manyTimesScattered(double height, double cosine)
+glm::dvec3 manyTimesScattered(double height, double cosine, const HeightAndSun& sunlight, const Haze& haze)
 {
     constexpr int directions = 48, steps = 12;
     constexpr double isotropic = 1 / (4 * std::numbers::pi);
@@ -147,35 +161,71 @@ glm::dvec3 manyTimesScattered(double height, double cosine)
             const glm::dvec3 place = from + direction * ((k + 0.5) * step);
             const double radius = glm::length(place);
             const AirDensity air = airDensity(std::max(radius - groundRadius, 0.0));
-            const glm::dvec3 scattering = rayleighScattering * air.molecules + glm::dvec3(mieScattering * air.haze);
-            const glm::dvec3 kept = glm::exp(-extinction(air) * step);
-            const glm::dvec3 here = through * scattering * (1.0 - kept) / glm::max(extinction(air), glm::dvec3(1e-12));
-            twice += here * sunlight().at(radius - groundRadius, glm::dot(place, sun) / radius) * isotropic;
+            const glm::dvec3 scattering = rayleighScattering * air.molecules + glm::dvec3(haze.scattering * air.haze);
+            const glm::dvec3 lost = extinction(air, haze);
+            const glm::dvec3 kept = glm::exp(-lost * step);
+            const glm::dvec3 here = through * scattering * (1.0 - kept) / glm::max(lost, glm::dvec3(1e-12));
+            twice += here * sunlight.at(radius - groundRadius, glm::dot(place, sun) / radius) * isotropic;
             again += here;
             through *= kept;
         }
         if (!down) continue;
         const glm::dvec3 at = glm::normalize(from + direction * ground);
         const double lit = std::max(glm::dot(at, sun), 0.0);
-        twice += through * groundAlbedo * sunlight().at(0, lit) * (lit / std::numbers::pi);
+        twice += through * groundAlbedo * sunlight.at(0, lit) * (lit / std::numbers::pi);
     }
     return twice / (directions * 1.0) / (1.0 - again / (directions * 1.0));
 }
 
-const HeightAndSun& skylight()
+/// Returns the light in air with this haze. The last few are kept. Thread-safe.
+std::shared_ptr<const LitAir> litAir(double haze)
 {
-    static const HeightAndSun table = [] {
-        HeightAndSun made(12, 33);
-        made.fill(manyTimesScattered);
-        return made;
-    }();
-    return table;
+    constexpr std::size_t kept = 4;
+    static std::mutex mutex;
+    static std::list<std::pair<double, std::shared_ptr<const LitAir>>> last;
+    const std::lock_guard lock(mutex);
+    for (auto air = last.begin(); air != last.end(); ++air)
+        if (air->first == haze) {
+            last.splice(last.begin(), last, air);
+            return air->second;
+        }
+    last.emplace_front(haze, std::make_shared<const LitAir>(haze));
+    if (last.size() > kept) last.pop_back();
+    return last.front().second;
 }
 
 }  // namespace
 
-glm::dvec3 clearSkyRadiance(double sunElevation, double elevation, double fromSun)
+LitAir::LitAir(double amount) : haze(amount)
 {
+    sunlight.fill([&](double height, double cosine) {
+        return sunTransmittance({0, groundRadius + height, 0}, towards(cosine), haze);
+    });
+    skylight.fill([&](double height, double cosine) { return manyTimesScattered(height, cosine, sunlight, haze); });
+}
+
+}  // namespace clear_sky
+
+ClearSky::ClearSky(double sunElevation, double haze)
+    : air_(clear_sky::litAir(std::isfinite(haze) ? std::clamp(haze, 0.0, 1000.0) : 1.0)), sunElevation_(sunElevation)
+{
+}
+
+glm::dvec3 ClearSky::sunlight(double height) const
+{
+    using namespace clear_sky;
+    // High up, the sun shines from below the level horizon. The disk sets over its own width.
+    const double dip = height > 1 ? std::acos(groundRadius / (groundRadius + height)) : 0;
+    const double risen = std::clamp((sunElevation_ + dip) / 0.0093 + 0.5, 0.0, 1.0);
+    const double up = std::sin(std::max(sunElevation_, 1e-4 - dip));
+    return sunTransmittance({0, groundRadius + height, 0}, towards(up), air_->haze) * (risen * risen * (3 - 2 * risen));
+}
+
+glm::dvec3 ClearSky::radiance(double elevation, double fromSun) const
+{
+    using namespace clear_sky;
+    const double sunElevation = sunElevation_;
+    const Haze& haze = air_->haze;
     const glm::dvec3 towardsSun{std::cos(sunElevation), std::sin(sunElevation), 0};
     const double along = std::cos(elevation);
     const glm::dvec3 direction{along * std::cos(fromSun), std::sin(elevation), along * std::sin(fromSun)};
@@ -202,42 +252,21 @@ glm::dvec3 clearSkyRadiance(double sunElevation, double elevation, double fromSu
         const double radius = glm::length(place);
         const double up = glm::dot(place, towardsSun) / radius;
         const AirDensity air = airDensity(std::max(radius - groundRadius, 0.0));
-        const glm::dvec3 here = extinction(air) * step;
+        const glm::dvec3 here = extinction(air, haze) * step;
         const glm::dvec3 once =
-            rayleighScattering * (air.molecules * rayleighPhase) + glm::dvec3(mieScattering * air.haze * miePhase);
-        const glm::dvec3 all = rayleighScattering * air.molecules + glm::dvec3(mieScattering * air.haze);
+            rayleighScattering * (air.molecules * rayleighPhase) + glm::dvec3(haze.scattering * air.haze * miePhase);
+        const glm::dvec3 all = rayleighScattering * air.molecules + glm::dvec3(haze.scattering * air.haze);
         const glm::dvec3 light =
-            sunlight().at(radius - groundRadius, up) * once + skylight().at(radius - groundRadius, up) * all;
+            air_->sunlight.at(radius - groundRadius, up) * once + air_->skylight.at(radius - groundRadius, up) * all;
         sum += light * glm::exp(-(depth + 0.5 * here)) * step;
         depth += here;
     }
     return sum;
 }
 
-namespace {
-
-/// Returns the ratio of two sky colors at half the saturation, since the hall's own sky is paler than clear air.
-glm::dvec3 tintOf(const glm::dvec3& color, const glm::dvec3& reference)
+glm::dvec3 clearSkyRadiance(double sunElevation, double elevation, double fromSun)
 {
-    const glm::dvec3 factor = color / reference;
-    const double bright = glm::dot(factor, glm::dvec3(0.2126, 0.7152, 0.0722));
-    return glm::sqrt(factor * bright);
-}
-
-}  // namespace
-
-SkyTint skyTint(double sunElevation)
-{
-    // The view is well beside the sun, so its glow does not count as sky. lib/sky.glsl adds the glow.
-    constexpr double low = 0.06, beside = 0.6;
-    const auto zenith = [](double sun) { return clearSkyRadiance(sun, std::numbers::pi / 2, 0); };
-    const auto away = [](double sun) { return clearSkyRadiance(sun, low, std::numbers::pi - beside); };
-    static const glm::dvec3 referenceZenith = zenith(referenceSunElevation);
-    static const glm::dvec3 referenceHorizon = away(referenceSunElevation);
-    const glm::dvec3 horizon = away(sunElevation);
-    const glm::dvec3 more = glm::max(clearSkyRadiance(sunElevation, low, beside) - horizon, glm::dvec3(0));
-    return {tintOf(zenith(sunElevation), referenceZenith), tintOf(horizon, referenceHorizon),
-            more / glm::dot(referenceHorizon, glm::dvec3(0.2126, 0.7152, 0.0722))};
+    return ClearSky(sunElevation).radiance(elevation, fromSun);
 }
 
 }  // namespace vitrine

@@ -1,0 +1,65 @@
+#include "exhibits/hall/spotlights.h"
+
+#include "exhibits/framework/scene/scene_lighting.h"
+#include "exhibits/hall/sun.h"
+
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <cmath>
+
+namespace vitrine {
+namespace {
+
+/// Color temperature of spotlights, kelvin: halogen.
+constexpr double spotTemperature = 3400;
+/// Irradiance on what a spotlight of strength 1 points at, in the hall's units.
+constexpr double irradianceOfSpot = 0.55;
+
+render::LocalLight spotAt(const glm::dvec3& position, const glm::dvec3& target, const glm::dvec2& coneDegrees)
+{
+    const glm::dvec3 away = target - position;
+    render::LocalLight light;
+    light.position = position;
+    light.intensity = glm::dvec3(glm::dot(away, away));
+    light.axis = glm::normalize(away);
+    light.coneInner = glm::radians(coneDegrees.x);
+    light.coneOuter = glm::radians(coneDegrees.y);
+    light.range = 2.5 * glm::length(away);
+    light.nearest = 0.5 * glm::length(away);
+    return light;
+}
+
+/// Returns the light of a place whose irradiance on its target is 1.
+render::LocalLight spotOf(const Place& place)
+{
+    const glm::dvec3 origin(place.worldFromPlace[3]);
+    const auto world = [&](const glm::dvec3& p) { return glm::dvec3(place.worldFromPlace * glm::dvec4(p, 1)); };
+    // Frames in the walls face along z: a picture light hangs in front of them and reaches the plaque.
+    const bool inWall = std::abs(origin.x) > 5.5;
+    if (inWall) return spotAt(world({0, 2.1, 1.5}), world({0, -0.2, 0}), {22, 58});
+    // SecondaryView the light comes out of the vault, from the entrance's side.
+    const glm::dvec3 target(origin.x, 0.4 * std::max(origin.y, 0.0), origin.z);
+    return spotAt({0.7 * origin.x, 6.6, origin.z + 1.6}, target, {11, 27});
+}
+
+}  // namespace
+
+std::vector<render::LocalLight> spotlights(const HallModel& model, const std::vector<ExhibitSlot>& slots,
+                                           const HallTable& table, const ParameterValues& values)
+{
+    const VaultLamps lamps = vaultLampsOf(table, values);
+    const double strength = irradianceOfSpot * lamps.share * values[table.spotStrength];
+    if (!(strength > 0)) return {};
+    std::vector<render::LocalLight> lights;
+    for (const ExhibitSlot& slot : slots) {
+        const Place* place = model.place(slot.place);
+        if (!place) continue;
+        render::LocalLight light = spotOf(*place);
+        light.intensity *= blackBodyColor(spotTemperature) * strength;
+        lights.push_back(light);
+    }
+    return lights;
+}
+
+}  // namespace vitrine

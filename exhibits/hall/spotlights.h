@@ -1,0 +1,15 @@
+#pragma once
+
+#include "exhibits/hall/hall_scene.h"
+#include "render/plan/local_lights.h"
+
+#include <vector>
+
+namespace vitrine {
+
+/// Returns the spotlights of the hall, one for each exhibit with a place: above frames in the walls as picture lights,
+/// elsewhere in the vault. They shine with the lamps of the vault, so by day their intensity is 0.
+[[nodiscard]] std::vector<render::LocalLight> spotlights(const HallModel&, const std::vector<ExhibitSlot>&,
+                                                         const HallTable&, const ParameterValues&);
+
+}  // namespace vitrine
