@@ -70,6 +70,8 @@ private:
     void declareImages();
     [[nodiscard]] std::string imageOf(std::size_t target, std::int64_t step) const;
     [[nodiscard]] glm::ivec2 sizeOf(std::string_view picture) const;
+    /// The same for a pass, which has names for its channels, too: "iChannel0".
+    [[nodiscard]] glm::ivec2 sizeIn(std::size_t pass, std::string_view picture) const;
     [[nodiscard]] std::optional<double> inputNumber(std::string_view name) const;
     [[nodiscard]] render::Bytes bytesOfInputs(const StepTime&) const;
 
@@ -175,6 +177,25 @@ glm::ivec2 WorkPlan::sizeOf(std::string_view name) const
         if (const auto& texture = shot_.ofInputs[i].texture; texture && work_.shader->inputs[i].name == name)
             return {texture->width, texture->height};
     return glm::ivec2(1);
+}
+
+glm::ivec2 WorkPlan::sizeIn(std::size_t pass, std::string_view name) const
+{
+    using From = PassPicture::From;
+    int unit = 0;
+    for (const PictureUse& use : picturesOf(*work_.shader, work_.shader->passes[pass])) {
+        if (use.name == name && use.source == PictureUse::Source::channel)
+            for (const PassPicture& picture : work_.passes[pass].pictures) {
+                if (picture.unit != unit) continue;
+                if (picture.from == From::thisStep || picture.from == From::stepBefore) return sizes_[picture.index];
+                if (picture.from == From::nothing) break;
+                const auto& texture =
+                    (picture.from == From::input ? shot_.ofInputs : shot_.files)[picture.index].texture;
+                if (texture) return {texture->width, texture->height};
+            }
+        ++unit;
+    }
+    return sizeOf(name);
 }
 
 render::Bytes WorkPlan::bytesOfInputs(const StepTime& time) const
@@ -297,8 +318,8 @@ void WorkPlan::planStep(const std::string& namePrefix, const std::string& reason
         pass.shader = {
             .vertex = generatedVertex, .fragment = generatedFragment, .defines = {rounds}, .sources = of.sources};
         pass.blocks[BLOCK_PARAMETERS] = inputs;
-        pass.blocks[BLOCK_EXHIBIT] =
-            frameBytes(work_, i, sizes_[of.target], time, mouse, [&](std::string_view name) { return sizeOf(name); });
+        pass.blocks[BLOCK_EXHIBIT] = frameBytes(work_, i, sizes_[of.target], time, mouse,
+                                                [&](std::string_view name) { return sizeIn(i, name); });
         pass.inputs = inputsOf(of, step);
         pass.colors = {render::Attachment::cleared(imageOf(of.target, step))};
         pass.draws = {render::Draw{}};

@@ -94,9 +94,14 @@ private:
         const auto known = indexOf(name);
         if (known < work_.targets.size()) {
             work_.targets[known].isFloat |= pass.isFloat;
+            work_.targets[known].isPersistent |= pass.isPersistent;
             return known;
         }
-        work_.targets.push_back({.name = name, .isFloat = pass.isFloat, .width = pass.width, .height = pass.height});
+        work_.targets.push_back({.name = name,
+                                 .isFloat = pass.isFloat,
+                                 .isPersistent = pass.isPersistent,
+                                 .width = pass.width,
+                                 .height = pass.height});
         return known;
     }
     [[nodiscard]] std::size_t indexOf(const std::string& name) const
@@ -182,7 +187,7 @@ private:
         return work_.targets[targetOf(shader_.passes[pass])].name;
     }
 
-    /// A target that an earlier pass drew is read as it is now, and every other as the step before left it.
+    /// A target that an earlier pass drew is read as it is now, and a persistent one as the step before left it.
     PassPicture readTarget(const std::string& name, std::size_t pass, int unit)
     {
         const std::size_t target = indexOf(name);
@@ -191,6 +196,8 @@ private:
         bool isDrawn = false;
         for (std::size_t i = 0; i < pass; ++i) isDrawn = isDrawn || targetOf(shader_.passes[i]) == target;
         if (isDrawn && targetOf(shader_.passes[pass]) != target) return {unit, PassPicture::From::thisStep, target};
+        // The passes of an ISF share one text, so that each seems to read every target. What no step keeps is black.
+        if (!work_.targets[target].isPersistent) return {unit, PassPicture::From::nothing, 0};
         work_.targets[target].isKept = true;
         return {unit, PassPicture::From::stepBefore, target};
     }

@@ -22,8 +22,9 @@ namespace vitrine::guest {
 struct Target {
     std::string name;  ///< As the shader calls it; "picture" if it has no name.
     bool isFloat = false;
-    bool isKept = false;  ///< A step reads what the step before drew into it.
-    bool isRead = false;  ///< A pass of the shader reads it.
+    bool isPersistent = false;  ///< The shader says that its content stays until the next step.
+    bool isKept = false;        ///< A step reads what the step before drew into it.
+    bool isRead = false;        ///< A pass of the shader reads it.
     bool repeats = false, isNearest = false;
     std::string width, height;  ///< Size expressions (`passSize`).
 };

@@ -284,6 +284,37 @@ TEST_F(YourShaderPictures, OfAKeptBufferAreAFunctionOfTimeAlone)
     EXPECT_EQ(codeAt(0.1), (Codes{9, 2, 0}));
 }
 
+TEST_F(YourShaderPictures, OfSeveralPassesHaveStepsOnlyIfATargetIsPersistent)
+{
+    ShaderShot own;
+    const auto passes = [&](const std::string& persistent) {
+        EXPECT_EQ(own.show(isf(R"("PASSES": [{"TARGET": "raw")" + persistent + "}, {}]",
+                               "gl_FragColor = PASSINDEX == 0 ? vec4(128.0 / 255.0) : IMG_THIS_PIXEL(raw);")),
+                  "");
+        own.set("moment", 1.0);
+        EXPECT_EQ(own.codeAt(3, 3), (Codes{128, 128, 128}));
+        const render::FramePlan plan = test::planned(gallery().museum, own.shot.sceneState, own.shot.request.frame);
+        return std::count_if(plan.passes().begin(), plan.passes().end(),
+                             [](const render::Pass& pass) { return pass.name.starts_with("your_shader/"); });
+    };
+    const auto still = passes("");
+    EXPECT_LE(still, 4);  // One step, and the picture made of it.
+    EXPECT_GT(passes(R"(, "PERSISTENT": true)"), 100);
+}
+
+TEST_F(YourShaderPictures, OfShadertoyKnowTheSizesOfTheirChannels)
+{
+    ShaderShot own;
+    ASSERT_EQ(own.show(R"({"renderpass": [
+      {"type": "buffer", "name": "Buffer A", "inputs": [], "outputs": [{"channel": 0, "id": "a"}],
+       "code": "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }"},
+      {"type": "image", "name": "Image", "inputs": [{"channel": 0, "type": "buffer", "id": "a"}],
+       "code": "void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, p) * vec4(iChannelResolution[0].xy, 0, 255) / 255.0; }"}]})",
+                       "own.json"),
+              "");
+    EXPECT_EQ(own.codeAt(3, 3), (Codes{24, 16, 0}));
+}
+
 TEST_F(YourShaderPictures, OfAGliderMoveByACellInFourSteps)
 {
     ShaderShot own;
