@@ -162,7 +162,7 @@ private slots:
         file.write("{ broken");
         file.close();
         openDialog();
-        QVERIFY2(translatedText().contains("print.json"), qPrintable(translatedText()));
+        QVERIFY2(said().contains("print.json"), qPrintable(said()));
         ParameterValues first = printing::printTable().initial();
         first.set(printing::printTable().origin, printing::ViewOrigin::files);
         QVERIFY(dialog_->values() == first);
@@ -171,7 +171,7 @@ private slots:
         other.write("{\"format\": \"vitrine-job\", \"job\": \"sprite\"}");
         other.close();
         dialog_->open({other.fileName()});
-        QVERIFY2(translatedText().contains("other.json"), qPrintable(translatedText()));
+        QVERIFY2(said().contains("other.json"), qPrintable(said()));
         QVERIFY(dialog_->files().isEmpty());
     }
 

@@ -37,7 +37,7 @@ private slots:
         button("Export")->click();
         QVERIFY(dialog_->exporting());
         QTRY_VERIFY(!dialog_->exporting());
-        QVERIFY2(translatedText().contains("Saved " + out + "/card.tif"), qPrintable(translatedText()));
+        QVERIFY2(said().contains("Saved " + out + "/card.tif"), qPrintable(said()));
         QCOMPARE(filesIn(out), (QStringList{"card.tif", "card.tif.json"}));
         const printing::SavedSettings written =
             printing::savedSettings(render::readFile((out + "/card.tif.json").toStdString(), 1 << 20), "card.tif.json");
@@ -122,7 +122,7 @@ private slots:
         QVERIFY(dialog_->isVisible());
         QCOMPARE(filesIn(out), QStringList());
         QVERIFY(button("Export")->isEnabled());
-        QCOMPARE(translatedText(), QString());
+        QCOMPARE(said(), QString());
     }
 
     void aFolderThatIsNotThereGivesAMessageAndNothingIsLost()
@@ -136,14 +136,14 @@ private slots:
         settle();
         dialog_->startExport();
         QTRY_VERIFY(!dialog_->exporting());
-        QVERIFY2(translatedText().contains("nowhere/card.tif"), qPrintable(translatedText()));
+        QVERIFY2(said().contains("nowhere/card.tif"), qPrintable(said()));
         QVERIFY(dialog_->values() == before);
         QVERIFY(!QDir(home_->filePath("nowhere")).exists());
         QVERIFY(button("Export")->isEnabled());
         // The same for unreadable views.
         dialog_->open({home_->filePath("absent.png"), home_->filePath("absent2.png")});
         settle();
-        QVERIFY2(translatedText().contains("absent.png"), qPrintable(translatedText()));
+        QVERIFY2(said().contains("absent.png"), qPrintable(said()));
     }
 
     void chartsAreWrittenToo()
@@ -164,7 +164,7 @@ private slots:
             QVERIFY(button("Export chart")->isEnabled());
             button("Export chart")->click();
             QTRY_VERIFY(!dialog_->exporting());
-            QVERIFY2(QFile::exists(file), qPrintable(translatedText()));
+            QVERIFY2(QFile::exists(file), qPrintable(said()));
         }
         tabs->setCurrentIndex(0);
         settle();

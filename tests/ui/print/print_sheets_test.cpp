@@ -36,7 +36,7 @@ private slots:
         settle();
         QVERIFY(number("LPI in the file") > 60);
         bar->save("40-3d");  // Shipped sheets cannot be replaced.
-        QVERIFY2(translatedText().contains("40-3d"), qPrintable(translatedText()));
+        QVERIFY2(said().contains("40-3d"), qPrintable(said()));
         bar->remove("Mine");
         QCOMPARE(bar->current(), QString());
     }
