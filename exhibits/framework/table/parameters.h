@@ -226,11 +226,14 @@ protected:
     };
     [[nodiscard]] static Endings endings(std::string_view text) { return {text}; }
     struct Shipped {
-        std::string_view folder;
+        std::string_view folder, first;
     };
     /// For a file parameter: a name without a folder refers to a file in this folder of the assets, if there is one of
-    /// that name (`filePath`).
-    [[nodiscard]] static Shipped shippedIn(std::string_view folder) { return {folder}; }
+    /// that name (`filePath`). `first` is the initial value; empty: no file.
+    [[nodiscard]] static Shipped shippedIn(std::string_view folder, std::string_view first = {})
+    {
+        return {folder, first};
+    }
     struct GivesRows {};
     /// For a file parameter: its file adds parameters to the table (`TableFromFiles::tableFor`).
     [[nodiscard]] static GivesRows givesRows() { return {}; }
@@ -423,7 +426,11 @@ private:
     }
     static void say(ParameterInfo& row, const Endings& endings) { row.endings = endings.text; }
     static void say(ParameterInfo& row, const GivesRows&) { row.givesRows = true; }
-    static void say(ParameterInfo& row, const Shipped& shipped) { row.shipped = shipped.folder; }
+    static void say(ParameterInfo& row, const Shipped& shipped)
+    {
+        row.shipped = shipped.folder;
+        row.initial = std::string(shipped.first);
+    }
     static void say(ParameterInfo& row, const Essential& essential) { row.essential = essential.is; }
     static void say(ParameterInfo& row, const Called& called) { row.called = called.text; }
     static void say(ParameterInfo& row, const Word& word) { row.words.push_back(word); }
