@@ -6,6 +6,7 @@
 #include "ui/compare/compare_actions.h"
 #include "ui/compare/compare_bar.h"
 #include "ui/compare/compare_desk.h"
+#include "ui/editor/document_file.h"
 #include "ui/explore/explore_dock.h"
 #include "ui/export/export_again.h"
 #include "ui/gamepad/gamepad_control.h"
@@ -24,7 +25,6 @@
 #include "ui/report/frame_report_dock.h"
 #include "ui/report/log_view.h"
 #include "ui/study/study_dock.h"
-#include "ui/tree/tree_file.h"
 #include "ui/viewport/pixel_inspector.h"
 #include "ui/viewport/row_drag.h"
 #include "ui/viewport/viewport.h"
@@ -67,8 +67,8 @@ QSize firstWindowSize(const QSize& room)
 }
 
 MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* parent)
-    : QMainWindow(parent), museum_(museum), renderers_(renderers), history_(museum.initialSceneState()),
-      preferences_(new WindowPreferences(*this))
+    : QMainWindow(parent), museum_(museum), renderers_(renderers),
+      history_(museum.readTables(museum.initialSceneState()).sceneState), preferences_(new WindowPreferences(*this))
 {
     setWindowIcon(programIcon());
     setAcceptDrops(true);
@@ -166,8 +166,9 @@ void MainWindow::connectParts()
     connect(&docks_->parameters(), &ParameterTabs::turned, shelf_, &PresetShelf::refresh);
     connect(shelf_, &PresetShelf::marked, this, &MainWindow::showTitle);
     connect(files_, &FileOpener::documentOpened, this, &MainWindow::visit);
-    connect(&docks_->treeFile(), &TreeFile::saved, this, &addRecentFile);
-    guard_->setUnsaved([this] { return docks_->treeFile().unsaved(); }, [this] { return docks_->treeFile().save(); });
+    connect(&docks_->documentFile(), &DocumentFile::saved, this, &addRecentFile);
+    guard_->setUnsaved([this] { return docks_->documentFile().unsaved(); },
+                       [this] { return docks_->documentFile().save(); });
     connect(files_, &FileOpener::printFound, dialogs_, &WindowDialogs::openPrint);
     connect(&docks_->exhibits(), &ExhibitList::chosen, this, &MainWindow::visit);
     connect(&docks_->exhibits(), &ExhibitList::lessonAsked, lessons_, qOverload<std::size_t>(&LessonDesk::start));
@@ -218,7 +219,7 @@ void MainWindow::choose(std::size_t exhibit)
     docks_->parameters().choose(exhibit);
     docks_->study().setSubject(exhibit);
     docks_->charts().setSubject(exhibit);
-    docks_->setTreeSubject(exhibit);
+    docks_->setDocumentSubject(exhibit);
     comparison_->actions().refreshOffers();
     shelf_->refresh();
     docks_->explore().follow();
