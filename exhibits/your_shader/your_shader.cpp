@@ -166,9 +166,10 @@ EditedText YourShader::withText(const ParameterValues& values, const std::string
 
 std::vector<TextTemplate> YourShader::templates() const
 {
-    return {{message("Plain fragment shader"), "templates/plain.frag"},
-            {message("ISF, with inputs in its head"), "templates/isf.fs"},
-            {message("Shadertoy code"), "templates/shadertoy.glsl"}};
+    const auto shader = [](const char* name) { return std::string("templates/") + name; };
+    return {{message("Plain fragment shader"), shader("plain.frag")},
+            {message("ISF, with inputs in its head"), shader("isf.fs")},
+            {message("Shadertoy code"), shader("shadertoy.glsl")}};
 }
 
 std::vector<std::string> YourShader::furtherFiles(const ParameterValues& values) const

@@ -96,7 +96,7 @@ void LiveText::begin(const TextTemplate& from)
     if (!source_) return;
     flush();
     SceneState next = window_.history().sceneState();
-    next.values[subject_].chooseFile(place().file, std::string(from.file));
+    next.values[subject_].chooseFile(place().file, from.file);
     window_.history().change(tr("New shader: %1").arg(said(from.title)), next);
 }
 

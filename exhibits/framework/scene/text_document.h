@@ -5,7 +5,6 @@
 #include "render/text/message.h"
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace vitrine {
@@ -28,7 +27,7 @@ struct EditedText {
 /// Text with which a visitor begins a new document.
 struct TextTemplate {
     Message title;
-    std::string_view file;  ///< Value of the file parameter: a file of the program.
+    std::string file;  ///< Value of the file parameter: a file of the program.
 };
 
 /// Capability: a document that is edited as a text, such as a shader. Its place has a draft.

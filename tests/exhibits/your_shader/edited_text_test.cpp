@@ -82,7 +82,7 @@ TEST_F(EditedTexts, BeginFromTemplatesOfEveryForm)
     std::vector<guest::Form> forms;
     for (const TextTemplate& each : exhibit_.templates()) {
         ParameterValues values = initial();
-        values.set(exhibit_.parameters().file, std::string(each.file));
+        values.set(exhibit_.parameters().file, each.file);
         const DocumentPlace place = exhibit_.document(values);
         EXPECT_FALSE(place.writable) << each.file;
         const auto reading = guest::readWork(place.path, assets_);

@@ -229,7 +229,9 @@ private slots:
         for (QToolButton* button : dock().findChildren<QToolButton*>())
             if (button->text() == "Save") save = button;
         // Checks whether there is something to save.
-        const auto savable = [&](bool is) { return save->isEnabled() == is && action("Save scene as…")->isEnabled(); };
+        const auto savable = [&](bool is) {
+            return save->isEnabled() == is && action("Save scene or shader as…")->isEnabled();
+        };
         QVERIFY(save && savable(false));
         const int steps = stack().count();
         const QPoint from(12, slider->height() / 2);
