@@ -6,6 +6,7 @@
 #include "ui/editor/document_file.h"
 #include "ui/editor/find_bar.h"
 #include "ui/editor/live_text.h"
+#include "ui/kit/flow_layout.h"
 #include "ui/kit/language.h"
 #include "ui/kit/spoken.h"
 #include "ui/kit/tab_order.h"
@@ -18,7 +19,6 @@
 #include <QComboBox>
 #include <QDesktopServices>
 #include <QFileInfo>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -54,6 +54,7 @@ ShaderPanel::ShaderPanel(Workbench& window, DocumentFile& file, QWidget* parent)
     layout_->setContentsMargins(0, 0, 0, 0);
     layout_->setSpacing(0);
     layout_->addWidget(bar());
+    layout_->addWidget(state_);
     layout_->addWidget(find_);
     file_.setFlush([this] { live_->flush(); });
     connect(choice_, &QComboBox::activated, this, [this] {
@@ -80,7 +81,7 @@ ShaderPanel::~ShaderPanel()
 QWidget* ShaderPanel::bar()
 {
     auto* bar = new QWidget;
-    auto* layout = new QHBoxLayout(bar);
+    auto* layout = new FlowLayout(bar);  // A narrow window breaks the line.
     layout->setContentsMargins(8, 4, 8, 4);
     layout->setSpacing(4);
     const auto button = [&](const QString& text, const QString& tip) {
@@ -113,7 +114,7 @@ QWidget* ShaderPanel::bar()
     state_->setAccessibleName(tr("State of the text"));
     state_->setMinimumWidth(40);
     state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    layout->addWidget(state_, 1);
+    state_->setContentsMargins(8, 0, 8, 4);
     return bar;
 }
 
@@ -164,7 +165,7 @@ void ShaderPanel::openView()
     widget.setAccessibleName(tr("Text of the shader"));
     widget.setAccessibleDescription(tr("F6 leaves the text, Ctrl+F finds words in it."));
     widget.installEventFilter(this);
-    layout_->insertWidget(1, &widget, 1);
+    layout_->insertWidget(2, &widget, 1);
     tabAsLaidOut(*this);
     connect(&widget, &QWidget::customContextMenuRequested, this, &ShaderPanel::openMenu);
     view_->edited = [this] {
