@@ -2,6 +2,7 @@
 #include "ui/editor/code_view.h"
 #include "ui/editor/scintilla/glsl_words.h"
 
+#include <QFontMetrics>
 #include <QPointer>
 #include <QStringList>
 
@@ -266,7 +267,8 @@ private:
     /// Returns the number of characters that fit beside the margins.
     [[nodiscard]] qsizetype columns() const
     {
-        const int width = std::max(1, view_->fontMetrics().averageCharWidth());
+        const int width =
+            std::max(1, QFontMetrics(lexer_->defaultFont(QsciLexerCPP::Default)).horizontalAdvance(QLatin1Char('0')));
         return std::max(32, (view_->width() - view_->marginWidth(numbers) - view_->marginWidth(marks)) / width - 8);
     }
     /// Underlines the word at a column, which counts bytes.
