@@ -501,12 +501,12 @@ std::shared_ptr<const TreeShape> SdfScenes::shapeOf(const ExhibitState& state, s
     return shape;
 }
 
-TreeDocument SdfScenes::document(const ParameterValues& values) const
+DocumentPlace SdfScenes::document(const ParameterValues& values) const
 {
     const std::string& named = values[table_.scene];
     const std::string path = filePath(table_.rows()[table_.scene.row], named);
     return {table_.scene.row, table_.document.row, path.empty() ? first_->path.string() : path,
-            !path.empty() && path == named};
+            !path.empty() && path == named, "vitrine-scene.json"};
 }
 
 std::string SdfScenes::documentText(const ParameterValues& values) const

@@ -67,7 +67,7 @@ public:
     [[nodiscard]] std::string pick(const ExhibitState&, const render::Ray&) const override;
     [[nodiscard]] std::optional<TreePlace> placeOf(const ExhibitState&, std::string_view node) const override;
     [[nodiscard]] std::shared_ptr<const TreeShape> shapeOf(const ExhibitState&, std::string_view node) const override;
-    [[nodiscard]] TreeDocument document(const ParameterValues&) const override;
+    [[nodiscard]] DocumentPlace document(const ParameterValues&) const override;
     [[nodiscard]] std::string documentText(const ParameterValues&) const override;
     [[nodiscard]] bool isDocument(const std::string& text) const override;
 

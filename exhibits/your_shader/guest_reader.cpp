@@ -95,6 +95,11 @@ ReadShader readShaderFile(const fs::path& path)
         return {
             .shader = nullptr, .errors = {{.file = path.string(), .sentence = failure.message()}}, .fileRead = false};
     }
+    return readShaderText(std::move(text), path);
+}
+
+ReadShader readShaderText(std::string text, const fs::path& path)
+{
     const FileBeside beside = [&](const std::string& reference) {
         return render::readFileBeneath(path.parent_path().empty() ? "." : path.parent_path(), reference,
                                        Limits::textBytes);

@@ -29,4 +29,7 @@ using FileBeside = std::function<std::string(const std::string& path)>;
 /// The same for a file. Files beside it are read from its folder and the folders below, and never through a link.
 [[nodiscard]] ReadShader readShaderFile(const std::filesystem::path&);
 
+/// The same for a text that will take the place of the file.
+[[nodiscard]] ReadShader readShaderText(std::string text, const std::filesystem::path&);
+
 }  // namespace vitrine::guest

@@ -208,27 +208,29 @@ private:
     Finding error_;
 };
 
-std::shared_ptr<const WorkReading> readNow(const fs::path& path)
+std::shared_ptr<const WorkReading> readNow(const fs::path& path, const std::string& text)
 {
     auto reading = std::make_shared<WorkReading>();
     const auto see = [&](const fs::path& file) { reading->files.emplace_back(file, render::fileState(file)); };
-    see(path);
+    if (text.empty()) see(path);
     see(fs::path(path).replace_extension(".vs"));
     try {
         // One compiler for all threads: it answers within milliseconds.
         static std::mutex mutex;
         static ShaderCompiler compiler;
         const std::lock_guard lock(mutex);
-        CheckedShader checked = checkShaderFile(path, compiler);
+        CheckedShader checked = translate(text.empty() ? readShaderFile(path) : readShaderText(text, path), compiler);
         if (checked.shader)
             for (const SourceFile& file : checked.shader->files)
                 if (file.name != path.string()) see(file.name);
         std::shared_ptr<const Work> work = checked.isGood() ? makeWork(checked, path, checked.errors) : nullptr;
         if (work) {
             for (const fs::path& file : work->files) see(file);
+            reading->findings = checked.shader->notes;
             reading->table = std::make_shared<const YourShaderTable>(std::move(work));
             return reading;
         }
+        reading->findings = checked.errors;
         const Finding& first = checked.errors.front();
         reading->why = checked.fileRead
                            ? message("{1}:{2}:{3}: {4}", first.file, first.line, first.column, first.sentence)
@@ -259,16 +261,16 @@ std::shared_ptr<const Work> makeWork(const CheckedShader& checked, const fs::pat
     return Maker(checked, path).make(errors);
 }
 
-std::shared_ptr<const WorkReading> readWork(const fs::path& path, render::AssetStore& assets)
+std::shared_ptr<const WorkReading> readWork(const fs::path& path, render::AssetStore& assets, const std::string& text)
 {
     using Made = render::AssetStore::Made<WorkReading>;
-    const auto make = [&] { return Made{readNow(path), 1U << 16U}; };
+    const auto make = [&] { return Made{readNow(path, text), (1U << 16U) + 2 * text.size()}; };
     // The first reading finds the files. If one of these changed, a further reading has their states in its key.
-    std::string key = path.string();
+    std::string key = path.string() + '\n' + text;
     std::shared_ptr<const WorkReading> reading;
     for (int further = 0; further < 8; ++further) {
         const auto made = assets.made<WorkReading>("your_shader.work", key, make);
-        if (!made.value) return std::make_shared<const WorkReading>(WorkReading{nullptr, made.failure, {}});
+        if (!made.value) return std::make_shared<const WorkReading>(WorkReading{nullptr, made.failure, {}, {}});
         reading = made.value;
         const std::uint64_t changes = changesOf(*reading);
         if (changes == 0) break;

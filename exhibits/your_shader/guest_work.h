@@ -75,12 +75,15 @@ struct Work {
 /// Result of reading a file: a table with the work, or the reason why there is none.
 struct WorkReading {
     std::shared_ptr<const YourShaderTable> table;
-    Message why;  ///< "own.fs:3:12: ..."; empty on success.
+    Message why;                    ///< "own.fs:3:12: ..."; empty on success.
+    std::vector<Finding> findings;  ///< Errors, or remarks about a shader that is shown.
     /// Files that were read, with their states then.
     std::vector<std::pair<std::filesystem::path, render::FileState>> files;
 };
 
-/// Reads and translates the file at `path`. Returns the same object until one of its files changes. Thread-safe.
-[[nodiscard]] std::shared_ptr<const WorkReading> readWork(const std::filesystem::path& path, render::AssetStore&);
+/// Reads and translates the file at `path`, or `text` in its place if that is not empty. Returns the same object until
+/// one of its files changes. Thread-safe.
+[[nodiscard]] std::shared_ptr<const WorkReading> readWork(const std::filesystem::path& path, render::AssetStore&,
+                                                          const std::string& text = {});
 
 }  // namespace vitrine::guest

@@ -5,8 +5,11 @@
 #include "exhibits/kit/portal.h"
 #include "exhibits/your_shader/guest_passes.h"
 #include "exhibits/your_shader/guest_pictures.h"
+#include "exhibits/your_shader/guest_reader.h"
 #include "exhibits/your_shader/guest_work.h"
+#include "render/failure.h"
 #include "render/files/assets.h"
+#include "render/files/read_file.h"
 #include "render/hash.h"
 #include "shaders/lib/bindings.glsl"
 
@@ -17,9 +20,6 @@
 
 namespace vitrine {
 namespace {
-
-/// Shader that is shown while the values name no file.
-constexpr const char* firstShader = "gyroid.frag";
 
 /// The frame of the tenth place hangs on the wall; its screen is a little in front of it.
 Portal screenPortal()
@@ -50,7 +50,20 @@ guest::LoadedPicture pictureFrom(const std::string& path, const ParameterInfo& r
     return {read.value ? read.value : guest::testPicture(), read.id};
 }
 
+/// Returns the parameters of the first shader, which is only read here: its translation takes a process of its own.
+std::shared_ptr<const YourShaderTable> firstTable()
+{
+    try {
+        const auto read = guest::readShaderFile(render::asset("shaders") / YourShaderTable::firstShader);
+        return read.shader ? std::make_shared<const YourShaderTable>(*read.shader) : nullptr;
+    } catch (const Failure&) {
+        return nullptr;  // The program's assets are not installed.
+    }
+}
+
 }  // namespace
+
+YourShader::YourShader() : first_(firstTable()) {}
 
 render::Box YourShader::bounds(const ParameterValues&) const
 {
@@ -90,12 +103,73 @@ double YourShader::nextChangeOf(const ExhibitState& state) const
 
 DynamicParameters YourShader::dynamicParameters(const ParameterValues& values, render::AssetStore& assets) const
 {
-    const ParameterInfo& row = table_.rows()[table_.file.row];
-    const std::string path = filePath(row, values[table_.file]);
-    if (path.empty()) return {{std::shared_ptr<const Parameters>(), &table_}, {}};
-    const auto reading = guest::readWork(path, assets);
+    const std::string& file = values[table_.file];
+    const std::string& text = values[table_.document];
+    const bool isFirst = text.empty() && (file.empty() || file == Table::firstShader);
+    if (isFirst && first_) return {first_, {}};
+    const ParameterInfo& row = table_.rows()[text.empty() ? table_.file.row : table_.document.row];
+    const auto reading = guest::readWork(pathOf(values), assets, text);
     if (reading->table) return {reading->table, {}};
     return {nullptr, reading->why.empty() ? Message() : unreadableFile(row, title(), reading->why)};
+}
+
+std::filesystem::path YourShader::pathOf(const ParameterValues& values) const
+{
+    const std::string path = filePath(table_.rows()[table_.file.row], values[table_.file]);
+    return path.empty() ? render::asset("shaders") / Table::firstShader : std::filesystem::path(path);
+}
+
+DocumentPlace YourShader::document(const ParameterValues& values) const
+{
+    const std::filesystem::path path = pathOf(values);
+    const std::string& named = values[table_.file];
+    return {table_.file.row,
+            table_.document.row,
+            path.string(),
+            !named.empty() && path == named,
+            path.extension().string().substr(path.has_extension() ? 1 : 0),
+            table_.draft.row};
+}
+
+std::string YourShader::documentText(const ParameterValues& values) const
+{
+    if (std::string text = unsavedText(values); !text.empty()) return text;
+    try {
+        return render::readFile(pathOf(values), guest::Limits::textBytes);
+    } catch (const Failure&) {
+        return {};  // The message about the file says why.
+    }
+}
+
+bool YourShader::isDocument(const std::string& text) const
+{
+    return guest::readShaderText(text, "shader").shader != nullptr;
+}
+
+EditedText YourShader::withText(const ParameterValues& values, const std::string& text,
+                                render::AssetStore& assets) const
+{
+    const std::string written = text.empty() ? "\n" : text;  // An empty document would be none.
+    const auto reading = guest::readWork(pathOf(values), assets, written);
+    EditedText edited{values, reading->table != nullptr, {}};
+    for (const guest::Finding& each : reading->findings)
+        edited.findings.push_back({each.file, each.line, each.column, each.isError, each.sentence});
+    if (!reading->table && edited.findings.empty())
+        edited.findings.push_back({pathOf(values).string(), 1, 1, true, reading->why});
+    edited.values.set(table_.draft, edited.isShown ? std::string() : written);
+    if (!edited.isShown) return edited;
+    edited.values.set(table_.document, written);
+    std::vector<std::string> notes;
+    edited.values = underTable(edited.values, reading->table, notes);
+    return edited;
+}
+
+std::vector<TextTemplate> YourShader::templates() const
+{
+    const auto shader = [](const char* name) { return std::string("templates/") + name; };
+    return {{message("Plain fragment shader"), shader("plain.frag")},
+            {message("ISF, with inputs in its head"), shader("isf.fs")},
+            {message("Shadertoy code"), shader("shadertoy.glsl")}};
 }
 
 std::vector<std::string> YourShader::furtherFiles(const ParameterValues& values) const
@@ -114,7 +188,7 @@ std::shared_ptr<const PreparedPart> YourShader::prepare(const PrepareContext& co
     auto part = std::make_shared<PreparedShader>(context.values);
     const ParameterInfo& row = table_.rows()[table_.file.row];
     if (!part->table().work) {
-        const auto first = guest::readWork(render::asset("shaders") / firstShader, context.assets);
+        const auto first = guest::readWork(render::asset("shaders") / Table::firstShader, context.assets);
         if (!first->table) {
             if (!first->why.empty())
                 part->unreadable.push_back(

@@ -2,15 +2,27 @@
 
 #include "exhibits/framework/scene/continues_state.h"
 #include "exhibits/framework/scene/exhibit.h"
+#include "exhibits/framework/scene/text_document.h"
 #include "exhibits/your_shader/your_shader_table.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
 
 namespace vitrine {
 
 /// A shader that a visitor brings, on a screen in a frame. Start reading with guest_shader.h (what a shader is),
 /// guest_work.h (what is drawn of it) and guest_passes.h (steps and buffers).
-class YourShader final : public Exhibit, public HasSurroundings, public TableFromFiles, public ContinuesState {
+class YourShader final : public Exhibit,
+                         public HasSurroundings,
+                         public TableFromFiles,
+                         public ContinuesState,
+                         public HasText {
 public:
     using Table = YourShaderTable;
+
+    YourShader();
 
     [[nodiscard]] std::string_view name() const override { return "your_shader"; }
     [[nodiscard]] std::string_view title() const override { return "Your Shader"; }
@@ -34,9 +46,19 @@ public:
     [[nodiscard]] std::shared_ptr<const PreparedPart> prepare(const PrepareContext&) const override;
     void plan(const PlanContext&, render::FramePlan&) const override;
     void planFrom(const PlanContext&, const render::PersistentState& kept, render::FramePlan&) const override;
+    [[nodiscard]] DocumentPlace document(const ParameterValues&) const override;
+    [[nodiscard]] std::string documentText(const ParameterValues&) const override;
+    [[nodiscard]] bool isDocument(const std::string& text) const override;
+    [[nodiscard]] EditedText withText(const ParameterValues&, const std::string& text,
+                                      render::AssetStore&) const override;
+    [[nodiscard]] std::vector<TextTemplate> templates() const override;
 
 private:
+    /// Returns the path of the shader that the values name, or of the first one.
+    [[nodiscard]] std::filesystem::path pathOf(const ParameterValues&) const;
+
     Table table_;
+    std::shared_ptr<const Table> first_;  ///< With the inputs of the first shader; null if it cannot be read.
 };
 
 }  // namespace vitrine

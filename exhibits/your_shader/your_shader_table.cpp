@@ -103,9 +103,18 @@ glm::dvec3 linearColor(const std::vector<double>& encoded)
 
 YourShaderTable::YourShaderTable(std::shared_ptr<const guest::Work> of) : work(std::move(of))
 {
-    if (!work) return;
-    if (!work->shader->inputs.empty()) group(work->shader->title.empty() ? "Inputs" : work->shader->title);
-    for (const Input& input : work->shader->inputs) ofInputs.push_back(addInput(input));
+    addInputs(*work->shader);
+}
+
+YourShaderTable::YourShaderTable(const guest::Shader& shader)
+{
+    addInputs(shader);
+}
+
+void YourShaderTable::addInputs(const guest::Shader& shader)
+{
+    if (!shader.inputs.empty()) group(shader.title.empty() ? "Inputs" : shader.title);
+    for (const Input& input : shader.inputs) ofInputs.push_back(addInput(input));
 }
 
 std::vector<std::size_t> YourShaderTable::addInput(const Input& input)

@@ -11,6 +11,7 @@ namespace vitrine {
 
 namespace guest {
 struct Input;
+struct Shader;
 struct Work;
 }  // namespace guest
 
@@ -18,15 +19,29 @@ enum class ShaderChange : int { goesOn, recomputes };
 
 /// Parameters of the exhibit with a visitor's shader. The inputs of the shader are appended.
 struct YourShaderTable final : Parameters {
-    /// Makes the parameters for a work; null: without a shader's inputs.
-    explicit YourShaderTable(std::shared_ptr<const guest::Work> = {});
+    /// Makes the parameters without a shader's inputs.
+    YourShaderTable() = default;
+    /// Makes the parameters for a work, which must not be null.
+    explicit YourShaderTable(std::shared_ptr<const guest::Work>);
+    /// Makes the parameters for a shader that is not translated yet.
+    explicit YourShaderTable(const guest::Shader&);
+
+    /// File of the assets that is shown first.
+    static constexpr std::string_view firstShader = "gyroid.frag";
 
     Group show = group("Display");
     File file = this->Parameters::file(
         "file",
         "Path of a shader: ISF (.fs), Shadertoy code or its JSON, or a plain fragment shader. "
         "Its inputs become sliders.",
-        extensions("fs frag glsl json txt"), addsParameters(), inAssetFolder("shaders"), essential());
+        extensions("fs frag glsl json txt"), addsParameters(), inAssetFolder("shaders", firstShader), essential());
+    File document = this->Parameters::document(
+        "document", file,
+        "The edited shader with all changes that are not in its file yet. Resetting it discards them.");
+    File draft = this->Parameters::document(
+        "draft", file,
+        "The text in the editor while it has errors: the last good shader is shown. Resetting it discards "
+        "the text.");
     Toggle animate =
         toggle("animate", false, "Whether time runs; it shows only in shaders that read the time.", essential());
     Real moment = real("moment", 0, second, Range{-1e6, 1e6}.soft(0, 60),
@@ -58,11 +73,12 @@ struct YourShaderTable final : Parameters {
         count("screenWidth", 960, {64, 4096, logarithmic}, "Width of the picture in its frame in the hall, in pixels.");
     StudiedRows studied{*this, {{.name = "loopRounds", .settles = "The loops of the shader end earlier."}}};
 
-    const std::shared_ptr<const guest::Work> work;
+    const std::shared_ptr<const guest::Work> work;  ///< Null before the shader is translated.
     /// Parameters of each input, in the order of its components; empty for inputs without any.
     std::vector<std::vector<std::size_t>> ofInputs;
 
 private:
+    void addInputs(const guest::Shader&);
     std::vector<std::size_t> addInput(const guest::Input&);
     std::vector<std::size_t> addNumbers(const guest::Input&, const std::string& name, std::string_view label);
 };

@@ -61,7 +61,7 @@ render::Camera randomCamera(RandomNumbers& random)
 /// Returns random values of all parameters of all tables, with some animations.
 SceneState randomState(RandomNumbers& random)
 {
-    SceneState state = museum().initialSceneState();
+    SceneState state = museum().readTables(museum().initialSceneState()).sceneState;
     for (ParameterValues& values : state.values) {
         values = randomValues(values.table(), random, 0.6);
         for (int i = 0; i < 3; ++i) {
@@ -127,7 +127,7 @@ void expectSamePicture(const std::string& file, std::size_t subject, const Scene
 void expectSameState(const std::string& text, const SceneState& state, const render::Camera& camera)
 {
     std::vector<std::string> notes;
-    const SceneState read = ui::lookFrom(museum(), text, "text", notes);
+    const SceneState read = museum().readTables(ui::lookFrom(museum(), text, "text", notes)).sceneState;
     EXPECT_TRUE(read.values == state.values);
     EXPECT_TRUE(read.camera == camera);
     EXPECT_TRUE(notes.empty()) << notes.front();

@@ -142,7 +142,8 @@ const std::map<std::string, std::vector<std::string>> roomsOfUi{
     {"charts", {"kit", "model"}},
     {"compare", {"kit", "model", "viewport", "parameters", "presets"}},
     {"explore", {"kit", "model", "viewport", "parameters", "presets"}},
-    {"tree", {"kit", "model", "viewport", "parameters"}},
+    {"editor", {"kit", "model", "viewport"}},
+    {"tree", {"kit", "model", "viewport", "parameters", "editor"}},
     {"study", {"kit", "model", "viewport", "parameters", "jobs"}},
     {"gamepad", {"kit", "model", "viewport"}},
     {"lessons", {"kit", "model", "viewport", "parameters"}},
@@ -153,8 +154,8 @@ const std::map<std::string, std::vector<std::string>> roomsOfUi{
     {"export", {"kit", "model", "viewport"}},
     {"report", {"kit"}},
     {"window",
-     {"kit", "model", "viewport", "parameters", "presets", "charts", "compare", "explore", "tree", "lessons", "study",
-      "print", "jobs", "record", "preferences", "gamepad", "export", "report"}},
+     {"kit", "model", "viewport", "parameters", "presets", "charts", "compare", "explore", "editor", "tree", "lessons",
+      "study", "print", "jobs", "record", "preferences", "gamepad", "export", "report"}},
 };
 
 /// Returns the folder below the first one; empty if there is none.

@@ -145,9 +145,9 @@ public:
                           return std::isfinite(render::firstHit(ray, box));
                       }});
     }
-    [[nodiscard]] TreeDocument document(const ParameterValues& values) const override
+    [[nodiscard]] DocumentPlace document(const ParameterValues& values) const override
     {
-        return {none_.pile.row, none_.document.row, values[none_.pile], !values[none_.pile].empty()};
+        return {none_.pile.row, none_.document.row, values[none_.pile], !values[none_.pile].empty(), "json"};
     }
     [[nodiscard]] std::string documentText(const ParameterValues& values) const override
     {

@@ -1,12 +1,12 @@
 #include "ui/tree/tree_dock.h"
 
+#include "ui/editor/document_file.h"
 #include "ui/kit/idle_undo.h"
 #include "ui/kit/language.h"
 #include "ui/kit/text.h"
 #include "ui/kit/type_size.h"
 #include "ui/tree/kind_menu.h"
 #include "ui/tree/tree_editor.h"
-#include "ui/tree/tree_file.h"
 #include "ui/tree/tree_overlay.h"
 #include "ui/tree/tree_rows.h"
 #include "ui/tree/tree_view.h"
@@ -30,7 +30,7 @@ namespace vitrine::ui {
 
 using What = TreeEdit::What;
 
-TreeDock::TreeDock(TreeEditor& editor, TreeOverlay& overlay, TreeFile& file, QWidget* parent)
+TreeDock::TreeDock(TreeEditor& editor, TreeOverlay& overlay, DocumentFile& file, QWidget* parent)
     : QWidget(parent), editor_(editor), overlay_(overlay), file_(file), view_(new TreeView(editor, this)),
       rows_(new TreeRowsView(editor, this)), words_(new QLineEdit(this)), layout_(new QVBoxLayout(this)),
       adds_(new KindMenu(tr("Add"), this)), wraps_(new KindMenu(tr("Wrap in"), this)),

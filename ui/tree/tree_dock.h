@@ -15,7 +15,7 @@ namespace vitrine::ui {
 
 class KindMenu;
 class TreeEditor;
-class TreeFile;
+class DocumentFile;
 class TreeOverlay;
 class TreeRowsView;
 class TreeView;
@@ -26,7 +26,7 @@ class TreeDock final : public QWidget {
 
 public:
     /// All must outlive the dock.
-    TreeDock(TreeEditor&, TreeOverlay&, TreeFile&, QWidget* parent = nullptr);
+    TreeDock(TreeEditor&, TreeOverlay&, DocumentFile&, QWidget* parent = nullptr);
 
     [[nodiscard]] TreeView& view() const { return *view_; }
     [[nodiscard]] TreeRowsView& rows() const { return *rows_; }
@@ -55,7 +55,7 @@ private:
 
     TreeEditor& editor_;
     TreeOverlay& overlay_;
-    TreeFile& file_;
+    DocumentFile& file_;
     TreeView* view_;
     TreeRowsView* rows_;
     QLineEdit* words_;

@@ -95,7 +95,7 @@ QString TreeEditor::selectedTitle() const
 void TreeEditor::beginDocument()
 {
     SceneState begun = window_.history().sceneState();
-    const TreeDocument document = source_->document(values());
+    const DocumentPlace document = source_->document(values());
     if (!std::get<std::string>(values().row(document.document)).empty()) return;
     begun.values[subject_].setRow(document.document, source_->documentText(values()));
     window_.history().settle(begun);

@@ -1,6 +1,6 @@
 #include "ui/window/file_opener.h"
 
-#include "exhibits/framework/scene/tree.h"
+#include "exhibits/framework/scene/text_document.h"
 #include "exhibits/printing/print_json.h"
 #include "render/failure.h"
 #include "render/files/read_file.h"
@@ -23,6 +23,7 @@ namespace vitrine::ui {
 namespace {
 
 const QStringList models{QStringLiteral("glb"), QStringLiteral("gltf")};
+const QStringList shaders{QStringLiteral("fs"), QStringLiteral("frag"), QStringLiteral("glsl")};
 const QStringList recordings{QStringLiteral("mp4"), QStringLiteral("webm"), QStringLiteral("gif"),
                              QStringLiteral("apng")};
 
@@ -106,7 +107,7 @@ void FileOpener::sayNoPlace(const QString& path)
 QStringList FileOpener::openable()
 {
     QStringList patterns{QStringLiteral("*.json"), QStringLiteral("*.md")};
-    for (const QString& ending : models + pictures() + recordings) patterns << QStringLiteral("*.") + ending;
+    for (const QString& ending : models + shaders + pictures() + recordings) patterns << QStringLiteral("*.") + ending;
     return patterns;
 }
 
@@ -114,17 +115,19 @@ bool FileOpener::openDocument(const QString& path)
 {
     constexpr std::uint64_t most = 8U << 20U;
     const std::string file = QFileInfo(path).absoluteFilePath().toStdString();
+    const bool isShader = shaders.contains(QFileInfo(path).suffix().toLower());
     for (const MuseumExhibit& each : window_.museum().exhibits()) {
-        const auto* tree = capability<HasTree>(each.exhibit);
-        if (!tree) continue;
+        const auto* source = capability<HasDocument>(each.exhibit);
+        if (!source || (isShader && !capability<HasText>(each.exhibit))) continue;
         try {
-            if (!tree->isDocument(render::readFile(file, most))) continue;
+            // The ending says what a shader is, so that one with errors is shown with its errors.
+            if (!isShader && !source->isDocument(render::readFile(file, most))) continue;
         } catch (const Failure&) {
             return false;  // The next reader reports why the file cannot be read.
         }
         SceneState next = window_.history().sceneState();
         ParameterValues& values = next.values[each.index];
-        values.chooseFile(tree->document(values).file, file);
+        values.chooseFile(source->document(values).file, file);
         window_.history().change(tr("Open %1").arg(QFileInfo(path).fileName()), next);
         emit documentOpened(each.index);
         return true;
@@ -141,7 +144,9 @@ void FileOpener::open(const QString& path)
         if (isPrint(path))
             emit printFound(path);
         else if (!openDocument(path))
-            presetController_.loadFile(path);
+            shelf_.loadFile(path);
+    } else if (shaders.contains(ending) && openDocument(path)) {
+        return;
     } else if (ending == QLatin1String("md")) {
         emit lessonFound(path);
     } else if (models.contains(ending)) {
@@ -154,7 +159,8 @@ void FileOpener::open(const QString& path)
         openPicture(path);
     } else {
         QStringList endings;
-        for (const QString& each : QStringList{QStringLiteral("json"), QStringLiteral("md")} + models + pictures())
+        for (const QString& each :
+             QStringList{QStringLiteral("json"), QStringLiteral("md")} + models + shaders + pictures())
             endings << QLatin1Char('.') + each;
         window_.setProblems(openingOf(path), {tr("%1 cannot be opened: Vitrine opens %2, and its own recordings.")
                                                   .arg(path, endings.join(QStringLiteral(", ")))});

@@ -8,6 +8,7 @@
 #include "ui/compare/compare_actions.h"
 #include "ui/compare/compare_bar.h"
 #include "ui/compare/compare_controller.h"
+#include "ui/editor/document_file.h"
 #include "ui/explore/explore_dock.h"
 #include "ui/gamepad/gamepad_control.h"
 #include "ui/jobs/export_again.h"
@@ -26,7 +27,6 @@
 #include "ui/report/frame_report_dock.h"
 #include "ui/report/log_view.h"
 #include "ui/study/study_dock.h"
-#include "ui/tree/tree_file.h"
 #include "ui/viewport/pixel_inspector.h"
 #include "ui/viewport/row_drag.h"
 #include "ui/viewport/viewport.h"
@@ -69,8 +69,8 @@ QSize firstWindowSize(const QSize& room)
 }
 
 MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* parent)
-    : QMainWindow(parent), museum_(museum), renderers_(renderers), history_(museum.initialSceneState()),
-      preferences_(new WindowPreferences(*this))
+    : QMainWindow(parent), museum_(museum), renderers_(renderers),
+      history_(museum.readTables(museum.initialSceneState()).sceneState), preferences_(new WindowPreferences(*this))
 {
     setWindowIcon(programIcon());
     setAcceptDrops(true);
@@ -170,8 +170,9 @@ void MainWindow::connectParts()
     connect(&docks_->parameters(), &ParameterTabs::turned, presetController_, &PresetController::refresh);
     connect(presetController_, &PresetController::marked, this, &MainWindow::showTitle);
     connect(files_, &FileOpener::documentOpened, this, &MainWindow::visit);
-    connect(&docks_->treeFile(), &TreeFile::saved, this, &addRecentFile);
-    guard_->setUnsaved([this] { return docks_->treeFile().unsaved(); }, [this] { return docks_->treeFile().save(); });
+    connect(&docks_->documentFile(), &DocumentFile::saved, this, &addRecentFile);
+    guard_->setUnsaved([this] { return docks_->documentFile().unsaved(); },
+                       [this] { return docks_->documentFile().save(); });
     connect(files_, &FileOpener::printFound, dialogs_, &WindowDialogs::openPrint);
     connect(&docks_->exhibits(), &ExhibitList::chosen, this, &MainWindow::visit);
     connect(&docks_->exhibits(), &ExhibitList::lessonAsked, lessons_, qOverload<std::size_t>(&LessonController::start));
@@ -223,7 +224,7 @@ void MainWindow::choose(std::size_t exhibit)
     docks_->parameters().choose(exhibit);
     docks_->study().setSubject(exhibit);
     docks_->charts().setSubject(exhibit);
-    docks_->setTreeSubject(exhibit);
+    docks_->setDocumentSubject(exhibit);
     comparison_->actions().refreshOffers();
     presetController_->refresh();
     docks_->explore().follow();

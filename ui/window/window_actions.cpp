@@ -7,6 +7,7 @@
 #include "render/files/manual.h"
 #include "ui/compare/compare_actions.h"
 #include "ui/compare/compare_controller.h"
+#include "ui/editor/document_file.h"
 #include "ui/export/copies.h"
 #include "ui/export/screenshot.h"
 #include "ui/jobs/export_again.h"
@@ -22,7 +23,6 @@
 #include "ui/study/table_export.h"
 #include "ui/tree/tree_dock.h"
 #include "ui/tree/tree_editor.h"
-#include "ui/tree/tree_file.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/about_dialog.h"
 #include "ui/window/file_opener.h"
@@ -284,19 +284,22 @@ void WindowActions::addFileMenu(Maker& make, MainWindow& window)
 void WindowActions::addSaving(Maker& make, MainWindow& window)
 {
     make.add(tr("&Save"), {QKeySequence(Qt::CTRL | Qt::Key_S)},
-             tr("Saves your edits in the tree to the scene file; without any, the values in the panel to the preset in "
-                "use."),
+             tr("Saves your edits of the scene or the shader to its file; without any, the values in the panel to the "
+                "preset in use."),
              [&window] {
-                 if (window.docks().treeFile().edited())
-                     window.docks().treeFile().save();
+                 DocumentFile& file = window.docks().documentFile();
+                 file.flush();
+                 if (file.edited())
+                     file.save();
                  else
                      window.presetController().save();
              });
     enableOnly(
-        make.add(QStringLiteral("save-file-as"), tr("Save scene &as…"), {}, tr("Writes the tree to another file."),
-                 [&window] { window.docks().treeFile().saveAs(); }),
-        [&window] { return window.docks().tree().editor().source() != nullptr; },
-        tr("The visited exhibit has no tree."));
+        make.add(QStringLiteral("save-file-as"), tr("Save scene or shader &as…"), {},
+                 tr("Writes the scene or the shader to another file."),
+                 [&window] { window.docks().documentFile().saveAs(); }),
+        [&window] { return window.docks().documentFile().source() != nullptr; },
+        tr("The visited exhibit shows no file that is edited here."));
 }
 
 void WindowActions::addEditMenu(Maker& make, MainWindow& window)
@@ -432,6 +435,9 @@ void WindowActions::addExhibitMenu(Maker& make, MainWindow& window)
                     "focus."),
                  [&window] { window.viewport().press(); }),
         [&window] { return window.viewport().canPress(); }, tr("There is no red button in front of you."));
+    make.add(tr("S&hader"), {QKeySequence(Qt::Key_F4)},
+             tr("Shows the shaders that draw the visited exhibit; a shader of yours is edited there."),
+             [&window] { window.docks().showShader(); });
     make.submenu(ownObjectsMenu(window));
     make.separator();
     for (QAction* action : window.lessons().menu()) make.take(action);

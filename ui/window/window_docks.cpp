@@ -1,6 +1,8 @@
 #include "ui/window/window_docks.h"
 
 #include "ui/charts/charts_dock.h"
+#include "ui/editor/document_file.h"
+#include "ui/editor/shader_panel.h"
 #include "ui/explore/explore_dock.h"
 #include "ui/kit/language.h"
 #include "ui/kit/tab_order.h"
@@ -16,7 +18,6 @@
 #include "ui/study/study_dock.h"
 #include "ui/tree/tree_dock.h"
 #include "ui/tree/tree_editor.h"
-#include "ui/tree/tree_file.h"
 #include "ui/tree/tree_overlay.h"
 #include "ui/viewport/renderers.h"
 #include "ui/viewport/viewport.h"
@@ -115,8 +116,9 @@ void WindowDocks::addLists()
 void WindowDocks::addTree()
 {
     auto* editor = new TreeEditor(workbench_, this);
-    treeFile_ = new TreeFile(workbench_, *editor, this);
-    tree_ = new TreeDock(*editor, *new TreeOverlay(workbench_.museum(), *editor, workbench_.viewport()), *treeFile_);
+    documentFile_ = new DocumentFile(workbench_, this);
+    tree_ =
+        new TreeDock(*editor, *new TreeOverlay(workbench_.museum(), *editor, workbench_.viewport()), *documentFile_);
     treeDock_ = add(tr("Tree"), "tree", tree_, Qt::RightDockWidgetArea);
     window_.tabifyDockWidget(parametersDock_, treeDock_);
     treeDock_->hide();
@@ -131,8 +133,10 @@ void WindowDocks::addTree()
     });
 }
 
-void WindowDocks::setTreeSubject(std::size_t exhibit)
+void WindowDocks::setDocumentSubject(std::size_t exhibit)
 {
+    documentFile_->setSubject(exhibit);
+    shader_->setSubject(exhibit);
     tree_->editor().setSubject(exhibit);
     const bool some = tree_->editor().source() != nullptr;
     treeDock_->toggleViewAction()->setEnabled(some);
@@ -171,7 +175,8 @@ void WindowDocks::addFrameReportAndLog()
     frameReport_->view().setTitles(titles);
     connect(frameReport_, &FrameReportDock::runEverythingAsked, &viewport, &Viewport::setRunEverything);
     log_ = new LogView;
-    reportTabs_ = tabs({{tr("Passes"), frameReport_}, {tr("Log"), log_}});
+    shader_ = new ShaderPanel(workbench_, *documentFile_);
+    reportTabs_ = tabs({{tr("Passes"), frameReport_}, {tr("Log"), log_}, {tr("Shader"), shader_}});
     reportDock_ = add(tr("Frame report"), "frame-report", reportTabs_, Qt::BottomDockWidgetArea);
     window_.tabifyDockWidget(studyDock_, reportDock_);
     reportDock_->hide();
@@ -243,6 +248,15 @@ void WindowDocks::showCharts()
 {
     showStudy();
     studyTabs_->setCurrentWidget(charts_);
+}
+
+void WindowDocks::showShader()
+{
+    reportTabs_->setCurrentWidget(shader_);
+    reportDock_->show();
+    reportDock_->raise();
+    if (reportDock_->height() < 260)
+        window_.resizeDocks({reportDock_}, {std::clamp(window_.height() * 40 / 100, 260, 420)}, Qt::Vertical);
 }
 
 void WindowDocks::showLog()

@@ -14,6 +14,7 @@ class QMainWindow;
 namespace vitrine::ui {
 
 class ChartsDock;
+class DocumentFile;
 class ExhibitList;
 class ExploreDock;
 class FrameReportDock;
@@ -21,9 +22,9 @@ class LogView;
 class ParameterTabs;
 class PresetList;
 class PresetController;
+class ShaderPanel;
 class StudyDock;
 class TreeDock;
-class TreeFile;
 class Workbench;
 
 /// Docks around the picture, with more than 15 members because each dock is one: makes, places, hides and shows them.
@@ -44,7 +45,8 @@ public:
     [[nodiscard]] StudyDock& study() const { return *study_; }
     [[nodiscard]] ChartsDock& charts() const { return *charts_; }
     [[nodiscard]] TreeDock& tree() const { return *tree_; }
-    [[nodiscard]] TreeFile& treeFile() const { return *treeFile_; }
+    [[nodiscard]] DocumentFile& documentFile() const { return *documentFile_; }
+    [[nodiscard]] ShaderPanel& shader() const { return *shader_; }
     [[nodiscard]] FrameReportDock& frameReport() const { return *frameReport_; }
     [[nodiscard]] LogView& log() const { return *log_; }
     [[nodiscard]] ExploreDock& explore() const { return *explore_; }
@@ -53,8 +55,8 @@ public:
     void hideAll();
     /// Shows the docks that `hideAll` hid.
     void showAgain();
-    /// Shows this exhibit's tree, or hides the dock if the exhibit has none.
-    void setTreeSubject(std::size_t exhibit);
+    /// Shows this exhibit's tree and shader. Hides the dock of the tree if the exhibit has none.
+    void setDocumentSubject(std::size_t exhibit);
     /// Shows the parameters, in front if they are stacked with other docks.
     void showParameters();
     /// Shows the study in the same way, large enough for its chart.
@@ -63,6 +65,8 @@ public:
     void showCharts();
     /// Shows the log, a tab of the frame report's dock.
     void showLog();
+    /// Shows the shader of the visited exhibit, another tab there, large enough to be edited.
+    void showShader();
 
 private:
     [[nodiscard]] static QTabWidget* tabs(std::initializer_list<std::pair<QString, QWidget*>> pages);
@@ -89,11 +93,12 @@ private:
     StudyDock* study_ = nullptr;
     QDockWidget* treeDock_ = nullptr;
     TreeDock* tree_ = nullptr;
-    TreeFile* treeFile_ = nullptr;
+    DocumentFile* documentFile_ = nullptr;
     bool treeWanted_ = true;  // The visitor has not closed the tree's dock.
     ChartsDock* charts_ = nullptr;
     FrameReportDock* frameReport_ = nullptr;
     LogView* log_ = nullptr;
+    ShaderPanel* shader_ = nullptr;
     ExploreDock* explore_ = nullptr;
 };
 

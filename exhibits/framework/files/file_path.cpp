@@ -9,10 +9,12 @@ namespace vitrine {
 
 std::string filePath(const ParameterInfo& row, const std::string& value)
 {
-    if (row.assetFolder.empty() || value.empty() || std::filesystem::path(value).has_parent_path()) return value;
+    const std::filesystem::path path(value);
+    std::error_code error;
+    if (row.assetFolder.empty() || value.empty() || path.is_absolute()) return value;
+    if (path.has_parent_path() && (*path.begin() == ".." || std::filesystem::exists(path, error))) return value;
     try {
         const std::filesystem::path own = render::asset(row.assetFolder) / value;
-        std::error_code error;
         return std::filesystem::exists(own, error) ? own.string() : value;
     } catch (const Failure&) {
         return value;  // The program's assets are not installed.

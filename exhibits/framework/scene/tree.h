@@ -1,5 +1,6 @@
 #pragma once
 
+#include "exhibits/framework/scene/document.h"
 #include "exhibits/framework/scene/prepare.h"
 #include "exhibits/framework/table/parameters.h"
 #include "render/files/asset_store.h"
@@ -110,20 +111,10 @@ struct TreeShape {
     std::function<bool(const render::Ray&)> isHit;  ///< Returns whether the ray hits the shape, even if it is occluded.
 };
 
-/// Storage of an exhibit's tree: the two parameters of its table, and the file.
-struct TreeDocument {
-    std::size_t file = 0, document = 0;
-    std::string path = {};  ///< Path of the file.
-    bool writable = false;  ///< True if the file belongs to the visitor and not to the program.
-};
-
-/// Interface of exhibits with a tree that visitors can edit. Edits change the exhibit's document
-/// (`Parameters::document`), so undo, presets and sessions store them. `values` are the shown values, with the table
-/// that was read for them.
-class HasTree {
+/// Interface of exhibits with a tree that visitors can edit. Edits change the exhibit's document. `values` are the
+/// shown values, with the table that was read for them.
+class HasTree : public HasDocument {
 public:
-    virtual ~HasTree() = default;
-
     [[nodiscard]] virtual Tree tree(const ParameterValues&) const = 0;
     /// Returns the numbers of a node as parameters of a separate table; their order is the same while only numbers
     /// change. Returns nullopt if there is no such node.
@@ -149,12 +140,6 @@ public:
     /// Makes the visible shape of a node. May be slow; thread-safe. Returns null if there is no such node.
     [[nodiscard]] virtual std::shared_ptr<const TreeShape> shapeOf(const ExhibitState&,
                                                                    std::string_view node) const = 0;
-
-    [[nodiscard]] virtual TreeDocument document(const ParameterValues&) const = 0;
-    /// Returns the document text, or the text of the file if there is no document.
-    [[nodiscard]] virtual std::string documentText(const ParameterValues&) const = 0;
-    /// Returns whether `text` is valid for the document parameter.
-    [[nodiscard]] virtual bool isDocument(const std::string& text) const = 0;
 };
 
 }  // namespace vitrine

@@ -226,11 +226,14 @@ protected:
     };
     [[nodiscard]] static Extensions extensions(std::string_view text) { return {text}; }
     struct AssetFolder {
-        std::string_view folder;
+        std::string_view folder, first;
     };
     /// For a file parameter: a name without a folder refers to a file in this folder of the assets, if there is one of
-    /// that name (`filePath`).
-    [[nodiscard]] static AssetFolder inAssetFolder(std::string_view folder) { return {folder}; }
+    /// that name (`filePath`). `first` is the initial value; empty: no file.
+    [[nodiscard]] static AssetFolder inAssetFolder(std::string_view folder, std::string_view first = {})
+    {
+        return {folder, first};
+    }
     struct AddsParameters {};
     /// For a file parameter: its file adds parameters to the table (`TableFromFiles::dynamicParameters`).
     [[nodiscard]] static AddsParameters addsParameters() { return {}; }
@@ -423,7 +426,11 @@ private:
     }
     static void say(ParameterInfo& row, const Extensions& extensions) { row.extensions = extensions.text; }
     static void say(ParameterInfo& row, const AddsParameters&) { row.addsParameters = true; }
-    static void say(ParameterInfo& row, const AssetFolder& in) { row.assetFolder = in.folder; }
+    static void say(ParameterInfo& row, const AssetFolder& in)
+    {
+        row.assetFolder = in.folder;
+        row.initial = std::string(in.first);
+    }
     static void say(ParameterInfo& row, const Essential& essential) { row.essential = essential.is; }
     static void say(ParameterInfo& row, const Label& label) { row.label = label.text; }
     static void say(ParameterInfo& row, const Word& word) { row.words.push_back(word); }

@@ -200,6 +200,15 @@ TEST_F(YourShaderPictures, NameWhatOfShadertoyIsNotDrawn)
     }
 }
 
+TEST_F(YourShaderPictures, OfTheFirstShaderFollowItsInputsThoughNoFileWasChosen)
+{
+    ShaderShot own;
+    ASSERT_EQ(own.read(), "");
+    const Picture before = own.shot.take();
+    own.set("uCells", 3.0);
+    EXPECT_GT(largestDifference(before.image, own.shot.take().image), 0.1);
+}
+
 TEST_F(YourShaderPictures, ShowAFileWithItsLowerRowBelow)
 {
     ShaderShot own;

@@ -4,10 +4,10 @@
 #include "tests/ui/open_window.h"
 #include "tests/ui/ui_main.h"
 
+#include "ui/editor/document_file.h"
 #include "ui/presets/preset_controller.h"
 #include "ui/tree/tree_dock.h"
 #include "ui/tree/tree_editor.h"
-#include "ui/tree/tree_file.h"
 #include "ui/tree/tree_overlay.h"
 #include "ui/tree/tree_rows.h"
 #include "ui/tree/tree_view.h"
@@ -180,7 +180,7 @@ private slots:
         QCOMPARE(size("red"), 0.6);
         window_->presetController().load(rowsNamed("Small red").front()->data(Qt::UserRole).toString());
         QTRY_COMPARE(size("red"), 0.3);
-        QVERIFY(window_->docks().treeFile().unsaved().contains("pile.json"));
+        QVERIFY(window_->docks().documentFile().unsaved().contains("pile.json"));
     }
 
     void savedElsewhereTheOldFileStaysAsItIs()
@@ -188,12 +188,12 @@ private slots:
         editor().select("red");
         editor().setRow(0, 0.3, newGesture(), "Change");
         const QString other = home_->filePath("other.json");
-        QVERIFY(window_->docks().treeFile().saveTo(other));
+        QVERIFY(window_->docks().documentFile().saveTo(other));
         QTRY_COMPARE(std::get<std::string>(values().row(values().table().find("pile").value())), other.toStdString());
         QTRY_COMPARE(size("red"), 0.3);
         QVERIFY(render::readFile(path().toStdString(), 1 << 20).find("0.3,") == std::string::npos);
-        QVERIFY(window_->docks().treeFile().unsaved().isEmpty());
-        QVERIFY(!window_->docks().treeFile().saveTo(home_->filePath("no/such/folder.json")));
+        QVERIFY(window_->docks().documentFile().unsaved().isEmpty());
+        QVERIFY(!window_->docks().documentFile().saveTo(home_->filePath("no/such/folder.json")));
     }
 };
 

@@ -3,9 +3,9 @@
 
 #include "exhibits/sdf_scenes/sdf_scenes.h"
 #include "render/files/read_file.h"
+#include "ui/editor/document_file.h"
 #include "ui/tree/tree_dock.h"
 #include "ui/tree/tree_editor.h"
-#include "ui/tree/tree_file.h"
 #include "ui/tree/tree_overlay.h"
 #include "ui/tree/tree_rows.h"
 #include "ui/tree/tree_view.h"
@@ -229,7 +229,9 @@ private slots:
         for (QToolButton* button : dock().findChildren<QToolButton*>())
             if (button->text() == "Save") save = button;
         // Checks whether there is something to save.
-        const auto savable = [&](bool is) { return save->isEnabled() == is && action("Save scene as…")->isEnabled(); };
+        const auto savable = [&](bool is) {
+            return save->isEnabled() == is && action("Save scene or shader as…")->isEnabled();
+        };
         QVERIFY(save && savable(false));
         const int steps = stack().count();
         const QPoint from(12, slider->height() / 2);
@@ -246,20 +248,20 @@ private slots:
         stack().undo();
         QCOMPARE(number("radius"), 0.5);
         QCOMPARE(document(), twoBalls);
-        QVERIFY(window_->docks().treeFile().unsaved().isEmpty());
+        QVERIFY(window_->docks().documentFile().unsaved().isEmpty());
         QTRY_COMPARE(document(), std::string());  // There are no edits left.
         QTRY_VERIFY(savable(false));
         QCOMPARE(number("radius"), 0.5);
         stack().redo();
         QCOMPARE(number("radius"), dragged);
-        QCOMPARE(window_->docks().treeFile().unsaved(), QStringList("two.json"));
+        QCOMPARE(window_->docks().documentFile().unsaved(), QStringList("two.json"));
 
         QCOMPARE(action("Save")->shortcut(), QKeySequence("Ctrl+S"));
         action("Save")->trigger();
         QCOMPARE(onDisk().substr(0, 60), twoBalls.substr(0, 60));
         QVERIFY(onDisk() != twoBalls);
         QCOMPARE(document(), std::string());
-        QTRY_VERIFY(window_->docks().treeFile().unsaved().isEmpty());
+        QTRY_VERIFY(window_->docks().documentFile().unsaved().isEmpty());
         // A saved edit can still be undone.
         stack().undo();
         QCOMPARE(number("radius"), 0.5);
@@ -267,7 +269,7 @@ private slots:
         QTRY_COMPARE(number("radius"), dragged);
 
         // Another program saves the file: it is read within about a second, and the camera stays.
-        if (!document().empty()) QVERIFY(window_->docks().treeFile().save());
+        if (!document().empty()) QVERIFY(window_->docks().documentFile().save());
         std::string other = twoBalls;
         other.replace(other.rfind("0.50"), 4, "0.8125");
         QTest::qWait(20);

@@ -300,7 +300,7 @@ private slots:
     {
         window_->choose(1);
         for (const char* name :
-             {"Save scene as…", "Export picture again", "Export measurements…", "Back", "Rename preset",
+             {"Save scene or shader as…", "Export picture again", "Export measurements…", "Back", "Rename preset",
               "Tags of preset…", "Duplicate preset", "Delete preset", "Export preset…"}) {
             QVERIFY2(!action(name)->isEnabled(), name);
             QVERIFY2(!action(name)->toolTip().isEmpty(), name);
