@@ -94,7 +94,7 @@ SkySource skySource(const HallScene& scene, const Sun& sun)
     /// Scale that makes the sky in the window as bright as the light that falls in from it.
     constexpr double perStrength = 14;
     constexpr double initialTemperature = 9500;
-    constexpr double hazeOutside = 2;  // It makes the sky around a low sun glow.
+    constexpr double hazeOutside = 5;  // It makes the sky around a low sun glow.
     const glm::dvec3 luminance(0.2126, 0.7152, 0.0722);
     const HallTable& table = scene.table;
     const ParameterValues& values = scene.values;

@@ -116,13 +116,16 @@ void setFoam(const NoiseTable& t, const ParameterValues& values, NoiseBlock& blo
     constexpr double shortest = 60;  // Shorter waves than this share of the highest one do not break: wave numbers.
     const double wind = values[t.windSpeed];
     const double peak = std::pow(0.877 * 9.81 / (1.026 * wind), 2) / 9.81;
-    block.foamCut = static_cast<float>(1 / std::pow(shortest * peak, 2));
+    const double cut = 1 / std::pow(shortest * peak, 2);
     double variance = 0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(block.waves); ++i) {
         const glm::dvec4 w(block.wave[i]);
         const double k = glm::length(glm::dvec2(w));
-        const double share = w.z * k / (1 + k * k * static_cast<double>(block.foamCut));
-        variance += 0.5 * share * share;
+        const double share = 1 / (1 + k * k * cut);
+        // Waves of deep water.
+        const double change = FOAM_AGE * std::sqrt(9.81 * k);
+        block.breaking[i] = glm::vec4(glm::dvec4(share, share * std::cos(change), share * std::sin(change), 0));
+        variance += 0.5 * std::pow(share * w.z * k, 2);
     }
     block.foamDeviation = static_cast<float>(std::sqrt(variance));
     const double foam = values[t.foam];

@@ -234,7 +234,8 @@ std::shared_ptr<const SkyView> lakeDusk(const PaperLanternsTable& t, const Param
     constexpr double nearHorizon = 0.17;               // Mean luminance.
     SkySource source{.sunElevation = glm::mix(lowest, highest, values[t.afterglow]), .haze = 2};
     const double luminance = glm::dot(glm::dvec3(0.2126, 0.7152, 0.0722), skyView(source)->around);
-    source.sun = glm::dvec3(nearHorizon / luminance);
+    // Without afterglow the horizon is cool, too, as under thin clouds.
+    source.sun = glm::mix(glm::dvec3(0.6, 0.95, 1.3), glm::dvec3(1), values[t.afterglow]) * (nearHorizon / luminance);
     return skyView(source);
 }
 

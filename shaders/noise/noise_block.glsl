@@ -5,6 +5,7 @@
 // Cells after which an octave of the field repeats, so that it fits in a small volume texture.
 #define FIELD_REPEAT 16
 #define FIELD_TEXELS 8    // Texels of that texture per cell.
+#define FOAM_AGE 1.4      // Seconds for which foam is seen behind the crest that left it.
 #define NOISE_PERIOD 256  // Cells after which the noise of foam and high clouds repeats.
 #define CLOUD_REPEAT 5200.0      // Meters after which the clouds' noise repeats, ...
 #define CLOUD_FINE_REPEAT 830.0  // ... and that of their edges.
@@ -18,12 +19,11 @@
     FIELD(float, amplitudes)       /* sum of the octaves' amplitudes */ \
     FIELD(vec3, weatherShift)      /* ... and of the weather */ \
     FIELD(float, foamTime)         /* time of the foam's noise in cells, within its period */ \
-    FIELD(float, skyTime)          /* the same for the high clouds */ \
+    FIELD(float, skyTime)          /* time of the high clouds' noise, likewise */ \
     FIELD(int, waves)              /* number of waves of the sea */ \
     FIELD(vec3, sunLight)          /* irradiance on a plane that faces the sun, at the ground ... */ \
     FIELD(float, foamBelow)        /* waves break where the water's area shrinks below this share; 0: nowhere */ \
     FIELD(vec3, sunOnClouds)       /* ... and at the height of cirrus */ \
-    FIELD(float, foamCut)          /* squared length that scales the wave numbers of waves too short to break, m^2 */ \
     FIELD(vec3, skyAbove)          /* irradiance over pi of the sky on level ground */ \
     FIELD(float, foamDeviation)    /* standard deviation of the area of waves that break, at a chop of 1 */ \
     FIELD(vec3, skyAround)         /* mean radiance near the horizon */ \
@@ -34,5 +34,6 @@
     FIELD(float, sampleShift)      /* offset of the steps for this supersample, 0 to 1 */ \
     ARRAY(ivec4, cells, NOISE_OCTAVES)  /* origin in the lattice of each octave, the last for the warp: cell ... */ \
     ARRAY(vec4, places, NOISE_OCTAVES)  /* ... and place in it */ \
-    ARRAY(vec4, wave, SEA_WAVES)        /* wave vector, radians per meter; amplitude, meters; phase, radians */
+    ARRAY(vec4, wave, SEA_WAVES)        /* wave vector, radians per meter; amplitude, meters; phase, radians */ \
+    ARRAY(vec4, breaking, SEA_WAVES)    /* share that can break, 0 to 1; its cosine and sine of the change of phase in FOAM_AGE */
 BLOCK_STRUCT(NoiseBlock, NOISE_FIELDS)

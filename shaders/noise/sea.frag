@@ -74,8 +74,6 @@ struct Water {
     float areaSeen; // ... and the share of its variance that is resolved
 };
 
-const float FOAM_AGE = 1.4;  // seconds
-
 // Determinant of the identity minus a symmetric matrix (xx, yy, xy).
 float areaOf(vec3 stretch)
 {
@@ -102,14 +100,15 @@ Water waterAt(vec2 p, vec2 moved, float footprint)
         float phase = dot(w.xy, q) - w.w;
         float a = w.z * fade;
         float c = cos(phase);
-        slope -= w.xy * (a * sin(phase));
+        float s = sin(phase);
+        slope -= w.xy * (a * s);
         vec3 drawn = vec3(w.x * w.x, w.y * w.y, w.x * w.y) * (parameters.chop * a / k);
         stretch += drawn * c;
         height += a * c;
-        float breaks = 1.0 / (1.0 + k * k * work.foamCut);
-        breaking += drawn * (breaks * c);
-        broken += drawn * (breaks * cos(phase + sqrt(9.81 * k) * FOAM_AGE));
-        seen += 0.5 * steep * steep * fade * fade * breaks * breaks;
+        vec4 breaks = work.breaking[i];
+        breaking += drawn * (breaks.x * c);
+        broken += drawn * (breaks.y * c - breaks.z * s);
+        seen += 0.5 * steep * steep * fade * fade * breaks.x * breaks.x;
     }
     evaluations += 1.0;
     // Tangents of the displaced water surface, and the remaining area.
