@@ -138,7 +138,7 @@ def engine_texts(texts):
 
 def exhibit_texts(texts):
     """Titles, summaries, plaques and buttons, as the exhibits' headers say them."""
-    says = re.compile(r'(title|summary|tryThis|buttonText)\(\)\s*const\s*override\s*\{\s*return\s*((?:"(?:\\.|[^"\\])*"\s*)+);')
+    says = re.compile(r'(title|product|summary|tryThis|buttonText)\(\)\s*const\s*override\s*\{\s*return\s*((?:"(?:\\.|[^"\\])*"\s*)+);')
     for name, source in cpp_files('exhibits'):
         for which, literals in says.findall(source):
             text = ''.join(re.findall(r'"((?:\\.|[^"\\])*)"', literals)).replace('\\"', '"')

@@ -44,11 +44,6 @@
         <translation> Pixeln braucht </translation>
     </message>
     <message>
-        <location filename="ui/export/screenshot_dialog.cpp"/>
-        <source> px</source>
-        <translation> px</translation>
-    </message>
-    <message>
         <location filename="exhibits/study/study_judge.cpp"/>
         <source> the reference changes by {1}</source>
         <translation> ändert sich die Referenz um {1}</translation>
@@ -79,7 +74,7 @@
         <translation>„### {=1}“ gehört zu einem Schritt; schreiben Sie darüber „## Titel“ des Schritts.</translation>
     </message>
     <message>
-        <location filename="ui/study/study_dock.cpp"/>
+        <location filename="ui/study/study_finder.cpp"/>
         <source>&quot;%1&quot; is not a limit; type a number above 0, such as %2.</source>
         <translation>„%1“ ist keine Grenze; geben Sie eine Zahl über 0 ein, etwa %2.</translation>
     </message>
@@ -144,28 +139,28 @@
         <translation>„{=1}“ fehlt; exportieren Sie die Datei neu.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/files/preset.cpp"/>
-        <source>&quot;{1}&quot; is no format of Vitrine; choose a preset.</source>
-        <translation>„{=1}“ ist kein Format von Vitrine; wählen Sie ein Preset.</translation>
-    </message>
-    <message>
-        <location filename="exhibits/study/kept_study.cpp"/>
-        <source>&quot;{1}&quot; is no metric; correct it there.</source>
-        <translation>„{=1}“ ist kein Maß; korrigieren Sie es dort.</translation>
-    </message>
-    <message>
         <location filename="exhibits/recording/record.cpp"/>
         <source>&quot;{1}&quot; is no name of a recording; give one that ends in .mp4, .webm, .gif, .webp or .apng, or frames/%04d.png.</source>
         <translation>„{=1}“ ist kein Name für eine Aufnahme; geben Sie einen an, der auf .mp4, .webm, .gif, .webp oder .apng endet, oder frames/%04d.png.</translation>
     </message>
     <message>
+        <location filename="exhibits/framework/files/preset.cpp"/>
+        <source>&quot;{1}&quot; is not a format of Vitrine; choose a preset.</source>
+        <translation>„{=1}“ ist kein Format von Vitrine; wählen Sie ein Preset.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/study/kept_study.cpp"/>
+        <source>&quot;{1}&quot; is not a metric; correct it there.</source>
+        <translation>„{=1}“ ist kein Maß; korrigieren Sie es dort.</translation>
+    </message>
+    <message>
         <location filename="exhibits/recording/tour.cpp"/>
-        <source>&quot;{1}&quot; is no pace; write constant or eased.</source>
+        <source>&quot;{1}&quot; is not a pace; write constant or eased.</source>
         <translation>„{=1}“ ist kein Tempo; schreiben Sie constant oder eased.</translation>
     </message>
     <message>
         <location filename="exhibits/recording/tour.cpp"/>
-        <source>&quot;{1}&quot; is no tour; choose another file.</source>
+        <source>&quot;{1}&quot; is not a tour; choose another file.</source>
         <translation>„{=1}“ ist kein Rundgang; wählen Sie eine andere Datei.</translation>
     </message>
     <message>
@@ -251,6 +246,7 @@
     </message>
     <message>
         <location filename="ui/compare/compare_actions.cpp"/>
+        <location filename="ui/editor/document_file.cpp"/>
         <location filename="ui/parameters/pick_editors.cpp"/>
         <location filename="ui/print/print_numbers.cpp"/>
         <source>%1 (%2)</source>
@@ -297,7 +293,7 @@
         <translation>%1 cm</translation>
     </message>
     <message>
-        <location filename="ui/presets/preset_shelf.cpp"/>
+        <location filename="ui/presets/preset_controller.cpp"/>
         <source>%1 copy</source>
         <translation>%1 (Kopie)</translation>
     </message>
@@ -342,12 +338,12 @@
         <translation>%1 wird als „%2“ gezeigt; auch das lässt sich eingeben.</translation>
     </message>
     <message>
-        <location filename="ui/presets/preset_shelf.cpp"/>
+        <location filename="ui/presets/preset_controller.cpp"/>
         <source>%1 is supplied with the exhibit and cannot be renamed. Duplicate it, and rename the copy.</source>
         <translation>%1 gehört zum Exponat und kann nicht umbenannt werden. Duplizieren Sie es, und benennen Sie die Kopie um.</translation>
     </message>
     <message>
-        <location filename="ui/presets/preset_shelf.cpp"/>
+        <location filename="ui/presets/preset_controller.cpp"/>
         <source>%1 is supplied with the exhibit and cannot be tagged. Duplicate it, and tag the copy.</source>
         <translation>%1 gehört zum Exponat und kann keine Tags bekommen. Duplizieren Sie es, und geben Sie der Kopie Tags.</translation>
     </message>
@@ -362,7 +358,7 @@
         <translation>%1 bewegt sich</translation>
     </message>
     <message>
-        <location filename="ui/lessons/lesson_desk.cpp"/>
+        <location filename="ui/lessons/lesson_controller.cpp"/>
         <location filename="ui/window/status_line.cpp"/>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
@@ -426,7 +422,7 @@ Zeiten werden gemessen, sobald alle gezeichnet sind.</translation>
         <translation>%1 Bilder</translation>
     </message>
     <message>
-        <location filename="ui/export/export_again.cpp"/>
+        <location filename="ui/jobs/export_again.cpp"/>
         <source>%1 pictures saved, the last one to %2.</source>
         <translation>%1 Bilder gespeichert, das letzte als %2.</translation>
     </message>
@@ -461,12 +457,12 @@ Zeiten werden gemessen, sobald alle gezeichnet sind.</translation>
         <translation>%1 Ansichten von %2, als kleine Vorschau</translation>
     </message>
     <message>
-        <location filename="ui/presets/preset_shelf.cpp"/>
+        <location filename="ui/presets/preset_controller.cpp"/>
         <source>%1 was changed by another program since it was loaded and was not overwritten. Save under another name, or load it again.</source>
         <translation>%1 wurde seit dem Laden von einem anderen Programm geändert und nicht überschrieben. Speichern Sie unter einem anderen Namen, oder laden Sie es erneut.</translation>
     </message>
     <message>
-        <location filename="ui/presets/preset_shelf.cpp"/>
+        <location filename="ui/presets/preset_controller.cpp"/>
         <source>%1 was loaded, with changes:</source>
         <translation>%1 wurde geladen, mit Änderungen:</translation>
     </message>
@@ -487,16 +483,16 @@ Zeiten werden gemessen, sobald alle gezeichnet sind.</translation>
     </message>
     <message>
         <location filename="ui/study/study_export.cpp"/>
-        <source>%1 was not saved: its name must end in .csv, .json, .png or .svg.</source>
-        <translation>%1 wurde nicht gespeichert: Der Name muss auf .csv, .json, .png oder .svg enden.</translation>
+        <source>%1 was not saved: its name must end in %2.</source>
+        <translation>%1 wurde nicht gespeichert: Der Name muss auf %2 enden.</translation>
     </message>
     <message>
-        <location filename="ui/lessons/lesson_desk.cpp"/>
+        <location filename="ui/lessons/lesson_controller.cpp"/>
         <source>%1 was opened, with changes: %2</source>
         <translation>%1 wurde geöffnet, mit Änderungen: %2</translation>
     </message>
     <message>
-        <location filename="ui/tree/tree_file.cpp"/>
+        <location filename="ui/editor/document_file.cpp"/>
         <source>%1 was saved by another program, and you have changes that are not in it.</source>
         <translation>%1 wurde von einem anderen Programm gespeichert, und Sie haben Änderungen, die nicht darin sind.</translation>
     </message>
@@ -526,11 +522,6 @@ Zeiten werden gemessen, sobald alle gezeichnet sind.</translation>
         <translation>%1 — Vitrine</translation>
     </message>
     <message>
-        <location filename="ui/export/screenshot_dialog.cpp"/>
-        <source>%1, %2 bit</source>
-        <translation>%1, %2 Bit</translation>
-    </message>
-    <message>
         <location filename="ui/print/eyes_preview.cpp"/>
         <source>%1, %2, from %3</source>
         <translation>%1, %2, aus %3</translation>
@@ -551,19 +542,34 @@ Zeiten werden gemessen, sobald alle gezeichnet sind.</translation>
         <translation>%1, Datei wählen</translation>
     </message>
     <message>
+        <location filename="ui/editor/shader_panel.cpp"/>
+        <source>%1, compute shader</source>
+        <translation>%1, Compute-Shader</translation>
+    </message>
+    <message>
+        <location filename="ui/editor/shader_panel.cpp"/>
+        <source>%1, edited here</source>
+        <translation>%1, hier bearbeitet</translation>
+    </message>
+    <message>
         <location filename="ui/parameters/direction_editor.cpp"/>
         <source>%1, elevation</source>
         <translation>%1, Höhenwinkel</translation>
     </message>
     <message>
-        <location filename="ui/export/screenshot_dialog.cpp"/>
-        <source>%1, linear light, %2 bit</source>
-        <translation>%1, lineares Licht, %2 Bit</translation>
+        <location filename="ui/editor/shader_panel.cpp"/>
+        <source>%1, fragment shader</source>
+        <translation>%1, Fragment-Shader</translation>
     </message>
     <message>
         <location filename="ui/parameters/number_editor.cpp"/>
         <source>%1, slider</source>
         <translation>%1, Regler</translation>
+    </message>
+    <message>
+        <location filename="ui/editor/shader_panel.cpp"/>
+        <source>%1, vertex shader</source>
+        <translation>%1, Vertex-Shader</translation>
     </message>
     <message>
         <location filename="ui/report/frame_report_dock.cpp"/>
@@ -588,7 +594,7 @@ Zeiten nach: %2.</translation>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <location filename="ui/compare/compare_desk.cpp"/>
+        <location filename="ui/compare/compare_controller.cpp"/>
         <source>%1: %2: %3 | %4</source>
         <translation>%1: %2: %3 | %4</translation>
     </message>
@@ -656,6 +662,14 @@ Zeiten nach: %2.</translation>
             <numerusform>%n Presets mit diesem Tag</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <location filename="ui/study/study_chart.cpp"/>
+        <source>%n view(s) of %1 × %2 pixels</source>
+        <translation>
+            <numerusform>%n Ansicht mit %1 × %2 Pixeln</numerusform>
+            <numerusform>%n Ansichten mit %1 × %2 Pixeln</numerusform>
+        </translation>
+    </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
         <source>&amp;About Vitrine</source>
@@ -676,6 +690,11 @@ Zeiten nach: %2.</translation>
         <location filename="ui/window/window_actions.cpp"/>
         <source>&amp;Compare</source>
         <translation>&amp;Vergleich</translation>
+    </message>
+    <message>
+        <location filename="ui/editor/shader_panel.cpp"/>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
@@ -728,9 +747,9 @@ Zeiten nach: %2.</translation>
         <translation>&amp;Datei</translation>
     </message>
     <message>
-        <location filename="ui/compare/compare_actions.cpp"/>
-        <source>&amp;Flicker</source>
-        <translation>Wec&amp;hselbild</translation>
+        <location filename="ui/editor/shader_panel.cpp"/>
+        <source>&amp;Find…	Ctrl+F</source>
+        <translation>&amp;Suchen …	Strg+F</translation>
     </message>
     <message>
         <location filename="ui/window/dock_title.cpp"/>
@@ -768,7 +787,7 @@ Zeiten nach: %2.</translation>
         <translation>&amp;Tastatur, Maus und Gamepad</translation>
     </message>
     <message>
-        <location filename="ui/lessons/lesson_desk.cpp"/>
+        <location filename="ui/lessons/lesson_controller.cpp"/>
         <source>&amp;Leave the lesson</source>
         <translation>Lektion &amp;verlassen</translation>
     </message>
@@ -793,7 +812,7 @@ Zeiten nach: %2.</translation>
         <translation>&amp;Schmaler</translation>
     </message>
     <message>
-        <location filename="ui/lessons/lesson_desk.cpp"/>
+        <location filename="ui/lessons/lesson_controller.cpp"/>
         <source>&amp;Next step</source>
         <translation>&amp;Nächster Schritt</translation>
     </message>
@@ -803,7 +822,7 @@ Zeiten nach: %2.</translation>
         <translation>Als B ö&amp;ffnen…</translation>
     </message>
     <message>
-        <location filename="ui/lessons/lesson_desk.cpp"/>
+        <location filename="ui/lessons/lesson_controller.cpp"/>
         <source>&amp;Open lesson…</source>
         <translation>Lektion ö&amp;ffnen…</translation>
     </message>
@@ -811,6 +830,11 @@ Zeiten nach: %2.</translation>
         <location filename="ui/window/window_actions.cpp"/>
         <source>&amp;Open…</source>
         <translation>Ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <location filename="ui/editor/shader_panel.cpp"/>
+        <source>&amp;Paste</source>
+        <translation>&amp;Einfügen</translation>
     </message>
     <message>
         <location filename="ui/compare/compare_actions.cpp"/>
@@ -829,6 +853,7 @@ Zeiten nach: %2.</translation>
         <translation>Been&amp;den</translation>
     </message>
     <message>
+        <location filename="ui/editor/shader_panel.cpp"/>
         <location filename="ui/window/window_actions.cpp"/>
         <source>&amp;Redo</source>
         <translation>&amp;Wiederherstellen</translation>
@@ -879,7 +904,7 @@ Zeiten nach: %2.</translation>
         <translation>&amp;Lektion dazu starten</translation>
     </message>
     <message>
-        <location filename="ui/lessons/lesson_desk.cpp"/>
+        <location filename="ui/lessons/lesson_controller.cpp"/>
         <source>&amp;Start the lesson</source>
         <translation>Lektion &amp;starten</translation>
     </message>
@@ -894,6 +919,7 @@ Zeiten nach: %2.</translation>
         <translation>&amp;Höher</translation>
     </message>
     <message>
+        <location filename="ui/editor/shader_panel.cpp"/>
         <location filename="ui/window/window_actions.cpp"/>
         <source>&amp;Undo</source>
         <translation>&amp;Rückgängig</translation>
@@ -912,6 +938,11 @@ Zeiten nach: %2.</translation>
         <location filename="ui/window/window_actions.cpp"/>
         <source>&amp;View</source>
         <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <location filename="ui/study/study_view.cpp"/>
+        <source>&amp;View:</source>
+        <translation>A&amp;nsicht:</translation>
     </message>
     <message>
         <location filename="ui/window/dock_title.cpp"/>
@@ -976,7 +1007,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="exhibits/study/study.cpp"/>
-        <source>, from aside</source>
+        <source>, from the side</source>
         <translation>, von der Seite</translation>
     </message>
     <message>
@@ -1015,7 +1046,7 @@ Zeiten nach: %2.</translation>
         <translation>, Periode {1} s</translation>
     </message>
     <message>
-        <location filename="ui/lessons/lesson_desk.cpp"/>
+        <location filename="ui/lessons/lesson_controller.cpp"/>
         <source>, previous step %1</source>
         <translation>, voriger Schritt %1</translation>
     </message>
@@ -1064,12 +1095,12 @@ Zeiten nach: %2.</translation>
         <translation>--border-mm: Testtafeln haben einen eigenen Rand.</translation>
     </message>
     <message>
-        <location filename="app/kit/picture_options.cpp"/>
-        <source>--channels: &quot;{1}&quot; is no channel; give color, depth, normal or evaluations, separated by commas.</source>
-        <translation>--channels: &quot;{=1}&quot; ist kein Kanal; nennen Sie color, depth, normal oder evaluations, durch Kommas getrennt.</translation>
+        <location filename="exhibits/jobs/picture/picture_job.cpp"/>
+        <source>--channels: &quot;{1}&quot; is not a channel; give color, depth, normal or evaluations, separated by commas.</source>
+        <translation>--channels: „{1}“ ist kein Kanal; geben Sie color, depth, normal oder evaluations an, durch Kommas getrennt.</translation>
     </message>
     <message>
-        <location filename="app/kit/picture_options.cpp"/>
+        <location filename="exhibits/jobs/picture/picture_job.cpp"/>
         <source>--channels: only OpenEXR carries more than color; give --out a name that ends in .exr.</source>
         <translation>--channels: Nur OpenEXR trägt mehr als Farbe; geben Sie --out einen Namen, der auf .exr endet.</translation>
     </message>
@@ -1098,9 +1129,14 @@ Zeiten nach: %2.</translation>
         <translation>--every {=1}: Geben Sie 1 oder mehr an.</translation>
     </message>
     <message>
+        <location filename="app/compare_command.cpp"/>
+        <source>--heatmap {1}: give a name that ends in {2}</source>
+        <translation>--heatmap {1}: Geben Sie einen Namen an, der auf {2} endet</translation>
+    </message>
+    <message>
         <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
-        <source>--high: all three numbers are above those of --low.</source>
-        <translation>--high: Alle drei Zahlen liegen über denen von --low.</translation>
+        <source>--high: each of the three numbers must be above that of --low.</source>
+        <translation>--high: Jede der drei Zahlen muss über der von --low liegen.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
@@ -1174,7 +1210,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="app/kit/picture_options.cpp"/>
-        <source>--set {1}: &quot;{2}&quot; is no value for it{3} give {4}</source>
+        <source>--set {1}: &quot;{2}&quot; is not a value for it{3} give {4}</source>
         <translation>--set {=1}: &quot;{=2}&quot; ist kein Wert dafür{3} geben Sie an: {4}</translation>
     </message>
     <message>
@@ -1184,23 +1220,23 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
+        <source>--set {1}: the scene has no parameter of that name{2} it has {3}.</source>
+        <translation>--set {=1}: Die Szene hat keinen Parameter dieses Namens{2} sie hat {=3}.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
         <source>--set {1}: the scene has no parameters.</source>
         <translation>--set {=1}: Die Szene hat keine Parameter.</translation>
     </message>
     <message>
-        <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
-        <source>--set {1}: the scene has no such parameter; it has {2}.</source>
-        <translation>--set {=1}: Die Szene hat keinen solchen Parameter; sie hat {=2}.</translation>
+        <location filename="app/kit/picture_options.cpp"/>
+        <source>--set {1}: {2} was changed to {3}, the nearest allowed value ({4}).</source>
+        <translation>--set {=1}: {=2} wurde auf {=3} geändert, den nächsten erlaubten Wert ({4}).</translation>
     </message>
     <message>
         <location filename="app/kit/picture_options.cpp"/>
-        <source>--set {1}: {2} was brought to {3}, the nearest that is allowed ({4}).</source>
-        <translation>--set {=1}: {=2} wurde auf {=3} gebracht, den nächsten erlaubten Wert ({4}).</translation>
-    </message>
-    <message>
-        <location filename="app/kit/picture_options.cpp"/>
-        <source>--set {1}: {2} was brought to {3}, the nearest that is allowed ({4}; degrees are written {5}deg).</source>
-        <translation>--set {=1}: {=2} wurde auf {=3} gebracht, den nächsten erlaubten Wert ({4}; Grad schreibt man {=5}deg).</translation>
+        <source>--set {1}: {2} was changed to {3}, the nearest allowed value ({4}; degrees are written {5}deg).</source>
+        <translation>--set {=1}: {=2} wurde auf {=3} geändert, den nächsten erlaubten Wert ({4}; Grad schreibt man {=5}deg).</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
@@ -1252,7 +1288,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="exhibits/study/study_table.cpp"/>
-        <source>--values: &quot;{1}&quot; is no value for {2}; give {3}</source>
+        <source>--values: &quot;{1}&quot; is not a value for {2}; give {3}</source>
         <translation>--values: &quot;{=1}&quot; ist kein Wert für {=2}; geben Sie an: {3}</translation>
     </message>
     <message>
@@ -1356,6 +1392,11 @@ Zeiten nach: %2.</translation>
         <source>16 bit</source>
         <extracomment>tables</extracomment>
         <translation>16 Bit</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/picture/picture_table.h"/>
+        <source>16 bits per channel</source>
+        <translation>16 Bit je Kanal</translation>
     </message>
     <message>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
@@ -1616,18 +1657,19 @@ Zeiten nach: %2.</translation>
         <translation>; als er zuletzt gezeichnet wurde</translation>
     </message>
     <message>
-        <location filename="ui/lessons/lesson_desk.cpp"/>
+        <location filename="ui/lessons/lesson_controller.cpp"/>
         <source>&lt;b&gt;Question:&lt;/b&gt; %1</source>
         <translation>&lt;b&gt;Frage:&lt;/b&gt; %1</translation>
     </message>
     <message>
-        <location filename="ui/lessons/lesson_desk.cpp"/>
+        <location filename="ui/lessons/lesson_controller.cpp"/>
         <source>&lt;b&gt;Try:&lt;/b&gt; %1</source>
         <translation>&lt;b&gt;Aufgabe:&lt;/b&gt; %1</translation>
     </message>
     <message>
         <location filename="ui/compare/compare_bar.cpp"/>
         <location filename="ui/compare/compare_overlay.cpp"/>
+        <location filename="ui/study/both_settings_button.cpp"/>
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
         <source>A</source>
         <translation>A</translation>
@@ -1681,22 +1723,17 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>a camera that follows a tour</source>
-        <translation>einer Kamera, die einer Tour folgt</translation>
+        <translation>einer Kamera, die einem Rundgang folgt</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/record/record_job.cpp"/>
-        <source>A camera that turns by {1} degrees runs into a wall or what stands in the hall; turn by a smaller angle, or show the exhibit alone.</source>
-        <translation>Eine Kamera, die sich um {1} Grad dreht, stößt an eine Wand oder etwas, das in der Halle steht; drehen Sie um einen kleineren Winkel, oder zeigen Sie das Exponat allein.</translation>
+        <source>A camera that turns by {1} degrees runs into a wall or an object; turn by a smaller angle, or show the exhibit alone.</source>
+        <translation>Eine Kamera, die sich um {1} Grad dreht, stößt an eine Wand oder ein Objekt; drehen Sie um einen kleineren Winkel, oder zeigen Sie das Exponat allein.</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
         <source>A capsule: everything within a radius of the segment from start to end.</source>
         <translation>Eine Kapsel: alles im Umkreis der Strecke von Anfang bis Ende.</translation>
-    </message>
-    <message>
-        <location filename="exhibits/sdf_scenes/scene_mesh.cpp"/>
-        <source>A cell has a size above 0.</source>
-        <translation>Eine Zelle ist größer als 0.</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
@@ -1720,8 +1757,8 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="exhibits/framework/table/acting.cpp"/>
-        <source>a condition names a row that its table does not have</source>
-        <translation>eine Bedingung nennt eine Zeile, die ihre Tabelle nicht hat</translation>
+        <source>a condition names a parameter that its table does not have</source>
+        <translation>eine Bedingung nennt einen Parameter, den ihre Tabelle nicht hat</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
@@ -1754,9 +1791,9 @@ Zeiten nach: %2.</translation>
         <translation>Eine Scheibe in der xy-Ebene, unendlich entlang z; zum Strecken (extrude) oder Drehen (revolve).</translation>
     </message>
     <message>
-        <location filename="exhibits/noise/noise.h"/>
-        <source>A field, its octaves, a sea and a sky: all of them random numbers.</source>
-        <translation>Ein Feld, seine Oktaven, ein Meer und ein Himmel: alles Zufallszahlen.</translation>
+        <location filename="exhibits/ice_cream/ice_cream.h"/>
+        <source>A distance field of 35 solids; each point evaluates only the few that matter there.</source>
+        <translation>Ein Distanzfeld aus 35 Körpern; jeder Punkt wertet nur die wenigen aus, auf die es dort ankommt.</translation>
     </message>
     <message>
         <location filename="exhibits/framework/table/parameters.cpp"/>
@@ -1809,8 +1846,8 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="exhibits/paper_lanterns/paper_lanterns.h"/>
-        <source>A lake at night, and lanterns on it to the horizon: each looked for only where it can be.</source>
-        <translation>Ein See bei Nacht, Laternen bis zum Horizont: jede nur dort gesucht, wo sie sein kann.</translation>
+        <source>A lake at night with lanterns to the horizon; a ray tests only those that it passes.</source>
+        <translation>Ein See bei Nacht mit Laternen bis zum Horizont; ein Strahl prüft nur die, an denen er vorbeikommt.</translation>
     </message>
     <message>
         <location filename="exhibits/museum/lamps.cpp"/>
@@ -1856,6 +1893,11 @@ Zeiten nach: %2.</translation>
         <location filename="exhibits/kit/sdf_passes.cpp"/>
         <source>a mesh is shown instead of the field</source>
         <translation>anstelle des Felds wird ein Netz gezeigt</translation>
+    </message>
+    <message>
+        <location filename="exhibits/kit/sdf_exhibit.cpp"/>
+        <source>A mesh of the object: its outline is nearly right, but reflections break at every edge. “Tessellation” sets the number of cells.</source>
+        <translation>Ein Netz des Objekts: Sein Umriss stimmt fast, aber Spiegelungen brechen an jeder Kante. „Tessellierung“ setzt die Zahl der Zellen.</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/scene_mesh.cpp"/>
@@ -1985,7 +2027,7 @@ Zeiten nach: %2.</translation>
         <translation>Ein Punktlicht, das in alle Richtungen scheint.</translation>
     </message>
     <message>
-        <location filename="ui/presets/preset_shelf.cpp"/>
+        <location filename="ui/presets/preset_controller.cpp"/>
         <source>A preset &quot;%1&quot; already exists; this one was saved as &quot;%2&quot;.</source>
         <translation>Ein Preset „%1“ gibt es bereits; dieses wurde als „%2“ gespeichert.</translation>
     </message>
@@ -2214,11 +2256,6 @@ Zeiten nach: %2.</translation>
         <translation>ein Text</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/table/preset_values.cpp"/>
-        <source>a text here has one line that is not empty; correct it there.</source>
-        <translation>ein Text hier hat eine Zeile, die nicht leer ist; berichtigen Sie ihn dort.</translation>
-    </message>
-    <message>
         <location filename="exhibits/sdf_scenes/source_scene.cpp"/>
         <source>a text in quotes</source>
         <translation>ein Text in Anführungszeichen</translation>
@@ -2254,14 +2291,19 @@ Zeiten nach: %2.</translation>
         <translation>Ein Torus (Ring) um die y-Achse.</translation>
     </message>
     <message>
-        <location filename="exhibits/jobs/record/record_job.cpp"/>
-        <source>A tour goes through the hall, in which an exhibit that is shown alone does not stand; choose turntable or still, or show it in the hall.</source>
-        <translation>Eine Tour führt durch die Halle, in der ein allein gezeigtes Exponat nicht steht; wählen Sie Drehteller oder still, oder zeigen Sie es in der Halle.</translation>
+        <location filename="exhibits/sdf_morph/sdf_morph.h"/>
+        <source>A torus that melts into a mug: a distance field, sphere traced for every pixel.</source>
+        <translation>Ein Torus, der zur Tasse schmilzt: ein Distanzfeld, per Sphere Tracing für jedes Pixel gefunden.</translation>
     </message>
     <message>
         <location filename="exhibits/recording/tour.cpp"/>
         <source>a tour is a JSON object; choose a tour of Vitrine.</source>
         <translation>ein Rundgang ist ein JSON-Objekt; wählen Sie einen Rundgang von Vitrine.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/record/record_job.cpp"/>
+        <source>A tour needs the hall, but the exhibit is shown alone; choose turntable or still, or show it in the hall.</source>
+        <translation>Ein Rundgang braucht die Halle, aber das Exponat wird allein gezeigt; wählen Sie Drehteller oder stehend, oder zeigen Sie es in der Halle.</translation>
     </message>
     <message>
         <location filename="exhibits/hall/hall_tone_mapping.cpp"/>
@@ -2356,6 +2398,16 @@ Zeiten nach: %2.</translation>
         <location filename="ui/compare/compare_actions.cpp"/>
         <source>A, with B kept ready: hold the key B in the picture to see it.</source>
         <translation>A, und B steht bereit: Halten Sie im Bild die Taste B, um es zu sehen.</translation>
+    </message>
+    <message>
+        <location filename="ui/compare/compare_actions.cpp"/>
+        <source>A/B &amp;flicker</source>
+        <translation>Wec&amp;hselbild</translation>
+    </message>
+    <message>
+        <location filename="ui/compare/compare_bar.cpp"/>
+        <source>A/B flicker</source>
+        <translation>Wechselbild</translation>
     </message>
     <message>
         <location filename="ui/report/frame_report_dock.cpp"/>
@@ -2500,12 +2552,8 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="exhibits/your_shader/your_shader_table.h"/>
-        <source>After a change of an input, a shader with persistent buffers continues from what they hold, or begins again. Pictures for files always begin again.</source>
-        <translation>Nach der Änderung einer Eingabe rechnet ein Shader mit dauerhaften Puffern von deren Inhalt weiter oder beginnt neu. Bilder für Dateien beginnen immer neu.</translation>
-    </message>
-    <message>
-        <location filename="exhibits/your_shader/your_shader_table.h"/>
         <source>After change</source>
+        <extracomment>tables</extracomment>
         <translation>Nach einer Änderung</translation>
     </message>
     <message>
@@ -2605,7 +2653,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="ui/jobs/job_dialog.cpp"/>
-        <location filename="ui/lessons/lesson_desk.cpp"/>
+        <location filename="ui/lessons/lesson_controller.cpp"/>
         <location filename="ui/parameters/pick_editors.cpp"/>
         <location filename="ui/window/window_actions.cpp"/>
         <source>All files (*)</source>
@@ -2614,7 +2662,7 @@ Zeiten nach: %2.</translation>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_sheet.cpp"/>
         <source>All frames of each direction are equal: the object has no animation, or none that these frames show. One frame per direction is enough.</source>
-        <translation>Alle Bilder jeder Richtung sind gleich: Das Objekt hat keine Animation, oder keine, die diese Bilder zeigen. Ein Bild je Richtung genügt.</translation>
+        <translation>Alle Frames jeder Richtung sind gleich: Das Objekt hat keine Animation, oder keine, die diese Frames zeigen. Ein Frame je Richtung genügt.</translation>
     </message>
     <message>
         <location filename="ui/parameters/parameter_section.cpp"/>
@@ -2627,6 +2675,7 @@ Zeiten nach: %2.</translation>
         <translation>Alle neun Lesezeichen sind gesetzt: Ersetzen oder löschen Sie eines unter Ansicht &gt; Lesezeichen verwalten.</translation>
     </message>
     <message>
+        <location filename="ui/study/study_chart.cpp"/>
         <location filename="exhibits/study/kept_study.cpp"/>
         <source>all parameters</source>
         <translation>alle Parameter</translation>
@@ -3195,11 +3244,6 @@ Zeiten nach: %2.</translation>
         <translation>Wie in den Einstellungen</translation>
     </message>
     <message>
-        <location filename="ui/export/screenshot_dialog.cpp"/>
-        <source>As in the window</source>
-        <translation>Wie im Fenster</translation>
-    </message>
-    <message>
         <location filename="exhibits/study/study_table.h"/>
         <source>As set</source>
         <translation>Wie eingestellt</translation>
@@ -3213,6 +3257,11 @@ Zeiten nach: %2.</translation>
         <location filename="ui/preferences/preferences_dialog.cpp"/>
         <source>As the desktop</source>
         <translation>Wie der Desktop</translation>
+    </message>
+    <message>
+        <location filename="ui/editor/shader_panel.cpp"/>
+        <source>As the driver gets it; read only.</source>
+        <translation>So erhält ihn der Treiber; nur zum Lesen.</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
@@ -3251,6 +3300,7 @@ Zeiten nach: %2.</translation>
         <translation>Am Anfang</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/picture/picture_table.h"/>
         <location filename="exhibits/jobs/record/record_table.h"/>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
@@ -3292,7 +3342,7 @@ Zeiten nach: %2.</translation>
         <translation>B ist: %1. Klicken Sie für ein anderes B, oder um alles zu kopieren.</translation>
     </message>
     <message>
-        <location filename="ui/compare/compare_desk.cpp"/>
+        <location filename="ui/compare/compare_controller.cpp"/>
         <source>B was not set: select a preset in the list first.</source>
         <translation>B wurde nicht gesetzt: Wählen Sie zuerst ein Preset in der Liste.</translation>
     </message>
@@ -3308,8 +3358,9 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="ui/compare/compare_bar.cpp"/>
-        <location filename="ui/compare/compare_desk.cpp"/>
+        <location filename="ui/compare/compare_controller.cpp"/>
         <location filename="ui/compare/compare_overlay.cpp"/>
+        <location filename="ui/study/both_settings_button.cpp"/>
         <source>B: %1</source>
         <translation>B: %1</translation>
     </message>
@@ -3324,17 +3375,17 @@ Zeiten nach: %2.</translation>
         <translation>B: %1, wird gezeichnet</translation>
     </message>
     <message>
-        <location filename="ui/compare/compare_desk.cpp"/>
+        <location filename="ui/compare/compare_controller.cpp"/>
         <source>B: being drawn</source>
         <translation>B: wird gezeichnet</translation>
     </message>
     <message>
-        <location filename="ui/compare/compare_desk.cpp"/>
+        <location filename="ui/compare/compare_controller.cpp"/>
         <source>B: cannot be drawn</source>
         <translation>B: kann nicht gezeichnet werden</translation>
     </message>
     <message>
-        <location filename="ui/compare/compare_desk.cpp"/>
+        <location filename="ui/compare/compare_controller.cpp"/>
         <source>B: not drawn, because no view shows it</source>
         <translation>B: nicht gezeichnet, weil keine Ansicht es zeigt</translation>
     </message>
@@ -3489,14 +3540,20 @@ Zeiten nach: %2.</translation>
         <translation>Strahlenstärke</translation>
     </message>
     <message>
-        <location filename="exhibits/crepuscular_rays/crepuscular_rays.cpp"/>
-        <source>Beams of the light itself, wherever one looks, with the shadows of what hangs in them.</source>
-        <translation>Strahlen aus dem Licht selbst, wohin man auch schaut, mit den Schatten dessen, was in ihnen hängt.</translation>
-    </message>
-    <message>
         <location filename="render/gl/program_cache.cpp"/>
         <source>because the new program does not build: {1}</source>
         <translation>weil sich das neue Programm nicht bauen lässt: {1}</translation>
+    </message>
+    <message>
+        <location filename="ui/editor/shader_panel.cpp"/>
+        <source>Begins a shader from a template. Your present text comes back with undo.</source>
+        <translation>Beginnt einen Shader aus einer Vorlage. Rückgängig machen bringt den jetzigen Text zurück.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
+        <source>Behavior of persistent buffers when an input changes: the shader continues from their content, or begins again. Pictures for files always begin again.</source>
+        <extracomment>tables</extracomment>
+        <translation>Verhalten dauerhafter Puffer, wenn sich eine Eingabe ändert: Der Shader rechnet mit ihrem Inhalt weiter oder beginnt neu. Bilder für Dateien beginnen immer neu.</translation>
     </message>
     <message>
         <location filename="exhibits/hall/hall_light.cpp"/>
@@ -3515,7 +3572,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays.cpp"/>
-        <location filename="exhibits/framework/scene/subject.h"/>
+        <location filename="exhibits/framework/scene/scene_object.h"/>
         <location filename="exhibits/fur/fur.cpp"/>
         <location filename="exhibits/hall/hall.cpp"/>
         <location filename="exhibits/hall/hall_table.h"/>
@@ -3530,11 +3587,6 @@ Zeiten nach: %2.</translation>
         <location filename="exhibits/your_shader/your_shader.cpp"/>
         <source>best view</source>
         <translation>beste Ansicht</translation>
-    </message>
-    <message>
-        <location filename="ui/study/study_dock.cpp"/>
-        <source>Best within</source>
-        <translation>Bestes innerhalb von</translation>
     </message>
     <message>
         <location filename="ui/explore/explore_dock.cpp"/>
@@ -3685,12 +3737,6 @@ Zeiten nach: %2.</translation>
         <source>Bounces</source>
         <extracomment>tables</extracomment>
         <translation>Spiegelungen</translation>
-    </message>
-    <message>
-        <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
-        <source>Bounces of the right half.</source>
-        <extracomment>tables</extracomment>
-        <translation>Spiegelungen der rechten Hälfte.</translation>
     </message>
     <message>
         <location filename="exhibits/noise/noise_table.h"/>
@@ -3864,16 +3910,14 @@ Zeiten nach: %2.</translation>
         <translation>Kameras werden nicht unterstützt; ihre Knoten werden Marken.</translation>
     </message>
     <message>
-        <location filename="ui/export/screenshot_dialog.cpp"/>
         <location filename="ui/kit/export_bar.cpp"/>
-        <location filename="ui/kit/quiet_dialog.cpp"/>
+        <location filename="ui/kit/inline_dialog.cpp"/>
         <location filename="ui/study/study_dock.cpp"/>
         <location filename="ui/study/table_export.cpp"/>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <location filename="ui/export/screenshot_dialog.cpp"/>
         <location filename="ui/jobs/job_dialog.cpp"/>
         <location filename="ui/print/print_dialog.cpp"/>
         <source>Canceled; no file was written.</source>
@@ -4616,7 +4660,7 @@ Zeiten nach: %2.</translation>
     <message>
         <location filename="exhibits/jobs/sprite/palette_file.cpp"/>
         <source>Cannot read {1}: line {2} is not {3}; correct it there.</source>
-        <translation>{1} lässt sich nicht lesen: Zeile {2} ist nicht {3}; berichtige sie dort.</translation>
+        <translation>{=1} kann nicht gelesen werden: Zeile {2} ist nicht {3}; korrigieren Sie sie dort.</translation>
     </message>
     <message>
         <location filename="render/scene/gltf.cpp"/>
@@ -4679,7 +4723,7 @@ Zeiten nach: %2.</translation>
     <message>
         <location filename="exhibits/jobs/sprite/palette_file.cpp"/>
         <source>Cannot take the palette {1}: it has {2} colors; choose one with 1 to 256.</source>
-        <translation>Die Palette {1} lässt sich nicht nehmen: sie hat {2} Farben; wähle eine mit 1 bis 256.</translation>
+        <translation>Die Palette {=1} kann nicht verwendet werden: Sie hat {2} Farben; wählen Sie eine mit 1 bis 256.</translation>
     </message>
     <message>
         <location filename="render/files/strict_json.cpp"/>
@@ -4870,6 +4914,16 @@ Zeiten nach: %2.</translation>
         <translation>ändert nichts</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/picture/picture_table.h"/>
+        <source>Channels</source>
+        <translation>Kanäle</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/picture/picture_table.h"/>
+        <source>Channels of an OpenEXR file, separated by commas: color, depth, normal, evaluations. Empty: those of the picture whose settings are used, else color only.</source>
+        <translation>Kanäle einer OpenEXR-Datei, durch Kommas getrennt: color, depth, normal, evaluations. Leer: die des Bildes, dessen Einstellungen verwendet werden, sonst nur die Farbe.</translation>
+    </message>
+    <message>
         <location filename="exhibits/printing/print_table.h"/>
         <source>Chart</source>
         <translation>Testchart</translation>
@@ -4890,11 +4944,6 @@ Zeiten nach: %2.</translation>
         <translation>billigste</translation>
     </message>
     <message>
-        <location filename="ui/study/study_dock.cpp"/>
-        <source>Cheapest within error</source>
-        <translation>Billigstes im Fehler von</translation>
-    </message>
-    <message>
         <location filename="exhibits/study/study.cpp"/>
         <source>check of the reference, {1}</source>
         <translation>Prüfung der Referenz, {1}</translation>
@@ -4910,6 +4959,11 @@ Zeiten nach: %2.</translation>
         <translation>das Prüfen der Größe</translation>
     </message>
     <message>
+        <location filename="ui/editor/shader_panel.cpp"/>
+        <source>Checking…</source>
+        <translation>Wird geprüft …</translation>
+    </message>
+    <message>
         <source>Chocolate with sprinkles</source>
         <translation>Schokolade mit Streuseln</translation>
     </message>
@@ -4920,8 +4974,8 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="exhibits/your_shader/your_shader_table.cpp"/>
-        <source>Choice of the shader.</source>
-        <translation>Auswahl des Shaders.</translation>
+        <source>Choice that the shader reads.</source>
+        <translation>Auswahl, die der Shader liest.</translation>
     </message>
     <message>
         <location filename="ui/parameters/color_editor.cpp"/>
@@ -4929,7 +4983,6 @@ Zeiten nach: %2.</translation>
         <translation>Farbe wählen; das Bild folgt.</translation>
     </message>
     <message>
-        <location filename="ui/export/screenshot_dialog.cpp"/>
         <location filename="ui/kit/export_bar.cpp"/>
         <source>Choose a file</source>
         <translation>Datei wählen</translation>
@@ -5011,6 +5064,10 @@ Zeiten nach: %2.</translation>
         <translation>Block Nummer {1}</translation>
     </message>
     <message>
+        <source>Circle limit</source>
+        <translation>Kreislimit</translation>
+    </message>
+    <message>
         <location filename="exhibits/kit/sdf_rows.h"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
         <source>classic</source>
@@ -5063,12 +5120,16 @@ Zeiten nach: %2.</translation>
         <translation>Klick, oder eine Ziffer</translation>
     </message>
     <message>
+        <location filename="ui/study/study_chart.cpp"/>
+        <source>clock: %1</source>
+        <translation>Uhr: %1</translation>
+    </message>
+    <message>
         <location filename="ui/study/study_view.cpp"/>
         <source>Clock: %1, %2.</source>
         <translation>Uhr: %1, %2.</translation>
     </message>
     <message>
-        <location filename="ui/export/screenshot_dialog.cpp"/>
         <location filename="ui/kit/export_bar.cpp"/>
         <location filename="ui/study/comparison_dialog.cpp"/>
         <source>Close</source>
@@ -5375,11 +5436,6 @@ Zeiten nach: %2.</translation>
         <translation>Farbe des Sandes in weißem Licht.</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/your_shader_table.cpp"/>
-        <source>Color of the shader.</source>
-        <translation>Farbe des Shaders.</translation>
-    </message>
-    <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <source>Color of the sky's light, which fills shadows from above.</source>
         <extracomment>tables</extracomment>
@@ -5438,6 +5494,11 @@ Zeiten nach: %2.</translation>
         <source>Color temperature of the sunlight: low is the red of evening, high is bluish.</source>
         <extracomment>tables</extracomment>
         <translation>Farbtemperatur des Sonnenlichts: Niedrige Werte sind das Rot des Abends, hohe sind bläulich.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader_table.cpp"/>
+        <source>Color that the shader reads.</source>
+        <translation>Farbe, die der Shader liest.</translation>
     </message>
     <message>
         <location filename="exhibits/fur/fur_table.h"/>
@@ -5595,6 +5656,10 @@ Zeiten nach: %2.</translation>
         <translation>Himmelsrichtungen</translation>
     </message>
     <message>
+        <source>Compass angle: 0° is the far end of the hall, 90° its right side.</source>
+        <translation>Himmelsrichtung: 0° ist das hintere Ende der Halle, 90° ihre rechte Seite.</translation>
+    </message>
+    <message>
         <location filename="exhibits/printing/print_table.h"/>
         <source>Compensate</source>
         <translation>Ausgleichen</translation>
@@ -5697,6 +5762,7 @@ Zeiten nach: %2.</translation>
     <message>
         <location filename="exhibits/your_shader/your_shader_table.h"/>
         <source>continue</source>
+        <extracomment>tables</extracomment>
         <translation>weiterrechnen</translation>
     </message>
     <message>
@@ -5778,12 +5844,12 @@ Zeiten nach: %2.</translation>
         <translation>Kopieren</translation>
     </message>
     <message>
-        <location filename="ui/model/other_settings.cpp"/>
+        <location filename="ui/model/settings_b.cpp"/>
         <source>Copy %1 from B</source>
         <translation>%1 von B übernehmen</translation>
     </message>
     <message>
-        <location filename="ui/model/other_settings.cpp"/>
+        <location filename="ui/model/settings_b.cpp"/>
         <source>Copy %1 to B</source>
         <translation>%1 nach B kopieren</translation>
     </message>
@@ -5813,12 +5879,12 @@ Zeiten nach: %2.</translation>
         <translation>Alles v&amp;on B übernehmen</translation>
     </message>
     <message>
-        <location filename="ui/model/other_settings.cpp"/>
+        <location filename="ui/model/settings_b.cpp"/>
         <source>Copy all from B</source>
         <translation>Alles von B übernehmen</translation>
     </message>
     <message>
-        <location filename="ui/model/other_settings.cpp"/>
+        <location filename="ui/model/settings_b.cpp"/>
         <source>Copy all to B</source>
         <translation>Alles nach B kopieren</translation>
     </message>
@@ -5990,16 +6056,6 @@ Zeiten nach: %2.</translation>
         <translation>beschneiden</translation>
     </message>
     <message>
-        <location filename="ui/window/shortcut_sheet.cpp"/>
-        <source>Cross left, right</source>
-        <translation>Kreuz links, rechts</translation>
-    </message>
-    <message>
-        <location filename="ui/window/shortcut_sheet.cpp"/>
-        <source>Cross up, down</source>
-        <translation>Kreuz auf, ab</translation>
-    </message>
-    <message>
         <location filename="ui/print/print_numbers.cpp"/>
         <source>Cross-talk</source>
         <translation>Übersprechen</translation>
@@ -6029,6 +6085,11 @@ Zeiten nach: %2.</translation>
         <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Ctrl and arrows</source>
         <translation>Strg und Pfeiltasten</translation>
+    </message>
+    <message>
+        <location filename="ui/editor/shader_panel.cpp"/>
+        <source>Cu&amp;t</source>
+        <translation>&amp;Ausschneiden</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
@@ -6178,7 +6239,7 @@ Zeiten nach: %2.</translation>
         <translation>Löschen</translation>
     </message>
     <message>
-        <location filename="ui/presets/preset_shelf.cpp"/>
+        <location filename="ui/presets/preset_controller.cpp"/>
         <location filename="ui/tree/tree_dock.cpp"/>
         <source>Delete %1</source>
         <translation>%1 löschen</translation>
@@ -6461,6 +6522,16 @@ Zeiten nach: %2.</translation>
         <translation>Richtung zur Sonne.</translation>
     </message>
     <message>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
+        <source>Directional pad left, right</source>
+        <translation>Steuerkreuz links, rechts</translation>
+    </message>
+    <message>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
+        <source>Directional pad up, down</source>
+        <translation>Steuerkreuz auf, ab</translation>
+    </message>
+    <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <source>Directions</source>
         <translation>Richtungen</translation>
@@ -6690,7 +6761,7 @@ Zeiten nach: %2.</translation>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <source>Distance that the object travels in the animation: kept in the frames, or removed from them (in place), so that it walks on the spot and the pivot moves. Automatic: removed if longer than the object.</source>
-        <translation>Strecke, die das Objekt in der Animation zurücklegt: in den Bildern behalten oder aus ihnen entfernt (auf der Stelle), sodass es auf der Stelle geht und der Drehpunkt wandert. Automatisch: entfernt, wenn sie länger als das Objekt ist.</translation>
+        <translation>Strecke, die das Objekt in der Animation zurücklegt: in den Frames behalten oder aus ihnen entfernt (auf der Stelle), sodass es auf der Stelle geht und der Drehpunkt wandert. Automatisch: entfernt, wenn sie länger als das Objekt ist.</translation>
     </message>
     <message>
         <location filename="exhibits/fur/fur_table.h"/>
@@ -6720,7 +6791,7 @@ Zeiten nach: %2.</translation>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <source>Dithering method for colors between those of the palette. Ordered and blue noise keep their pattern from frame to frame.</source>
-        <translation>Dithering-Verfahren für Farben zwischen denen der Palette. „Geordnet“ und „blaues Rauschen“ behalten ihr Muster von Bild zu Bild.</translation>
+        <translation>Dithering-Verfahren für Farben zwischen denen der Palette. „Geordnet“ und „blaues Rauschen“ behalten ihr Muster von Frame zu Frame.</translation>
     </message>
     <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
@@ -6778,7 +6849,7 @@ Zeiten nach: %2.</translation>
     <message>
         <location filename="ui/print/place_bar.cpp"/>
         <source>Down</source>
-        <translation>Unten</translation>
+        <translation>Nach unten</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
@@ -6789,6 +6860,11 @@ Zeiten nach: %2.</translation>
         <location filename="exhibits/paper_lanterns/paper_lanterns.cpp"/>
         <source>down upon them</source>
         <translation>von oben auf sie</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <extracomment>tables</extracomment>
+        <translation>Entwurf</translation>
     </message>
     <message>
         <location filename="ui/explore/morph_pad.cpp"/>
@@ -6840,6 +6916,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Neue Variationen zeichnen</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/picture/picture_table.h"/>
+        <source>Draw only the exhibit, in the hall's light, and leave everything around it transparent (alpha 0).</source>
+        <translation>Nur das Exponat zeichnen, im Licht des Saals, und alles um es herum durchsichtig lassen (Alpha 0).</translation>
+    </message>
+    <message>
         <location filename="exhibits/fur/fur_table.h"/>
         <source>Draw order</source>
         <extracomment>tables</extracomment>
@@ -6848,12 +6929,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_job.cpp"/>
         <source>drawing frames</source>
-        <translation>Bilder zeichnen</translation>
-    </message>
-    <message>
-        <location filename="ui/export/screenshot_dialog.cpp"/>
-        <source>Drawing …</source>
-        <translation>Zeichnet …</translation>
+        <translation>Frames werden gezeichnet</translation>
     </message>
     <message>
         <location filename="render/gl/program_cache.cpp"/>
@@ -6893,6 +6969,14 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <location filename="exhibits/hall/plaque_text.cpp"/>
         <source>Drop a glTF file on the window and it stands here.</source>
         <translation>Legen Sie eine glTF-Datei auf dem Fenster ab, und sie steht hier.</translation>
+    </message>
+    <message>
+        <source>Dunes</source>
+        <translation>Dünen</translation>
+    </message>
+    <message>
+        <source>Dunes by day</source>
+        <translation>Dünen bei Tag</translation>
     </message>
     <message>
         <location filename="ui/tree/tree_dock.cpp"/>
@@ -6964,6 +7048,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>jede für sich</translation>
     </message>
     <message>
+        <location filename="exhibits/framework/table/preset_values.cpp"/>
+        <source>each text here must be a single line that is not empty; correct it there.</source>
+        <translation>jeder Text hier muss eine einzelne, nicht leere Zeile sein; korrigieren Sie ihn dort.</translation>
+    </message>
+    <message>
         <source>ease</source>
         <translation>Übergang</translation>
     </message>
@@ -7011,6 +7100,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <source>edges</source>
         <extracomment>tables</extracomment>
         <translation>Kanten</translation>
+    </message>
+    <message>
+        <location filename="ui/editor/live_text.cpp"/>
+        <source>Edit %1</source>
+        <translation>%1 bearbeiten</translation>
     </message>
     <message numerus="yes">
         <location filename="ui/parameters/parameter_menus.cpp"/>
@@ -7105,6 +7199,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Enter</source>
         <translation>Eingabe</translation>
+    </message>
+    <message>
+        <location filename="ui/editor/find_bar.cpp"/>
+        <source>Enter goes to the next place, Shift+Enter to the last one, Esc back to the text.</source>
+        <translation>Die Eingabetaste führt zur nächsten Stelle, mit Umschalt zur vorigen, Esc zurück zum Text.</translation>
     </message>
     <message>
         <location filename="ui/study/kept_studies.cpp"/>
@@ -7206,12 +7305,6 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Auswertung</translation>
     </message>
     <message>
-        <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
-        <source>Evaluation of the right half.</source>
-        <extracomment>tables</extracomment>
-        <translation>Auswertung der rechten Hälfte.</translation>
-    </message>
-    <message>
         <location filename="exhibits/kit/sdf_rows.h"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
         <source>evaluations</source>
@@ -7301,7 +7394,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Exponat: %1</translation>
     </message>
     <message>
-        <location filename="ui/presets/preset_shelf.cpp"/>
+        <location filename="ui/presets/preset_controller.cpp"/>
         <source>Exhibitions (*.json)</source>
         <translation>Ausstellungen (*.json)</translation>
     </message>
@@ -7328,7 +7421,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Exponent des Glanzlichts: Hohe Werte machen es schmal.</translation>
     </message>
     <message>
-        <location filename="ui/export/screenshot_dialog.cpp"/>
+        <location filename="ui/export/export_dialog.cpp"/>
         <location filename="ui/kit/export_bar.cpp"/>
         <location filename="ui/print/print_export_bar.cpp"/>
         <source>Export</source>
@@ -7363,10 +7456,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     <message>
         <location filename="exhibits/jobs/mesh/mesh_job.h"/>
         <source>Export mesh</source>
-        <translation>Netz ausgeben</translation>
+        <translation>Netz exportieren</translation>
     </message>
     <message>
-        <location filename="ui/export/screenshot_dialog.cpp"/>
+        <location filename="exhibits/jobs/picture/picture_job.h"/>
         <source>Export picture</source>
         <translation>Bild exportieren</translation>
     </message>
@@ -7376,7 +7469,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>&amp;Bild erneut exportieren</translation>
     </message>
     <message>
-        <location filename="ui/presets/preset_shelf.cpp"/>
+        <location filename="ui/presets/preset_controller.cpp"/>
         <source>Export preset</source>
         <translation>Preset exportieren</translation>
     </message>
@@ -7468,6 +7561,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>&amp;Vollbild</translation>
     </message>
     <message>
+        <location filename="ui/editor/shader_panel.cpp"/>
+        <source>F6 leaves the text, Ctrl+F finds words in it.</source>
+        <translation>F6 verlässt den Text, Strg+F sucht Wörter darin.</translation>
+    </message>
+    <message>
         <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>F6, Shift+F6</source>
         <translation>F6, Umschalt+F6</translation>
@@ -7491,6 +7589,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <location filename="exhibits/pixel_art/pixel_passes.cpp"/>
         <source>facets are averaged</source>
         <translation>Facetten werden gemittelt</translation>
+    </message>
+    <message>
+        <source>Factor by which differences are multiplied, 1 to 64.</source>
+        <translation>Faktor, mit dem Unterschiede multipliziert werden, 1 bis 64.</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
@@ -7570,11 +7672,12 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Sichtwinkel</translation>
     </message>
     <message>
-        <location filename="ui/export/screenshot_dialog.cpp"/>
         <location filename="ui/kit/export_bar.cpp"/>
         <location filename="ui/print/print_numbers.cpp"/>
+        <location filename="exhibits/jobs/picture/picture_table.h"/>
         <location filename="exhibits/your_shader/your_shader_table.h"/>
         <source>File</source>
+        <extracomment>tables</extracomment>
         <translation>Datei</translation>
     </message>
     <message>
@@ -7590,7 +7693,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     <message>
         <location filename="exhibits/jobs/record/record_table.h"/>
         <source>File of the tour that the camera follows. Empty: a tour past all exhibits.</source>
-        <translation>Datei der Tour, der die Kamera folgt. Leer: eine Tour an allen Exponaten vorbei.</translation>
+        <translation>Datei des Rundgangs, dem die Kamera folgt. Leer: ein Rundgang an allen Exponaten vorbei.</translation>
     </message>
     <message>
         <location filename="ui/preferences/preferences_dialog.cpp"/>
@@ -7630,7 +7733,6 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Filter der Schattenränder: hart, über eine feste Zahl von Texeln (Zelt) oder so breit, wie die Sonnenscheibe sie bei dieser Entfernung macht.</translation>
     </message>
     <message>
-        <location filename="ui/study/study_dock.cpp"/>
         <location filename="ui/tree/kind_menu.cpp"/>
         <location filename="exhibits/study/study_table.h"/>
         <source>Find</source>
@@ -7657,14 +7759,29 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Eine Form oder Operation suchen</translation>
     </message>
     <message>
-        <location filename="ui/study/study_dock.cpp"/>
-        <source>Find the best within the time</source>
-        <translation>Das Beste innerhalb der Zeit suchen</translation>
+        <location filename="ui/editor/find_bar.cpp"/>
+        <source>Find in the text</source>
+        <translation>Im Text suchen</translation>
     </message>
     <message>
-        <location filename="ui/study/study_dock.cpp"/>
-        <source>Find the cheapest within the error</source>
-        <translation>Das Billigste innerhalb des Fehlers suchen</translation>
+        <location filename="ui/study/study_finder.cpp"/>
+        <source>Find the best setting</source>
+        <translation>Beste Einstellung finden</translation>
+    </message>
+    <message>
+        <location filename="ui/study/study_finder.cpp"/>
+        <source>Find the best setting within the time</source>
+        <translation>Die beste Einstellung innerhalb der Zeit finden</translation>
+    </message>
+    <message>
+        <location filename="ui/study/study_finder.cpp"/>
+        <source>Find the cheapest setting</source>
+        <translation>Günstigste Einstellung finden</translation>
+    </message>
+    <message>
+        <location filename="ui/study/study_finder.cpp"/>
+        <source>Find the cheapest setting within the error</source>
+        <translation>Die günstigste Einstellung innerhalb des Fehlers finden</translation>
     </message>
     <message>
         <location filename="render/video/ffmpeg/writer.cpp"/>
@@ -7742,7 +7859,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>Five o’clock</source>
-        <translation>Fünf Uhr</translation>
+        <translation>Siebzehn Uhr</translation>
     </message>
     <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
@@ -7794,7 +7911,6 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>FLI&amp;P</translation>
     </message>
     <message>
-        <location filename="ui/compare/compare_bar.cpp"/>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
         <source>Flicker</source>
         <extracomment>tables</extracomment>
@@ -7936,12 +8052,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <source>Form of the description file: an array of frames by number, for Phaser's createFromAseprite, or a hash of frames by name, with animations and anchors for Pixi.</source>
-        <translation>Form der Beschreibungsdatei: ein Array von Bildern nach Nummern, für createFromAseprite von Phaser, oder ein Hash von Bildern nach Namen, mit Animationen und Ankern für Pixi.</translation>
-    </message>
-    <message>
-        <location filename="ui/export/screenshot_dialog.cpp"/>
-        <source>Format</source>
-        <translation>Format</translation>
+        <translation>Form der Beschreibungsdatei: ein Array von Frames nach Nummern, für createFromAseprite von Phaser, oder ein Hash von Frames nach Namen, mit Animationen und Ankern für Pixi.</translation>
     </message>
     <message>
         <location filename="exhibits/noise/noise_table.h"/>
@@ -7954,6 +8065,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>forward</source>
         <extracomment>tables</extracomment>
         <translation>vorwärts</translation>
+    </message>
+    <message>
+        <location filename="exhibits/noise/noise.h"/>
+        <source>Four works made of noise: a field, its octaves, a sea and a sky of clouds.</source>
+        <translation>Vier Werke aus Rauschen: ein Feld, seine Oktaven, ein Meer und ein Wolkenhimmel.</translation>
     </message>
     <message>
         <source>Fourth model</source>
@@ -8067,7 +8183,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <source>Frames per second that the description file gives. Auto: the frames last as long as the animation.</source>
-        <translation>Bilder je Sekunde, die in der Beschreibungsdatei stehen. Auto: Die Bilder dauern so lange wie die Animation.</translation>
+        <translation>Frames pro Sekunde, die in der Beschreibungsdatei stehen. Auto: Die Frames dauern so lange wie die Animation.</translation>
     </message>
     <message>
         <location filename="exhibits/hall/hall_table.h"/>
@@ -8129,6 +8245,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Von A nach B</translation>
     </message>
     <message>
+        <location filename="exhibits/sdf_scenes/sdf_scenes.cpp"/>
+        <source>from another side</source>
+        <translation>von einer anderen Seite</translation>
+    </message>
+    <message>
         <location filename="exhibits/noise/noise.cpp"/>
         <location filename="exhibits/paper_lanterns/paper_lanterns.cpp"/>
         <source>from near, later</source>
@@ -8138,6 +8259,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="exhibits/sdf_scenes/node_table.cpp"/>
         <source>from parent</source>
         <translation>vom Elternknoten</translation>
+    </message>
+    <message>
+        <location filename="ui/study/study_view.cpp"/>
+        <source>From the history: %1.</source>
+        <translation>Aus dem Verlauf: %1.</translation>
     </message>
     <message>
         <location filename="exhibits/noise/noise.cpp"/>
@@ -8191,6 +8317,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <location filename="exhibits/fur/fur.h"/>
+        <source>Fur of many layers: the skin is drawn again and again, a little further out. No hair is stored.</source>
+        <translation>Fell aus vielen Schichten: die Haut, wieder und wieder gezeichnet, jedes Mal etwas weiter außen. Kein Haar ist gespeichert.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/fur/fur.h"/>
         <source>Fur with Physics</source>
         <translation>Fell mit Physik</translation>
     </message>
@@ -8229,6 +8360,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>Gathering of strands into tufts towards their tips: 0 is freshly brushed, high looks wet.</source>
         <extracomment>tables</extracomment>
         <translation>Wie sehr sich Haare zu den Spitzen hin zu Büscheln sammeln: 0 ist frisch gebürstet, hohe Werte wirken nass.</translation>
+    </message>
+    <message>
+        <source>geometry</source>
+        <translation>Geometrie</translation>
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
@@ -8338,15 +8473,15 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <location filename="exhibits/jobs/sprite/sprite_job.cpp"/>
         <source>Godot reads normals with +Y up, and these point down; let +Y point up.</source>
-        <translation>Godot liest Normalen mit +Y nach oben, und diese weisen nach unten; lass +Y nach oben weisen.</translation>
+        <translation>Godot liest Normalen mit +Y nach oben, und diese weisen nach unten; lassen Sie +Y nach oben weisen.</translation>
     </message>
     <message>
-        <location filename="ui/lessons/lesson_desk.cpp"/>
+        <location filename="ui/lessons/lesson_controller.cpp"/>
         <source>Goes to the next step of the lesson.</source>
         <translation>Geht zum nächsten Schritt der Lektion.</translation>
     </message>
     <message>
-        <location filename="ui/lessons/lesson_desk.cpp"/>
+        <location filename="ui/lessons/lesson_controller.cpp"/>
         <source>Goes to the previous step of the lesson.</source>
         <translation>Geht zum vorigen Schritt der Lektion.</translation>
     </message>
@@ -8378,11 +8513,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>golden hour</source>
         <extracomment>tables</extracomment>
         <translation>goldene Stunde</translation>
-    </message>
-    <message>
-        <location filename="exhibits/sdf_scenes/sdf_scenes.cpp"/>
-        <source>gone around</source>
-        <translation>herumgegangen</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
@@ -8623,7 +8753,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Heatmap-Skala</translation>
     </message>
     <message>
-        <location filename="ui/export/screenshot_dialog.cpp"/>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
         <location filename="exhibits/jobs/record/record_table.h"/>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
@@ -8635,6 +8764,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>Height</source>
         <extracomment>tables</extracomment>
         <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Height above the horizon: 90° is straight up.</source>
+        <translation>Höhe über dem Horizont: 90° ist senkrecht nach oben.</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
@@ -8742,6 +8875,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Höhe des eigenen Sockels des Objekts.</translation>
     </message>
     <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Height of the print after trimming.</source>
+        <translation>Höhe des Drucks nach dem Beschnitt.</translation>
+    </message>
+    <message>
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
         <source>Height of the rim.</source>
         <translation>Höhe des Rands.</translation>
@@ -8815,6 +8953,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Halbkugel</translation>
     </message>
     <message>
+        <source>Heptagons</source>
+        <translation>Siebenecke</translation>
+    </message>
+    <message>
         <location filename="render/files/text_position.h"/>
         <source>here is a zero byte, which no text has; remove it</source>
         <translation>hier steht ein Nullbyte, das kein Text hat; entfernen Sie es</translation>
@@ -8882,6 +9024,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Histogramm</translation>
     </message>
     <message>
+        <location filename="ui/study/study_dock.cpp"/>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
         <location filename="exhibits/hall/hall_table.h"/>
         <source>History frames</source>
         <extracomment>tables</extracomment>
@@ -8898,12 +9045,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
-        <source>Hit tolerance of the right half.</source>
+        <source>Hit tolerance in the right half of a split view, in half pixels.</source>
         <extracomment>tables</extracomment>
-        <translation>Treffertoleranz der rechten Hälfte.</translation>
+        <translation>Treffertoleranz in der rechten Hälfte einer geteilten Ansicht, in halben Pixeln.</translation>
     </message>
     <message>
-        <location filename="ui/parameters/parameter_menus.cpp"/>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
         <source>Hold</source>
         <extracomment>tables</extracomment>
@@ -8913,6 +9059,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="ui/parameters/parameter_menus.cpp"/>
         <source>Hold %1</source>
         <translation>%1 anhalten</translation>
+    </message>
+    <message>
+        <location filename="ui/parameters/parameter_menus.cpp"/>
+        <source>Hold the motion</source>
+        <translation>Bewegung anhalten</translation>
     </message>
     <message>
         <location filename="render/files/strict_json.cpp"/>
@@ -9025,7 +9176,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Symbol von Vitrine</translation>
     </message>
     <message>
-        <location filename="ui/presets/preset_shelf.cpp"/>
+        <location filename="ui/presets/preset_controller.cpp"/>
         <source>Import preset</source>
         <translation>Preset importieren</translation>
     </message>
@@ -9179,6 +9330,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Tinte</translation>
     </message>
     <message>
+        <source>Ink on black</source>
+        <translation>Tinte auf Schwarz</translation>
+    </message>
+    <message>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
         <location filename="exhibits/printing/print_table.h"/>
         <source>Ink spread</source>
@@ -9281,6 +9436,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>ist keine endliche Zahl; setzen Sie sie zurück.</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/your_shader.cpp"/>
+        <source>ISF, with inputs in its head</source>
+        <translation>ISF, mit Eingaben in seinem Kopf</translation>
+    </message>
+    <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <source>isle</source>
@@ -9295,6 +9455,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="render/files/read_file.cpp"/>
         <source>it became shorter while it was read; try again.</source>
         <translation>die Datei wurde kürzer, während sie gelesen wurde; versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <location filename="app/serve/listener.cpp"/>
+        <source>it cannot be found out whether a server answers there ({1}); choose another path.</source>
+        <translation>es lässt sich nicht herausfinden, ob dort ein Server antwortet ({1}); wählen Sie einen anderen Pfad.</translation>
     </message>
     <message>
         <location filename="render/video/carried_settings.cpp"/>
@@ -9524,8 +9689,8 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <location filename="exhibits/lenticular/card_prints.cpp"/>
-        <source>it is {1} pixels wide across its lenses, and {2} is the most.</source>
-        <translation>er ist quer zu seinen Linsen {1} Pixel breit, und {2} sind das Höchste.</translation>
+        <source>it is {1} pixels wide across its lenses, and at most {2} are possible.</source>
+        <translation>er ist quer zu seinen Linsen {1} Pixel breit, und höchstens {2} sind möglich.</translation>
     </message>
     <message>
         <location filename="render/image/image_read.cpp"/>
@@ -9591,6 +9756,16 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="exhibits/museum/museum_plan.cpp"/>
         <source>it was not prepared for this view</source>
         <translation>es wurde für diese Ansicht nicht vorbereitet</translation>
+    </message>
+    <message>
+        <location filename="ui/jobs/job_dialog.cpp"/>
+        <source>It will take about %1 min.</source>
+        <translation>Es wird etwa %1 min dauern.</translation>
+    </message>
+    <message>
+        <location filename="ui/jobs/job_dialog.cpp"/>
+        <source>It will take about %1 s.</source>
+        <translation>Es wird etwa %1 s dauern.</translation>
     </message>
     <message>
         <location filename="render/scene/gltf_guard.cpp"/>
@@ -9659,8 +9834,8 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <location filename="exhibits/hall/own_objects.cpp"/>
-        <source>its file is not read</source>
-        <translation>seine Datei ist nicht gelesen</translation>
+        <source>its file has not been read</source>
+        <translation>seine Datei wurde nicht gelesen</translation>
     </message>
     <message>
         <location filename="render/scene/gltf_guard.cpp"/>
@@ -9718,14 +9893,9 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>ihre Linsen sind {1} mm tief, und die Dicke beträgt nur {2} mm</translation>
     </message>
     <message>
-        <location filename="exhibits/sdf_scenes/asked_scene.cpp"/>
+        <location filename="exhibits/sdf_scenes/scene_evaluator.cpp"/>
         <source>its numbers changed a short time ago</source>
         <translation>die Zahlen haben sich vor Kurzem geändert</translation>
-    </message>
-    <message>
-        <location filename="exhibits/kit/sdf_exhibit.cpp"/>
-        <source>Its outline is nearly good, its reflections break at every edge: “Tessellation” says how many there are.</source>
-        <translation>Sein Umriss ist fast gut, seine Spiegelungen brechen an jeder Kante: „Tessellierung“ sagt, wie viele es gibt.</translation>
     </message>
     <message>
         <location filename="render/plan/frame_plan.cpp"/>
@@ -9757,11 +9927,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="render/image/oiio/row_reader.cpp"/>
         <source>its pixels do not lie in rows; save it as a plain TIFF</source>
         <translation>die Pixel liegen nicht in Zeilen; speichern Sie es als einfaches TIFF</translation>
-    </message>
-    <message>
-        <location filename="render/scene/gltf_convert.cpp"/>
-        <source>its place overflows; export the file again.</source>
-        <translation>die Lage läuft über; exportieren Sie die Datei neu.</translation>
     </message>
     <message>
         <location filename="exhibits/lenticular/lenticular.cpp"/>
@@ -9824,6 +9989,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>die Zeiten steigen nicht; exportieren Sie die Datei neu.</translation>
     </message>
     <message>
+        <location filename="render/scene/gltf_convert.cpp"/>
+        <source>its transform overflows; export the file again.</source>
+        <translation>seine Transformation läuft über; exportieren Sie die Datei neu.</translation>
+    </message>
+    <message>
         <location filename="render/scene/gltf_validate.cpp"/>
         <source>its type or component type is none of glTF's</source>
         <translation>Typ oder Komponententyp ist keiner von glTF</translation>
@@ -9857,11 +10027,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>verbunden</translation>
     </message>
     <message>
-        <location filename="ui/tree/tree_file.cpp"/>
-        <source>JSON (*.json)</source>
-        <translation>JSON (*.json)</translation>
-    </message>
-    <message>
         <location filename="render/scene/gltf_guard.cpp"/>
         <source>JSON chunk</source>
         <translation>JSON-Block</translation>
@@ -9892,7 +10057,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Alle Einstellungen lassen</translation>
     </message>
     <message>
-        <location filename="ui/tree/tree_file.cpp"/>
+        <location filename="ui/editor/document_file.cpp"/>
         <source>Keep mine</source>
         <translation>Meine behalten</translation>
     </message>
@@ -9912,9 +10077,8 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Bewahrt eine Kopie einer Studie von anderswo auf: die study.json von „vitrine study“.</translation>
     </message>
     <message>
-        <location filename="ui/study/study_dock.cpp"/>
         <source>Kept</source>
-        <translation>Behalten</translation>
+        <translation>Aufbewahrte</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
@@ -9931,11 +10095,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="ui/study/kept_studies.cpp"/>
         <source>Kept studies</source>
         <translation>Aufbewahrte Studien</translation>
-    </message>
-    <message>
-        <location filename="ui/study/study_view.cpp"/>
-        <source>Kept: %1.</source>
-        <translation>Aufbewahrt: %1.</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/field_reader.cpp"/>
@@ -9967,6 +10126,16 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Art</translation>
     </message>
     <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Kind of calibration chart: pitch finds the LPI at which printer and sheet match, phase the shift of the strips, views the number of distinguishable views, rotation whether the sheet is straight.</source>
+        <translation>Art des Testcharts: „Pitch“ findet den LPI-Wert, bei dem Drucker und Folie zusammenpassen, „Phase“ die Verschiebung der Streifen, „Ansichten“ die Zahl unterscheidbarer Ansichten, „Drehung“, ob die Folie gerade liegt.</translation>
+    </message>
+    <message>
+        <location filename="ui/export/export_dialog.cpp"/>
+        <source>Kind of export</source>
+        <translation>Art des Exports</translation>
+    </message>
+    <message>
         <location filename="exhibits/framework/time/motion_json.cpp"/>
         <source>kind of motion</source>
         <translation>Art von Bewegung</translation>
@@ -9981,6 +10150,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>Kind of noise: values at the cell corners, gradients there, gradients on a simplex lattice, or the distance to the nearest of scattered points (cellular).</source>
         <extracomment>tables</extracomment>
         <translation>Art des Rauschens: Werte an den Ecken der Zellen, Gradienten dort, Gradienten auf einem Simplex-Gitter oder die Distanz zum nächsten verstreuter Punkte (zellular).</translation>
+    </message>
+    <message>
+        <location filename="ui/report/frame_report_view.cpp"/>
+        <source>Kind of work</source>
+        <translation>Art der Arbeit</translation>
     </message>
     <message>
         <location filename="exhibits/noise/noise_table.h"/>
@@ -10067,7 +10241,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Größte Auslenkung der Spitzen, in Haarlängen.</translation>
     </message>
     <message>
-        <location filename="ui/study/study_dock.cpp"/>
+        <location filename="ui/study/study_finder.cpp"/>
         <location filename="exhibits/study/study_table.h"/>
         <source>Largest error</source>
         <translation>Größter Fehler</translation>
@@ -10096,8 +10270,9 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <location filename="exhibits/your_shader/your_shader_table.h"/>
-        <source>Largest number of loop rounds of one pixel, all loops together: low cuts long loops off, high lets them end.</source>
-        <translation>Höchstzahl der Schleifendurchläufe eines Pixels, alle Schleifen zusammen: klein schneidet lange Schleifen ab, groß lässt sie enden.</translation>
+        <source>Largest number of loop iterations per pixel, in all loops together: low cuts long loops off, high lets them end.</source>
+        <extracomment>tables</extracomment>
+        <translation>Höchstzahl der Schleifendurchläufe eines Pixels, alle Schleifen zusammen: Niedrige Werte brechen lange Schleifen ab, hohe lassen sie enden.</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
@@ -10127,6 +10302,12 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>Largest number of steps of a ray in one lantern; with a fixed number of cells, in all lanterns together.</source>
         <extracomment>tables</extracomment>
         <translation>Höchstzahl der Schritte eines Strahls in einer Laterne; bei fester Zellenzahl in allen Laternen zusammen.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
+        <source>Largest number of steps of a ray in the right half of a split view.</source>
+        <extracomment>tables</extracomment>
+        <translation>Größte Schrittzahl eines Strahls in der rechten Hälfte einer geteilten Ansicht.</translation>
     </message>
     <message>
         <location filename="exhibits/noise/noise_table.h"/>
@@ -10172,12 +10353,12 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Das Exponat verlassen und weitergehen</translation>
     </message>
     <message>
-        <location filename="ui/lessons/lesson_desk.cpp"/>
+        <location filename="ui/lessons/lesson_controller.cpp"/>
         <source>Leave the lesson</source>
         <translation>Lektion verlassen</translation>
     </message>
     <message>
-        <location filename="ui/lessons/lesson_desk.cpp"/>
+        <location filename="ui/lessons/lesson_controller.cpp"/>
         <source>Leaves the lesson and restores your settings.</source>
         <translation>Verlässt die Lektion und stellt Ihre Einstellungen wieder her.</translation>
     </message>
@@ -10381,6 +10562,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Linsenkarte</translation>
     </message>
     <message>
+        <location filename="ui/window/window_dialogs.cpp"/>
+        <source>Lenticular print</source>
+        <translation>Lentikulardruck</translation>
+    </message>
+    <message>
         <location filename="exhibits/lenticular/card_prints.cpp"/>
         <source>lenticular raster</source>
         <translation>Linsenraster</translation>
@@ -10403,12 +10589,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Lektion</translation>
     </message>
     <message>
-        <location filename="ui/lessons/lesson_desk.cpp"/>
+        <location filename="ui/lessons/lesson_controller.cpp"/>
         <source>Lesson step %1</source>
         <translation>Lektion, Schritt %1</translation>
     </message>
     <message>
-        <location filename="ui/lessons/lesson_desk.cpp"/>
+        <location filename="ui/lessons/lesson_controller.cpp"/>
         <source>Lessons (*.md)</source>
         <translation>Lektionen (*.md)</translation>
     </message>
@@ -10422,6 +10608,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Level of detail</source>
         <extracomment>tables</extracomment>
         <translation>Detailstufe</translation>
+    </message>
+    <message>
+        <location filename="ui/editor/code_view.cpp"/>
+        <source>libvitrine_editor.so belongs to another version of Vitrine; build both together.</source>
+        <translation>libvitrine_editor.so gehört zu einer anderen Version von Vitrine; bauen Sie beide zusammen.</translation>
     </message>
     <message>
         <location filename="ui/gamepad/pads.cpp"/>
@@ -10532,6 +10723,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Beleuchtung des Eises: durch die Halle ringsum oder durch Sonne, Umgebungslicht und Nebel der Referenz.</translation>
     </message>
     <message>
+        <location filename="ui/editor/shader_panel.cpp"/>
+        <source>Line %1: %2 The last good picture stays.</source>
+        <translation>Zeile %1: %2 Das letzte gute Bild bleibt.</translation>
+    </message>
+    <message>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
         <source>linear</source>
         <extracomment>tables</extracomment>
@@ -10560,8 +10756,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="app/list_command.cpp"/>
-        <source>list --manual: there is no exhibit &quot;{1}&quot;; `vitrine list` names them.</source>
-        <translation>list --manual: Kein Exponat heißt &quot;{=1}&quot;; `vitrine list` nennt alle.</translation>
+        <source>list --manual: there is no exhibit &quot;{1}&quot;{2} `vitrine list` names them.</source>
+        <translation>list --manual: Kein Exponat heißt &quot;{=1}&quot;{2} `vitrine list` nennt alle.</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/source_scene.cpp"/>
@@ -10569,7 +10765,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Liste von Grundkörpern</translation>
     </message>
     <message>
-        <location filename="ui/presets/preset_shelf.cpp"/>
+        <location filename="ui/presets/preset_controller.cpp"/>
         <source>Load %1</source>
         <translation>%1 laden</translation>
     </message>
@@ -10625,7 +10821,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Längste Zeit</translation>
     </message>
     <message>
-        <location filename="ui/study/study_dock.cpp"/>
+        <location filename="ui/study/study_finder.cpp"/>
         <source>Longest time in milliseconds</source>
         <translation>Längste Zeit in Millisekunden</translation>
     </message>
@@ -10667,6 +10863,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <location filename="exhibits/your_shader/your_shader_table.h"/>
         <source>Loop rounds</source>
+        <extracomment>tables</extracomment>
         <translation>Schleifendurchläufe</translation>
     </message>
     <message>
@@ -10816,7 +11013,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <location filename="exhibits/jobs/sprite/sprite_job.cpp"/>
         <source>making the sheet</source>
-        <translation>den Bogen anlegen</translation>
+        <translation>der Bogen wird angelegt</translation>
     </message>
     <message>
         <source>many</source>
@@ -10988,9 +11185,9 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Messen</translation>
     </message>
     <message>
-        <location filename="exhibits/study/study_table.h"/>
-        <source>Measure of the error.</source>
-        <translation>Maß des Fehlers.</translation>
+        <location filename="ui/study/both_settings_button.cpp"/>
+        <source>Measure A and B</source>
+        <translation>A und B messen</translation>
     </message>
     <message>
         <location filename="exhibits/study/study_table.h"/>
@@ -11021,6 +11218,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/study/study_table.h"/>
         <source>Measurement</source>
         <translation>Messung</translation>
+    </message>
+    <message>
+        <location filename="ui/study/both_settings_button.cpp"/>
+        <source>Measures with the present settings, A, and then with the settings B of the comparison. Both curves are shown in one chart.</source>
+        <translation>Misst mit den jetzigen Einstellungen, A, und dann mit den Einstellungen B des Vergleichs. Beide Kurven erscheinen in einem Diagramm.</translation>
     </message>
     <message>
         <source>Melting</source>
@@ -11105,9 +11307,27 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
+        <source>Method for occlusion in the right half of a split view.</source>
+        <extracomment>tables</extracomment>
+        <translation>Verfahren für Verdeckung in der rechten Hälfte einer geteilten Ansicht.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
+        <source>Method for shadows in the right half of a split view.</source>
+        <extracomment>tables</extracomment>
+        <translation>Verfahren für Schatten in der rechten Hälfte einer geteilten Ansicht.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
         <source>Method of ambient occlusion: the one that belongs to the look, none, 5 taps along the normal, rays over the hemisphere, or cones.</source>
         <extracomment>tables</extracomment>
         <translation>Verfahren der Umgebungsverdeckung: das der Schattierung, keines, 5 Samples entlang der Normalen, Strahlen über die Halbkugel oder Kegel.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
+        <source>Method of evaluating the field in the right half of a split view.</source>
+        <extracomment>tables</extracomment>
+        <translation>Auswertung des Feldes in der rechten Hälfte einer geteilten Ansicht.</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
@@ -11153,6 +11373,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/study/study_table.h"/>
         <source>Metric</source>
         <translation>Maß</translation>
+    </message>
+    <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>Metric by which errors are measured.</source>
+        <translation>Maß, in dem Fehler gemessen werden.</translation>
     </message>
     <message>
         <location filename="ui/study/study_view.cpp"/>
@@ -11314,6 +11539,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Mondhöhe</translation>
     </message>
     <message>
+        <source>Moon lantern</source>
+        <translation>Mondlaterne</translation>
+    </message>
+    <message>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
         <source>Moon size</source>
         <extracomment>tables</extracomment>
@@ -11401,16 +11630,19 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <location filename="exhibits/your_shader/your_shader_table.h"/>
         <source>Mouse down</source>
+        <extracomment>tables</extracomment>
         <translation>Maustaste gedrückt</translation>
     </message>
     <message>
         <location filename="exhibits/your_shader/your_shader_table.h"/>
         <source>Mouse x</source>
+        <extracomment>tables</extracomment>
         <translation>Maus x</translation>
     </message>
     <message>
         <location filename="exhibits/your_shader/your_shader_table.h"/>
         <source>Mouse y</source>
+        <extracomment>tables</extracomment>
         <translation>Maus y</translation>
     </message>
     <message>
@@ -11425,19 +11657,9 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>%1 verschieben</translation>
     </message>
     <message>
-        <location filename="ui/parameters/parameter_menus.cpp"/>
-        <source>Move %1 on</source>
-        <translation>%1 weiterbewegen</translation>
-    </message>
-    <message>
         <location filename="ui/explore/pad_control.cpp"/>
         <source>Move between four settings</source>
         <translation>Zwischen vier Einstellungen bewegen</translation>
-    </message>
-    <message>
-        <location filename="ui/parameters/parameter_menus.cpp"/>
-        <source>Move on</source>
-        <translation>Weiterbewegen</translation>
     </message>
     <message>
         <location filename="ui/window/dock_title.cpp"/>
@@ -11476,7 +11698,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="ui/report/frame_report_view.cpp"/>
-        <location filename="ui/study/study_dock.cpp"/>
+        <location filename="ui/study/study_finder.cpp"/>
         <location filename="exhibits/study/study_table.h"/>
         <source>ms</source>
         <translation>ms</translation>
@@ -11553,9 +11775,19 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>nie</translation>
     </message>
     <message>
+        <location filename="ui/editor/shader_panel.cpp"/>
+        <source>New</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
         <location filename="ui/kit/tile_delegate.cpp"/>
         <source>New name</source>
         <translation>Neuer Name</translation>
+    </message>
+    <message>
+        <location filename="ui/editor/live_text.cpp"/>
+        <source>New shader: %1</source>
+        <translation>Neuer Shader: %1</translation>
     </message>
     <message>
         <location filename="ui/preferences/keys_page.cpp"/>
@@ -11577,9 +11809,19 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Zeitungsdruck</translation>
     </message>
     <message>
+        <location filename="ui/editor/find_bar.cpp"/>
+        <source>Next</source>
+        <translation>Nächste</translation>
+    </message>
+    <message>
         <location filename="ui/window/window_actions.cpp"/>
         <source>Next panel</source>
         <translation>Nächstes Bedienfeld</translation>
+    </message>
+    <message>
+        <location filename="ui/editor/find_bar.cpp"/>
+        <source>Next place</source>
+        <translation>Nächste Stelle</translation>
     </message>
     <message>
         <location filename="ui/lessons/lesson_bar.cpp"/>
@@ -11670,17 +11912,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <location filename="exhibits/jobs/sprite/sprite_job.cpp"/>
         <source>No file of the palette is chosen; choose one, or another palette.</source>
-        <translation>Es ist keine Datei der Palette gewählt; wähle eine, oder eine andere Palette.</translation>
+        <translation>Es ist keine Datei der Palette gewählt; wählen Sie eine, oder eine andere Palette.</translation>
     </message>
     <message>
         <location filename="ui/report/frame_graph.cpp"/>
         <source>No frame has been drawn yet.</source>
         <translation>Noch wurde kein Frame gezeichnet.</translation>
-    </message>
-    <message>
-        <location filename="exhibits/fur/fur.h"/>
-        <source>No hair is stored anywhere: a skin drawn again and again, a little further out each time.</source>
-        <translation>Nirgends ist ein Haar gespeichert: eine Haut, wieder und wieder gezeichnet, jedes Mal etwas weiter außen.</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/node_place.cpp"/>
@@ -11748,9 +11985,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Kein OpenGL wurde gefunden; nötig ist OpenGL 4.5: Installieren Sie einen Grafiktreiber, oder Mesas Software-Treiber (libgl1-mesa-dri).</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/picture/picture_job.cpp"/>
         <location filename="ui/export/picture_export.cpp"/>
         <source>No picture can be made: there is no graphics context.</source>
-        <translation>Es kann kein Bild gemacht werden: Es gibt keinen Grafikkontext.</translation>
+        <translation>Es kann kein Bild entstehen: Es gibt keinen Grafikkontext.</translation>
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
@@ -11790,12 +12028,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/fur/fur_table.h"/>
-        <source>No ray grazes a shell along so many cells.</source>
+        <source>No ray grazes a shell along this many cells.</source>
         <translation>Kein Strahl streift eine Shell über so viele Zellen.</translation>
     </message>
     <message>
         <location filename="exhibits/kit/sdf_rows.h"/>
-        <source>No ray meets the object so often.</source>
+        <source>No ray meets the object this many times.</source>
         <translation>Kein Strahl trifft das Objekt so oft.</translation>
     </message>
     <message>
@@ -11834,18 +12072,18 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Es können keine Sprites gezeichnet werden: Es gibt keinen Grafikkontext.</translation>
     </message>
     <message>
-        <location filename="ui/compare/compare_desk.cpp"/>
+        <location filename="ui/compare/compare_controller.cpp"/>
         <source>no such parameter</source>
         <translation>kein solcher Parameter</translation>
     </message>
     <message>
         <location filename="exhibits/crepuscular_rays/rays_scene.cpp"/>
-        <source>no sunbeam wider than 30 cm comes in by the window</source>
+        <source>no sunbeam wider than 30 cm comes in through the window</source>
         <translation>durch das Fenster fällt kein Sonnenstrahl, der breiter als 30 cm ist</translation>
     </message>
     <message>
         <location filename="exhibits/crepuscular_rays/rays_scene.cpp"/>
-        <source>no sunbeam wider than 30 cm comes in by window or oculus</source>
+        <source>no sunbeam wider than 30 cm comes in through window or oculus</source>
         <translation>durch Fenster oder Oculus fällt kein Sonnenstrahl, der breiter als 30 cm ist</translation>
     </message>
     <message>
@@ -11870,8 +12108,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/recording/tour.cpp"/>
-        <source>No way past the walls and what stands in the hall was found from the bookmark &quot;{1}&quot; to &quot;{2}&quot;; put another one between them.</source>
-        <translation>Vom Lesezeichen „{=1}“ zu „{=2}“ fand sich kein Weg an den Wänden und dem, was in der Halle steht, vorbei; setzen Sie ein weiteres dazwischen.</translation>
+        <source>No way around walls and objects was found from the bookmark &quot;{1}&quot; to &quot;{2}&quot;; put another one between them.</source>
+        <translation>Vom Lesezeichen „{=1}“ zu „{=2}“ fand sich kein Weg um Wände und Objekte herum; setzen Sie ein weiteres dazwischen.</translation>
     </message>
     <message>
         <location filename="exhibits/noise/noise.cpp"/>
@@ -12037,11 +12275,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Normalen gegen wahre</translation>
     </message>
     <message>
-        <location filename="exhibits/pixel_art/pixel_art.h"/>
-        <source>Normals from depth, lines of one pixel, and few colors.</source>
-        <translation>Normalen aus der Tiefe, Linien von einem Pixel und wenige Farben.</translation>
-    </message>
-    <message>
         <location filename="exhibits/noise/noise_table.h"/>
         <source>Normals of the field: by six further evaluations (differences), or by the analytic derivative.</source>
         <extracomment>tables</extracomment>
@@ -12056,6 +12289,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="ui/study/comparison_chart.cpp"/>
         <source>Not all settings were timed: their work is compared, which counts the same anywhere.</source>
         <translation>Nicht bei allen Einstellungen wurde die Zeit gemessen: Verglichen wird ihre Arbeit, die überall gleich zählt.</translation>
+    </message>
+    <message>
+        <location filename="ui/editor/find_bar.cpp"/>
+        <source>Not found</source>
+        <translation>Nicht gefunden</translation>
     </message>
     <message>
         <location filename="ui/parameters/pick_editors.cpp"/>
@@ -12180,6 +12418,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>nichts am Objekt des Besuchers ist durchscheinend</translation>
     </message>
     <message>
+        <location filename="ui/editor/shader_panel.cpp"/>
+        <source>Nothing of this exhibit is drawn now.</source>
+        <translation>Von diesem Exponat wird jetzt nichts gezeichnet.</translation>
+    </message>
+    <message>
         <location filename="exhibits/jobs/sprite/sprite_shots.cpp"/>
         <source>Nothing of {1} is to be seen: every pixel of every frame is empty; choose an object with more opacity, or larger frames.</source>
         <translation>Von {1} ist nichts zu sehen: Jedes Pixel jedes Frames ist leer; wählen Sie ein Objekt mit mehr Deckkraft oder größere Frames.</translation>
@@ -12225,7 +12468,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>davor wurde nichts gezeichnet</translation>
     </message>
     <message>
-        <location filename="ui/presets/preset_shelf.cpp"/>
+        <location filename="ui/presets/preset_controller.cpp"/>
         <source>Nothing was exported: select a preset in the list first.</source>
         <translation>Nichts wurde exportiert: Wählen Sie zuerst ein Preset in der Liste.</translation>
     </message>
@@ -12250,13 +12493,18 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <source>Number of colors of the frames' own palette.</source>
-        <translation>Anzahl der Farben in der eigenen Palette der Bilder.</translation>
+        <translation>Anzahl der Farben in der eigenen Palette der Frames.</translation>
     </message>
     <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <source>Number of colors taken from the picture.</source>
         <extracomment>tables</extracomment>
         <translation>Zahl der Farben, die aus dem Bild genommen werden.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Number of columns of views in a quilt.</source>
+        <translation>Zahl der Spalten von Ansichten in einem Quilt.</translation>
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
@@ -12288,7 +12536,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <source>Number of frames per direction, evenly spaced over the animation. Auto: 12 if the model is animated, else 1.</source>
-        <translation>Anzahl der Bilder je Richtung, gleichmäßig über die Animation verteilt. Auto: 12, wenn das Modell animiert ist, sonst 1.</translation>
+        <translation>Anzahl der Frames je Richtung, gleichmäßig über die Animation verteilt. Auto: 12, wenn das Modell animiert ist, sonst 1.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/record/record_table.h"/>
@@ -12326,6 +12574,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Zahl der Netzzellen entlang der längsten Seite des Quaders: Wenige zeigen Facetten in den Spiegelungen.</translation>
     </message>
     <message>
+        <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
+        <source>Number of mirror reflections in the right half of a split view.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Spiegelungen in der rechten Hälfte einer geteilten Ansicht.</translation>
+    </message>
+    <message>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
         <source>Number of normals across a lens whose reflections are averaged: few show streaks.</source>
         <extracomment>tables</extracomment>
@@ -12347,9 +12601,14 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/noise/noise_table.h"/>
-        <source>Number of orders of scattering that are summed: 1 leaves clouds dark inside, each further one makes them whiter.</source>
+        <source>Number of orders of scattering that are summed (how often light is scattered on its way): 1 leaves clouds dark inside, each further one makes them whiter.</source>
         <extracomment>tables</extracomment>
-        <translation>Zahl der Streuordnungen, die summiert werden: 1 lässt Wolken innen dunkel, jede weitere macht sie weißer.</translation>
+        <translation>Zahl der Streuordnungen, die summiert werden (wie oft Licht unterwegs gestreut wird): 1 lässt Wolken innen dunkel, jede weitere macht sie weißer.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/record/record_table.h"/>
+        <source>Number of points in time within the exposure whose pictures are averaged.</source>
+        <translation>Anzahl der Zeitpunkte innerhalb der Belichtung, deren Bilder gemittelt werden.</translation>
     </message>
     <message>
         <location filename="ui/print/print_numbers.cpp"/>
@@ -12399,6 +12658,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Zahl der Zellenreihen, in denen ein Strahl nach Laternen sucht; Laternen dahinter werden als ihr Mittel gezeichnet.</translation>
     </message>
     <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Number of rows of views in a quilt; the first row is at the bottom.</source>
+        <translation>Zahl der Zeilen von Ansichten in einem Quilt; die erste liegt unten.</translation>
+    </message>
+    <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
         <source>Number of samples along a ray: few show bands. With three passes, each takes the cube root of this number; the polar grid has two cells per sample.</source>
         <extracomment>tables</extracomment>
@@ -12441,11 +12705,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Zahl der Streusel auf dem Eis, zufällig verteilt.</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/your_shader_table.h"/>
-        <source>Number of steps a second of shaders that continue their last picture, and of the frames counted.</source>
-        <translation>Schritte pro Sekunde bei Shadern, die ihr letztes Bild fortsetzen, und der gezählten Bilder.</translation>
-    </message>
-    <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
         <source>Number of steps in which a ray crosses the beams of the volume: few are noisy, many cost more.</source>
         <extracomment>tables</extracomment>
@@ -12456,6 +12715,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Number of steps of a ray through the clouds: few are noisy, many cost more.</source>
         <extracomment>tables</extracomment>
         <translation>Zahl der Schritte eines Strahls durch die Wolken: Wenige rauschen, viele kosten mehr.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
+        <source>Number of steps per second of shaders that continue from their last picture; frame counters advance at this rate, too.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Schritte pro Sekunde bei Shadern, die von ihrem letzten Bild ausgehen; auch Bildzähler laufen in diesem Takt.</translation>
     </message>
     <message>
         <location filename="exhibits/noise/noise_table.h"/>
@@ -12487,11 +12752,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Nummer der Animation des Modells, die abgespielt wird, in der Reihenfolge seiner Datei; 0 ist keine. Nummern über der letzten spielen die letzte ab.</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/your_shader_table.cpp"/>
-        <source>Number of the shader.</source>
-        <translation>Zahl des Shaders.</translation>
-    </message>
-    <message>
         <location filename="exhibits/study/study_table.h"/>
         <source>Number of timed frames per setting and view.</source>
         <translation>Zahl der gestoppten Bilder je Einstellung und Ansicht.</translation>
@@ -12507,11 +12767,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Number of times that the water may reflect a ray: 0 shows no reflections.</source>
         <extracomment>tables</extracomment>
         <translation>Wie oft das Wasser einen Strahl spiegeln darf: 0 zeigt keine Spiegelungen.</translation>
-    </message>
-    <message>
-        <location filename="exhibits/jobs/record/record_table.h"/>
-        <source>Number of times within the exposure whose pictures are averaged.</source>
-        <translation>Anzahl der Zeitpunkte innerhalb der Belichtung, deren Bilder gemittelt werden.</translation>
     </message>
     <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
@@ -12559,6 +12814,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Anzahl der Weiten, aus denen Lichthöfe zusammengesetzt werden, jede doppelt so weit wie die vorige: wenige halten sie schmal, viele lassen sie über das Bild reichen.</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/your_shader_table.cpp"/>
+        <source>Number that the shader reads.</source>
+        <translation>Zahl, die der Shader liest.</translation>
+    </message>
+    <message>
         <location filename="ui/lessons/lesson_bar.cpp"/>
         <source>Number to read</source>
         <translation>Abzulesende Zahl</translation>
@@ -12569,9 +12829,9 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Zahlen</translation>
     </message>
     <message>
-        <location filename="exhibits/sdf_scenes/asked_scene.cpp"/>
-        <source>numbers are folded by themselves where the evaluation is automatic</source>
-        <translation>Zahlen werden von selbst eingerechnet, wo die Auswertung automatisch ist</translation>
+        <location filename="exhibits/sdf_scenes/scene_evaluator.cpp"/>
+        <source>numbers are compiled in only if the evaluation is automatic</source>
+        <translation>Zahlen werden nur bei automatischer Auswertung in den Shader übersetzt</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
@@ -12623,12 +12883,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Occlusion method</source>
         <extracomment>tables</extracomment>
         <translation>Verdeckungsverfahren</translation>
-    </message>
-    <message>
-        <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
-        <source>Occlusion method of the right half.</source>
-        <extracomment>tables</extracomment>
-        <translation>Verdeckungsverfahren der rechten Hälfte.</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
@@ -12737,11 +12991,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>ein Bit</translation>
     </message>
     <message>
-        <location filename="exhibits/sdf_morph/sdf_morph.h"/>
-        <source>One body with one hole: a distance field, found anew by every ray.</source>
-        <translation>Ein Körper mit einem Loch: ein Distanzfeld, von jedem Strahl neu gefunden.</translation>
-    </message>
-    <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
         <source>one cone</source>
         <extracomment>tables</extracomment>
@@ -12839,14 +13088,14 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>nur die Strahlen werden gezeigt</translation>
     </message>
     <message>
-        <location filename="ui/export/screenshot_dialog.cpp"/>
-        <source>Only the chosen exhibit</source>
-        <translation>Nur das gewählte Exponat</translation>
-    </message>
-    <message>
         <location filename="render/scene/gltf_convert.cpp"/>
         <source>Only the default scene is shown.</source>
         <translation>Nur die Standardszene wird gezeigt.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/picture/picture_table.h"/>
+        <source>Only the exhibit</source>
+        <translation>Nur das Exponat</translation>
     </message>
     <message>
         <location filename="render/image/oiio/read.cpp"/>
@@ -12901,17 +13150,22 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Studie öffnen</translation>
     </message>
     <message>
-        <location filename="ui/compare/compare_desk.cpp"/>
+        <location filename="ui/compare/compare_controller.cpp"/>
         <source>Open as B</source>
         <translation>Als B öffnen</translation>
     </message>
     <message>
-        <location filename="ui/lessons/lesson_desk.cpp"/>
+        <location filename="ui/editor/shader_panel.cpp"/>
+        <source>Open in my editor</source>
+        <translation>In meinem Editor öffnen</translation>
+    </message>
+    <message>
+        <location filename="ui/lessons/lesson_controller.cpp"/>
         <source>Open lesson</source>
         <translation>Lektion öffnen</translation>
     </message>
     <message>
-        <location filename="ui/lessons/lesson_desk.cpp"/>
+        <location filename="ui/lessons/lesson_controller.cpp"/>
         <source>Open lesson %1</source>
         <translation>Lektion %1 öffnen</translation>
     </message>
@@ -12961,12 +13215,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Öffnet %1.</translation>
     </message>
     <message>
-        <location filename="ui/lessons/lesson_desk.cpp"/>
+        <location filename="ui/lessons/lesson_controller.cpp"/>
         <source>Opens a lesson of your own (Markdown); the manual explains the format.</source>
         <translation>Öffnet eine eigene Lektion (Markdown); das Handbuch erklärt das Format.</translation>
     </message>
     <message>
-        <location filename="ui/lessons/lesson_desk.cpp"/>
+        <location filename="ui/lessons/lesson_controller.cpp"/>
         <source>Opens a page with all lessons: their order, aims, times and prerequisites.</source>
         <translation>Öffnet eine Seite mit allen Lektionen: Reihenfolge, Ziele, Dauer und Voraussetzungen.</translation>
     </message>
@@ -13022,7 +13276,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Ordnung der Tiefenwerte: Umgekehrt ist nah 1 und fern 0, bei Standard andersherum.</translation>
     </message>
     <message>
-        <location filename="ui/lessons/lesson_desk.cpp"/>
+        <location filename="ui/lessons/lesson_controller.cpp"/>
         <source>Order of the lessons (for &amp;teachers)</source>
         <translation>Reihenfolge der &amp;Lektionen (für Lehrende)</translation>
     </message>
@@ -13177,7 +13431,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <source>Palette of all frames: made of their own colors, a shipped one, or that of a file.</source>
-        <translation>Palette aller Bilder: aus ihren eigenen Farben gebildet, eine mitgelieferte oder die einer Datei.</translation>
+        <translation>Palette aller Frames: aus ihren eigenen Farben gebildet, eine mitgelieferte oder die einer Datei.</translation>
     </message>
     <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
@@ -13286,9 +13540,19 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Parameter</translation>
     </message>
     <message>
+        <location filename="ui/window/parameter_tabs.cpp"/>
+        <source>Parameters of</source>
+        <translation>Parameter von</translation>
+    </message>
+    <message>
         <location filename="exhibits/study/study_table.h"/>
         <source>Parameters to vary: one gives a curve, two a surface, none the best settings over all of them. hall.supersamples and hall.resolutionScale are possible for every exhibit.</source>
         <translation>Parameter, die verändert werden: einer ergibt eine Kurve, zwei eine Fläche, keiner die besten Einstellungen über alle. hall.supersamples und hall.resolutionScale gehen bei jedem Exponat.</translation>
+    </message>
+    <message>
+        <location filename="ui/study/kept_studies.cpp"/>
+        <source>Parameters: %1</source>
+        <translation>Parameter: %1</translation>
     </message>
     <message>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
@@ -13414,6 +13678,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <location filename="exhibits/your_shader/your_shader_table.h"/>
         <source>Path of a shader: ISF (.fs), Shadertoy code or its JSON, or a plain fragment shader. Its inputs become sliders.</source>
+        <extracomment>tables</extracomment>
         <translation>Pfad eines Shaders: ISF (.fs), Shadertoy-Code oder dessen JSON, oder ein einfacher Fragment-Shader. Seine Eingaben werden Regler.</translation>
     </message>
     <message>
@@ -13425,7 +13690,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <location filename="exhibits/jobs/record/record_table.h"/>
         <source>Path of the camera: around its target (turntable), none (still), along a tour, or along the bookmarks set in the window. Auto: around an exhibit; along a tour in the hall.</source>
-        <translation>Weg der Kamera: um ihr Ziel, keiner, entlang einer Tour oder entlang der im Fenster gesetzten Lesezeichen. Auto: um ein Exponat; in der Halle entlang einer Tour.</translation>
+        <translation>Weg der Kamera: um ihr Ziel (Drehteller), keiner (stehend), entlang eines Rundgangs oder entlang der im Fenster gesetzten Lesezeichen. Auto: um ein Exponat; in der Halle entlang eines Rundgangs.</translation>
     </message>
     <message>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
@@ -13536,7 +13801,9 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>PICO-8</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/picture/picture_job.h"/>
         <location filename="exhibits/hall/hall_table.h"/>
+        <location filename="exhibits/jobs/picture/picture_table.h"/>
         <location filename="exhibits/jobs/record/record_table.h"/>
         <source>Picture</source>
         <extracomment>tables</extracomment>
@@ -13560,7 +13827,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Bild und Referenz</translation>
     </message>
     <message>
-        <location filename="ui/export/export_again.cpp"/>
+        <location filename="ui/jobs/export_again.cpp"/>
         <source>Picture saved to %1.</source>
         <translation>Bild als %1 gespeichert.</translation>
     </message>
@@ -13661,11 +13928,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Fehler des Streifenabstands</translation>
     </message>
     <message>
-        <location filename="exhibits/printing/print_table.h"/>
-        <source>Pitch finds the LPI at which printer and sheet match; phase, the shift of the strips; views, how many views are distinguishable; rotation, whether the sheet is straight.</source>
-        <translation>„Pitch“ findet den LPI-Wert, bei dem Drucker und Folie zusammenpassen; „Phase“ die Verschiebung der Streifen; „Ansichten“, wie viele Ansichten unterscheidbar sind; „Drehung“, ob die Folie gerade liegt.</translation>
-    </message>
-    <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <source>Pivot</source>
         <translation>Drehpunkt</translation>
@@ -13673,7 +13935,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <source>Pivot of the frames in the description file: the object's origin, the middle of the frame, or the middle of its lower edge.</source>
-        <translation>Drehpunkt der Bilder in der Beschreibungsdatei: der Ursprung des Objekts, die Mitte des Bildes oder die Mitte seines unteren Rands.</translation>
+        <translation>Drehpunkt der Frames in der Beschreibungsdatei: der Ursprung des Objekts, die Mitte des Frames oder die Mitte seines unteren Rands.</translation>
     </message>
     <message>
         <location filename="ui/study/picture_panes.cpp"/>
@@ -13684,6 +13946,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/pixel_art/pixel_art.h"/>
         <source>Pixel Art</source>
         <translation>Pixel-Art</translation>
+    </message>
+    <message>
+        <location filename="exhibits/pixel_art/pixel_art.h"/>
+        <source>Pixel art from 3D: normals from depth, lines one pixel wide, few colors.</source>
+        <translation>Pixel-Art aus 3D: Normalen aus der Tiefe, ein Pixel breite Linien, wenige Farben.</translation>
     </message>
     <message>
         <location filename="exhibits/study/study_text.cpp"/>
@@ -13745,6 +14012,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>plain</source>
         <extracomment>tables</extracomment>
         <translation>einfach</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader.cpp"/>
+        <source>Plain fragment shader</source>
+        <translation>Einfacher Fragment-Shader</translation>
     </message>
     <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
@@ -13851,6 +14123,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Position und Ziel sind derselbe Punkt; verschieben Sie einen davon</translation>
     </message>
     <message>
+        <source>Position between settings A (0 %) and B (100 %). Numbers change evenly or by factors, colors evenly to the eye, angles the shorter way; settings without values between switch in the middle. One drag is one undo step.</source>
+        <translation>Stelle zwischen den Einstellungen A (0 %) und B (100 %). Zahlen ändern sich gleichmäßig oder um Faktoren, Farben gleichmäßig für das Auge, Winkel auf dem kürzeren Weg; Einstellungen ohne Zwischenwerte wechseln in der Mitte. Ein Ziehen ist ein Schritt zum Rückgängigmachen.</translation>
+    </message>
+    <message>
         <location filename="exhibits/sdf_scenes/operation_kinds.cpp"/>
         <source>Position between the children: 0 is the first, 1 is the second.</source>
         <translation>Lage zwischen den Kindern: 0 ist das erste, 1 das zweite.</translation>
@@ -13869,15 +14145,9 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
-        <source>Position of the candy across, from the axis.</source>
+        <source>Position of the candy towards the front, measured from the axis.</source>
         <extracomment>tables</extracomment>
-        <translation>Lage des Bonbons quer, von der Achse aus.</translation>
-    </message>
-    <message>
-        <location filename="exhibits/ice_cream/ice_cream_table.h"/>
-        <source>Position of the candy towards the front, from the axis.</source>
-        <extracomment>tables</extracomment>
-        <translation>Lage des Bonbons nach vorn, von der Achse aus.</translation>
+        <translation>Lage des Bonbons nach vorn, von der Achse aus gemessen.</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
@@ -13886,15 +14156,9 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
-        <source>Position of the cones' bases across, from the axis.</source>
+        <source>Position of the cones' bases towards the front, measured from the axis.</source>
         <extracomment>tables</extracomment>
-        <translation>Lage der Grundflächen der Kegel quer, von der Achse aus.</translation>
-    </message>
-    <message>
-        <location filename="exhibits/ice_cream/ice_cream_table.h"/>
-        <source>Position of the cones' bases towards the front, from the axis.</source>
-        <extracomment>tables</extracomment>
-        <translation>Lage der Grundflächen der Kegel nach vorn, von der Achse aus.</translation>
+        <translation>Lage der Grundflächen der Kegel nach vorn, von der Achse aus gemessen.</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
@@ -13924,11 +14188,13 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <location filename="exhibits/your_shader/your_shader_table.h"/>
         <source>Position of the mouse for shaders that read it: 0 is the left edge of the picture, 1 the right.</source>
+        <extracomment>tables</extracomment>
         <translation>Lage der Maus für Shader, die sie lesen: 0 ist der linke Bildrand, 1 der rechte.</translation>
     </message>
     <message>
         <location filename="exhibits/your_shader/your_shader_table.h"/>
         <source>Position of the mouse for shaders that read it: 0 is the lower edge of the picture, 1 the upper.</source>
+        <extracomment>tables</extracomment>
         <translation>Lage der Maus für Shader, die sie lesen: 0 ist der untere Bildrand, 1 der obere.</translation>
     </message>
     <message>
@@ -13963,6 +14229,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Post wire</source>
         <extracomment>tables</extracomment>
         <translation>Pfostendraht</translation>
+    </message>
+    <message>
+        <location filename="exhibits/noise/noise_table.h"/>
+        <source>Powder</source>
+        <extracomment>tables</extracomment>
+        <translation>Puder</translation>
     </message>
     <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
@@ -14003,13 +14275,13 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Presets</translation>
     </message>
     <message>
-        <location filename="ui/presets/preset_shelf.cpp"/>
+        <location filename="ui/presets/preset_controller.cpp"/>
         <source>Presets (*.json)</source>
         <translation>Presets (*.json)</translation>
     </message>
     <message>
-        <location filename="ui/compare/compare_desk.cpp"/>
-        <location filename="ui/presets/preset_shelf.cpp"/>
+        <location filename="ui/compare/compare_controller.cpp"/>
+        <location filename="ui/presets/preset_controller.cpp"/>
         <source>Presets, and pictures with one inside (%1)</source>
         <translation>Presets und Bilder mit eingebettetem Preset (%1)</translation>
     </message>
@@ -14039,6 +14311,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Drückt den roten Knopf des Exponats vor Ihnen; E tut dasselbe, während das Bild den Fokus hat.</translation>
     </message>
     <message>
+        <location filename="ui/jobs/picture_preview.cpp"/>
         <location filename="ui/jobs/sprite_preview.cpp"/>
         <source>Preview</source>
         <translation>Vorschau</translation>
@@ -14049,9 +14322,19 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Vorschau eines Presets</translation>
     </message>
     <message>
+        <location filename="ui/editor/find_bar.cpp"/>
+        <source>Previous</source>
+        <translation>Vorige</translation>
+    </message>
+    <message>
         <location filename="ui/window/window_actions.cpp"/>
         <source>Previous panel</source>
         <translation>Voriges Bedienfeld</translation>
+    </message>
+    <message>
+        <location filename="ui/editor/find_bar.cpp"/>
+        <source>Previous place</source>
+        <translation>Vorige Stelle</translation>
     </message>
     <message>
         <location filename="ui/print/print_dialog.cpp"/>
@@ -14135,7 +14418,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Profil der Verschmelzung zwischen den Oberflächen.</translation>
     </message>
     <message>
-        <location filename="ui/export/screenshot_dialog.cpp"/>
         <location filename="ui/kit/export_bar.cpp"/>
         <location filename="ui/study/study_dock.cpp"/>
         <source>Progress</source>
@@ -14541,6 +14823,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/sdf_scenes/operation_kinds.cpp"/>
         <location filename="exhibits/your_shader/your_shader_table.h"/>
         <source>Rate</source>
+        <extracomment>tables</extracomment>
         <translation>Rate</translation>
     </message>
     <message>
@@ -14562,6 +14845,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Strahlenbelichtung</translation>
     </message>
     <message>
+        <source>ray marching</source>
+        <translation>Raymarching</translation>
+    </message>
+    <message>
         <source>Rays</source>
         <extracomment>tables</extracomment>
         <translation>Strahlen</translation>
@@ -14571,18 +14858,18 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/noise/noise_table.h"/>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
-        <source>Rays end before they have taken so many steps.</source>
+        <source>Rays end before they have taken this many steps.</source>
         <translation>Strahlen enden, bevor sie so viele Schritte getan haben.</translation>
     </message>
     <message>
         <location filename="exhibits/noise/noise_table.h"/>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
-        <source>Rays have found the water in fewer steps.</source>
-        <translation>Strahlen haben das Wasser in weniger Schritten gefunden.</translation>
+        <source>Rays find the water in fewer steps.</source>
+        <translation>Strahlen finden das Wasser in weniger Schritten.</translation>
     </message>
     <message>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
-        <source>Rays of a small picture meet the water before they have passed so many rows.</source>
+        <source>Rays of a small picture meet the water before they have passed this many rows.</source>
         <translation>Strahlen eines kleinen Bildes treffen das Wasser, bevor sie so viele Reihen durchquert haben.</translation>
     </message>
     <message>
@@ -14591,19 +14878,19 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Strahlen verwenden im leeren Raum gebackenes Rauschen</translation>
     </message>
     <message>
-        <location filename="ui/lessons/lesson_desk.cpp"/>
+        <location filename="ui/lessons/lesson_controller.cpp"/>
         <source>Read: %1 %2</source>
         <translation>Abzulesen: %1 %2</translation>
     </message>
     <message>
         <location filename="ui/print/view_loader.cpp"/>
         <source>Reading</source>
-        <translation>Liest</translation>
+        <translation>Wird gelesen</translation>
     </message>
     <message>
         <location filename="ui/viewport/reading_notice.cpp"/>
         <source>Reading %1%2 … %3 s</source>
-        <translation>Liest %1%2 … %3 s</translation>
+        <translation>%1%2 wird gelesen … %3 s</translation>
     </message>
     <message>
         <location filename="ui/explore/morph_pad.cpp"/>
@@ -14666,7 +14953,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <location filename="ui/print/view_loader.cpp"/>
         <source>Reading, %1 %</source>
-        <translation>Liest, %1 %</translation>
+        <translation>Wird gelesen, %1 %</translation>
     </message>
     <message>
         <location filename="render/image/oiio_codec.cpp"/>
@@ -14679,6 +14966,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>liest Gamepads</translation>
     </message>
     <message>
+        <location filename="ui/preferences/keys_page.cpp"/>
+        <source>Reassign it</source>
+        <translation>Neu zuweisen</translation>
+    </message>
+    <message>
         <location filename="ui/preferences/preferences_dialog.cpp"/>
         <source>Recent files</source>
         <translation>Zuletzt geöffnete Dateien</translation>
@@ -14686,6 +14978,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <location filename="exhibits/your_shader/your_shader_table.h"/>
         <source>recompute</source>
+        <extracomment>tables</extracomment>
         <translation>neu rechnen</translation>
     </message>
     <message>
@@ -14701,7 +14994,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <location filename="exhibits/jobs/record/record_job.h"/>
         <source>Record a video or frames: around an exhibit, through the hall, or along the bookmarks of a tour</source>
-        <translation>Nimmt ein Video oder Frames auf: um ein Exponat herum, durch die Halle, oder entlang der Lesezeichen einer Tour</translation>
+        <translation>Nimmt ein Video oder Frames auf: um ein Exponat herum, durch die Halle oder entlang der Lesezeichen eines Rundgangs</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/record/record_job.h"/>
+        <source>Recording</source>
+        <translation>Aufnahme</translation>
     </message>
     <message>
         <location filename="exhibits/recording/record.cpp"/>
@@ -14843,7 +15141,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <location filename="ui/viewport/draw_schedule.cpp"/>
         <source>Refining (%1 of %2 samples)</source>
-        <translation>Verfeinert (%1 von %2 Samples)</translation>
+        <translation>Verfeinern (%1 von %2 Samples)</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
@@ -15009,9 +15307,14 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Neu rendern</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/picture/picture_job.h"/>
+        <source>Render an exhibit at its place in the hall, or the hall, to a file; needs no display</source>
+        <translation>Zeichnet ein Exponat an seinem Platz im Saal, oder den Saal, in eine Datei; braucht keinen Bildschirm</translation>
+    </message>
+    <message>
         <location filename="ui/viewport/draw_schedule.cpp"/>
         <source>Rendering at %1 %</source>
-        <translation>Rendert mit %1 %</translation>
+        <translation>Rendern mit %1 %</translation>
     </message>
     <message>
         <location filename="app/print/rendered_views.cpp"/>
@@ -15021,7 +15324,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <location filename="ui/print/view_loader.cpp"/>
         <source>Rendering views, %1 %</source>
-        <translation>Rendert Ansichten, %1 %</translation>
+        <translation>Ansichten werden gerendert, %1 %</translation>
     </message>
     <message>
         <location filename="ui/print/source_bar.cpp"/>
@@ -15184,6 +15487,21 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Stellt die üblichen Tastenkürzel des Befehls wieder her.</translation>
     </message>
     <message>
+        <location filename="ui/editor/find_bar.cpp"/>
+        <source>Result of the search</source>
+        <translation>Ergebnis der Suche</translation>
+    </message>
+    <message>
+        <location filename="ui/parameters/parameter_menus.cpp"/>
+        <source>Resume %1</source>
+        <translation>%1 weiterbewegen</translation>
+    </message>
+    <message>
+        <location filename="ui/parameters/parameter_menus.cpp"/>
+        <source>Resume the motion</source>
+        <translation>Bewegung fortsetzen</translation>
+    </message>
+    <message>
         <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Return to where you stood before</source>
         <translation>Zurück dorthin, wo Sie vorher standen</translation>
@@ -15244,7 +15562,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="ui/print/place_bar.cpp"/>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
         <source>Right</source>
-        <translation>Rechts</translation>
+        <translation>Nach rechts</translation>
     </message>
     <message>
         <location filename="ui/print/eyes_preview.cpp"/>
@@ -15447,6 +15765,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Wurzel</translation>
     </message>
     <message>
+        <source>Rose window</source>
+        <translation>Rosettenfenster</translation>
+    </message>
+    <message>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
         <source>Rotate</source>
         <translation>Drehen</translation>
@@ -15594,17 +15916,13 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Reihen</translation>
     </message>
     <message>
-        <location filename="exhibits/printing/print_table.h"/>
-        <source>Rows of views in a quilt, the first at the bottom.</source>
-        <translation>Zeilen von Ansichten in einem Quilt, die erste unten.</translation>
-    </message>
-    <message>
-        <location filename="ui/study/kept_studies.cpp"/>
-        <source>Rows: %1</source>
-        <translation>Zeilen: %1</translation>
+        <location filename="exhibits/jobs/picture/picture_table.h"/>
+        <source>Run all passes, even those that can be skipped. The picture stays the same; this is a check.</source>
+        <translation>Alle Durchgänge ausführen, auch solche, die wegfallen können. Das Bild bleibt gleich; dies ist eine Probe.</translation>
     </message>
     <message>
         <location filename="ui/report/frame_report_dock.cpp"/>
+        <location filename="exhibits/jobs/picture/picture_table.h"/>
         <source>Run everything</source>
         <translation>Alles ausführen</translation>
     </message>
@@ -15629,6 +15947,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Führt die Messungen des besuchten Exponats aus, etwa die Verfahren der Pixel-Art, und speichert sie als CSV.</translation>
     </message>
     <message>
+        <location filename="ui/window/window_actions.cpp"/>
+        <source>S&amp;hader</source>
+        <translation>S&amp;hader</translation>
+    </message>
+    <message>
         <location filename="ui/explore/explore_dock.cpp"/>
         <source>S&amp;trength</source>
         <translation>S&amp;tärke</translation>
@@ -15640,6 +15963,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
+        <location filename="exhibits/jobs/picture/picture_table.h"/>
         <location filename="exhibits/jobs/record/record_table.h"/>
         <location filename="exhibits/printing/print_table.h"/>
         <source>Samples</source>
@@ -15649,11 +15973,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>samples</source>
         <translation>Samples</translation>
-    </message>
-    <message>
-        <location filename="ui/preferences/preferences_dialog.cpp"/>
-        <source>Samples at rest</source>
-        <translation>Samples in Ruhe</translation>
     </message>
     <message>
         <location filename="exhibits/fur/fur_table.h"/>
@@ -15667,7 +15986,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>behaltene Samples</translation>
     </message>
     <message>
-        <location filename="ui/export/screenshot_dialog.cpp"/>
+        <location filename="exhibits/jobs/picture/picture_job.cpp"/>
         <source>Samples per pixel</source>
         <translation>Samples pro Pixel</translation>
     </message>
@@ -15677,14 +15996,19 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Samples pro Pixel einer gerenderten Ansicht, jede Ansicht mit eigenem Rauschen.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/picture/picture_table.h"/>
+        <source>Samples per pixel: 1 leaves jagged edges, 16 gives smooth ones, 64 is for prints. Auto: as in the picture whose settings are used, else the hall's supersamples if they are set, else 4.</source>
+        <translation>Samples pro Pixel: 1 lässt die Kanten treppig, 16 macht sie glatt, 64 ist für Drucke. Auto: wie im Bild, dessen Einstellungen verwendet werden, sonst die Supersamples des Saals, wenn sie gesetzt sind, sonst 4.</translation>
+    </message>
+    <message>
         <location filename="exhibits/jobs/record/record_table.h"/>
         <source>Samples per pixel: 1 leaves jagged edges, 16 gives smooth ones. Auto: as in the picture whose settings are used, else the hall's supersamples if they are set, else 4.</source>
         <translation>Samples pro Pixel: 1 lässt Kanten treppig, 16 macht sie glatt. Auto: wie im Bild, dessen Einstellungen verwendet werden, sonst die Supersamples der Halle, falls sie gesetzt sind, sonst 4.</translation>
     </message>
     <message>
-        <location filename="ui/export/screenshot_dialog.cpp"/>
-        <source>Samples per pixel: 1 leaves jagged edges, 16 gives smooth ones; 64 is for prints.</source>
-        <translation>Samples pro Pixel: 1 lässt Kanten treppig, 16 macht sie glatt; 64 ist für Drucke.</translation>
+        <location filename="ui/preferences/preferences_dialog.cpp"/>
+        <source>Samples when idle</source>
+        <translation>Samples ohne Bewegung</translation>
     </message>
     <message>
         <location filename="ui/parameters/color_picker.cpp"/>
@@ -15694,6 +16018,7 @@ Arrows move in the field, with Ctrl in the bar.</source>
 Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
+        <location filename="ui/editor/shader_panel.cpp"/>
         <location filename="ui/kit/name_dialog.cpp"/>
         <location filename="ui/presets/tags_dialog.cpp"/>
         <location filename="ui/tree/tree_dock.cpp"/>
@@ -15706,7 +16031,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Speichern und schließen</translation>
     </message>
     <message>
-        <location filename="ui/tree/tree_file.cpp"/>
+        <location filename="ui/editor/document_file.cpp"/>
         <source>Save as</source>
         <translation>Speichern unter</translation>
     </message>
@@ -15731,7 +16056,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Ausstellung s&amp;peichern…</translation>
     </message>
     <message>
-        <location filename="ui/presets/preset_shelf.cpp"/>
+        <location filename="ui/presets/preset_controller.cpp"/>
         <source>Save exhibition</source>
         <translation>Ausstellung speichern</translation>
     </message>
@@ -15741,14 +16066,14 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Preset speichern &amp;unter…</translation>
     </message>
     <message>
-        <location filename="ui/presets/preset_shelf.cpp"/>
+        <location filename="ui/presets/preset_controller.cpp"/>
         <source>Save preset of %1 as</source>
         <translation>Preset von %1 speichern unter</translation>
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
-        <source>Save scene &amp;as…</source>
-        <translation>Szene speichern &amp;unter…</translation>
+        <source>Save scene or shader &amp;as…</source>
+        <translation>Szene oder Shader speichern &amp;unter…</translation>
     </message>
     <message>
         <location filename="ui/print/print_export_bar.cpp"/>
@@ -15797,9 +16122,8 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>%1 gespeichert, und daneben die Einstellungen.</translation>
     </message>
     <message>
-        <location filename="ui/export/screenshot_dialog.cpp"/>
         <location filename="ui/jobs/job_dialog.cpp"/>
-        <location filename="ui/presets/preset_shelf.cpp"/>
+        <location filename="ui/presets/preset_controller.cpp"/>
         <location filename="ui/record/bookmarks.cpp"/>
         <source>Saved %1.</source>
         <translation>%1 gespeichert.</translation>
@@ -15815,7 +16139,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Gespeicherte Palette</translation>
     </message>
     <message>
-        <location filename="ui/tree/tree_file.cpp"/>
+        <location filename="ui/editor/document_file.cpp"/>
         <source>Saved to %1.</source>
         <translation>In %1 gespeichert.</translation>
     </message>
@@ -15826,8 +16150,8 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <location filename="ui/study/comparison_dialog.cpp"/>
-        <source>Saves the comparison as a table (CSV) or JSON, or the chart as PNG or SVG.</source>
-        <translation>Speichert den Vergleich als Tabelle (CSV) oder JSON, oder das Diagramm als PNG oder SVG.</translation>
+        <source>Saves the comparison as a table (CSV) or JSON, or the chart as PNG, SVG or PDF.</source>
+        <translation>Speichert den Vergleich als Tabelle (CSV) oder JSON, oder das Diagramm als PNG, SVG oder PDF.</translation>
     </message>
     <message>
         <location filename="ui/print/sheet_bar.cpp"/>
@@ -15845,6 +16169,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Speichert das Bild in beliebiger Größe, als PNG, JPEG, EXR oder TIFF.</translation>
     </message>
     <message>
+        <location filename="ui/editor/shader_panel.cpp"/>
+        <source>Saves the text, and opens its file in the program that your desktop has for it. What you save there is shown here.</source>
+        <translation>Speichert den Text und öffnet seine Datei in dem Programm, das Ihr Desktop dafür hat. Was Sie dort speichern, wird hier gezeigt.</translation>
+    </message>
+    <message>
         <location filename="ui/window/window_actions.cpp"/>
         <source>Saves the values that the panel shows to the preset in use.</source>
         <translation>Speichert die Werte, die das Bedienfeld zeigt, in das benutzte Preset.</translation>
@@ -15856,13 +16185,13 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <location filename="ui/study/study_dock.cpp"/>
-        <source>Saves what was measured as a table (CSV) or JSON, or the chart as PNG or SVG.</source>
-        <translation>Speichert das Gemessene als Tabelle (CSV) oder JSON, oder das Diagramm als PNG oder SVG.</translation>
+        <source>Saves what was measured as a table (CSV) or JSON, or the chart as PNG, SVG or PDF.</source>
+        <translation>Speichert das Gemessene als Tabelle (CSV) oder JSON, oder das Diagramm als PNG, SVG oder PDF.</translation>
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
-        <source>Saves your edits in the tree to the scene file; without any, the values in the panel to the preset in use.</source>
-        <translation>Speichert Ihre Änderungen im Baum in der Szenendatei; ohne solche die Werte im Bedienfeld im verwendeten Preset.</translation>
+        <source>Saves your edits of the scene or the shader to its file; without any, the values in the panel to the preset in use.</source>
+        <translation>Speichert Ihre Änderungen an der Szene oder am Shader in der Datei; ohne solche die Werte im Bedienfeld im verwendeten Preset.</translation>
     </message>
     <message>
         <location filename="ui/print/sheet_bar.cpp"/>
@@ -15939,6 +16268,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <location filename="exhibits/your_shader/your_shader_table.h"/>
         <source>Screen width</source>
+        <extracomment>tables</extracomment>
         <translation>Breite des Bildschirms</translation>
     </message>
     <message>
@@ -16084,6 +16414,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Startwert der Variationen: Eine andere Zahl gibt neun andere, dieselbe dieselben.</translation>
     </message>
     <message>
+        <location filename="ui/editor/shader_panel.cpp"/>
+        <source>Select &amp;all</source>
+        <translation>A&amp;lles auswählen</translation>
+    </message>
+    <message>
         <location filename="ui/compare/compare_actions.cpp"/>
         <source>Selected p&amp;reset as B</source>
         <translation>Gewähltes P&amp;reset als B</translation>
@@ -16180,7 +16515,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
         <source>Sets, visits and deletes bookmarks, and saves them as a tour.</source>
-        <translation>Setzt, besucht und löscht Lesezeichen und speichert sie als Tour.</translation>
+        <translation>Setzt, besucht und löscht Lesezeichen und speichert sie als Rundgang.</translation>
     </message>
     <message>
         <location filename="ui/study/picture_panes.cpp"/>
@@ -16260,9 +16595,19 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Himmelslicht</translation>
     </message>
     <message>
+        <location filename="ui/window/window_docks.cpp"/>
+        <source>Shader</source>
+        <translation>Shader</translation>
+    </message>
+    <message>
         <location filename="render/gl/program_cache.cpp"/>
         <source>shaders/{1}, line {2}: {3}</source>
         <translation>shaders/{1}, Zeile {2}: {3}</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader.cpp"/>
+        <source>Shadertoy code</source>
+        <translation>Shadertoy-Code</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
@@ -16311,12 +16656,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Shadow method</source>
         <extracomment>tables</extracomment>
         <translation>Schattenverfahren</translation>
-    </message>
-    <message>
-        <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
-        <source>Shadow method of the right half.</source>
-        <extracomment>tables</extracomment>
-        <translation>Schattenverfahren der rechten Hälfte.</translation>
     </message>
     <message>
         <location filename="exhibits/kit/sdf_rows.h"/>
@@ -16606,7 +16945,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <location filename="ui/window/shortcut_sheet.cpp"/>
-        <source>Shoulders</source>
+        <source>Shoulder buttons</source>
         <translation>Schultertasten</translation>
     </message>
     <message>
@@ -16674,7 +17013,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Farbe, Licht, Ort, Normale, Entfernung und Kosten des Pixels unter dem Zeiger zeigen</translation>
     </message>
     <message>
-        <location filename="ui/export/screenshot_dialog.cpp"/>
         <location filename="ui/kit/message_strip.cpp"/>
         <source>Show in folder</source>
         <translation>Im Ordner zeigen</translation>
@@ -16690,20 +17028,19 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Pixel für Pixel zeigen (1)</translation>
     </message>
     <message>
-        <location filename="ui/lessons/lesson_desk.cpp"/>
+        <location filename="ui/lessons/lesson_controller.cpp"/>
         <source>Show the &amp;answer</source>
         <translation>&amp;Antwort zeigen</translation>
     </message>
     <message>
-        <location filename="ui/export/screenshot_dialog.cpp"/>
         <location filename="ui/kit/message_strip.cpp"/>
         <source>Show the file in its folder</source>
         <translation>Die Datei in ihrem Ordner zeigen</translation>
     </message>
     <message>
         <location filename="ui/study/study_dock.cpp"/>
-        <source>Show the kept studies</source>
-        <translation>Die aufbewahrten Studien zeigen</translation>
+        <source>Show the history of studies</source>
+        <translation>Verlauf der Studien zeigen</translation>
     </message>
     <message>
         <location filename="ui/study/study_dock.cpp"/>
@@ -16735,6 +17072,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="ui/tree/tree_dock.cpp"/>
         <source>Shows all nodes again.</source>
         <translation>Zeigt wieder alle Knoten.</translation>
+    </message>
+    <message>
+        <location filename="ui/editor/code_view.cpp"/>
+        <source>shows and edits shaders</source>
+        <translation>Shader zeigt und bearbeitet</translation>
     </message>
     <message>
         <location filename="ui/compare/compare_actions.cpp"/>
@@ -16772,7 +17114,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Zeigt nur diesen Knoten und blendet alle anderen aus.</translation>
     </message>
     <message>
-        <location filename="ui/lessons/lesson_desk.cpp"/>
+        <location filename="ui/lessons/lesson_controller.cpp"/>
         <source>Shows or hides the answer to the question of this step.</source>
         <translation>Zeigt oder verbirgt die Antwort auf die Frage dieses Schritts.</translation>
     </message>
@@ -16800,6 +17142,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="ui/window/window_actions.cpp"/>
         <source>Shows the parameter with the focus under the essential ones, or puts it back to its group.</source>
         <translation>Zeigt den Parameter mit dem Fokus unter dem Wesentlichen oder stellt ihn in seine Gruppe zurück.</translation>
+    </message>
+    <message>
+        <location filename="ui/window/window_actions.cpp"/>
+        <source>Shows the shaders that draw the visited exhibit; a shader of yours is edited there.</source>
+        <translation>Zeigt die Shader, die das besuchte Exponat zeichnen; ein eigener Shader wird dort bearbeitet.</translation>
     </message>
     <message>
         <location filename="ui/study/study_dock.cpp"/>
@@ -16831,6 +17178,18 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Side length of the wooden base.</source>
         <extracomment>tables</extracomment>
         <translation>Seitenlänge des hölzernen Bodens.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/ice_cream/ice_cream_table.h"/>
+        <source>Sideways position of the candy, measured from the axis.</source>
+        <extracomment>tables</extracomment>
+        <translation>Seitliche Lage des Bonbons, von der Achse aus gemessen.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/ice_cream/ice_cream_table.h"/>
+        <source>Sideways position of the cones' bases, measured from the axis.</source>
+        <extracomment>tables</extracomment>
+        <translation>Seitliche Lage der Grundflächen der Kegel, von der Achse aus gemessen.</translation>
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
@@ -16887,20 +17246,24 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>sechs Seiten</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/picture/picture_table.h"/>
+        <source>Sixteen bit</source>
+        <translation>16 Bit</translation>
+    </message>
+    <message>
         <source>Sixteen fantasy colors</source>
         <translation>Sechzehn Fantasiefarben</translation>
     </message>
     <message>
         <location filename="exhibits/lenticular/lenticular.h"/>
-        <source>Sixteen pictures in one print: the lenses choose, by where you stand.</source>
-        <translation>Sechzehn Bilder in einem Druck: Die Linsen wählen, je nachdem, wo man steht.</translation>
+        <source>Sixteen pictures in one print: which one the lenses show depends on where you stand.</source>
+        <translation>Sechzehn Bilder in einem Druck: Welches die Linsen zeigen, hängt davon ab, wo Sie stehen.</translation>
     </message>
     <message>
         <source>Sixteen views</source>
         <translation>Sechzehn Ansichten</translation>
     </message>
     <message>
-        <location filename="ui/export/screenshot_dialog.cpp"/>
         <location filename="ui/print/print_numbers.cpp"/>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
         <location filename="exhibits/sdf_scenes/operation_kinds.cpp"/>
@@ -17041,20 +17404,20 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Einrasten</translation>
     </message>
     <message>
-        <location filename="ui/compare/compare_desk.cpp"/>
-        <location filename="ui/model/other_settings.cpp"/>
+        <location filename="ui/compare/compare_controller.cpp"/>
+        <location filename="ui/model/settings_b.cpp"/>
         <source>Snapshot of A</source>
         <translation>Momentaufnahme von A</translation>
     </message>
     <message>
-        <location filename="exhibits/sdf_scenes/asked_scene.cpp"/>
-        <source>so many numbers take too long to be built into a program</source>
-        <translation>so viele Zahlen brauchen zu lange, um in ein Programm gebaut zu werden</translation>
+        <location filename="exhibits/sdf_scenes/scene_evaluator.cpp"/>
+        <source>so many constants would take too long to compile into the shader</source>
+        <translation>so viele Konstanten brauchten zu lange, um in den Shader übersetzt zu werden</translation>
     </message>
     <message>
-        <location filename="exhibits/sdf_scenes/asked_scene.cpp"/>
-        <source>so many shapes blend into each other that cells would hold them all</source>
-        <translation>so viele Formen gehen ineinander über, dass Zellen sie alle enthielten</translation>
+        <location filename="exhibits/sdf_scenes/scene_evaluator.cpp"/>
+        <source>so many shapes blend into each other that every cell would list all of them</source>
+        <translation>so viele Formen gehen ineinander über, dass jede Zelle sie alle enthielte</translation>
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream.h"/>
@@ -17094,11 +17457,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="ui/study/comparison_chart.cpp"/>
         <source>Some were measured in the hall and some alone, so their times cannot be compared: their work is.</source>
         <translation>Einige wurden in der Halle gemessen und einige allein, daher lassen sich ihre Zeiten nicht vergleichen: Verglichen wird ihre Arbeit.</translation>
-    </message>
-    <message>
-        <location filename="app/serve/listener.cpp"/>
-        <source>something else than a socket lies there; it was left alone, choose another path.</source>
-        <translation>Dort liegt etwas anderes als ein Socket; es blieb unberührt, wählen Sie einen anderen Pfad.</translation>
     </message>
     <message>
         <location filename="render/scene/gltf_guard.cpp"/>
@@ -17213,7 +17571,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <location filename="exhibits/jobs/record/record_table.h"/>
         <source>Speed of the camera: constant, or slower at start and end (eased). Auto: as in the file of the tour; otherwise constant in a loop, else eased.</source>
-        <translation>Geschwindigkeit der Kamera: gleichmäßig, oder am Anfang und Ende langsamer (sanft). Auto: wie in der Datei der Tour; sonst in einer Schleife gleichmäßig, andernfalls sanft.</translation>
+        <translation>Geschwindigkeit der Kamera: gleichmäßig, oder am Anfang und Ende langsamer (sanft). Auto: wie in der Datei des Rundgangs; sonst in einer Schleife gleichmäßig, andernfalls sanft.</translation>
     </message>
     <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
@@ -17255,6 +17613,12 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Split view</source>
         <extracomment>tables</extracomment>
         <translation>Geteilte Ansicht</translation>
+    </message>
+    <message>
+        <location filename="exhibits/hall/hall_table.h"/>
+        <source>Spot strength</source>
+        <extracomment>tables</extracomment>
+        <translation>Stärke der Strahler</translation>
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
@@ -17321,6 +17685,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Sprite-Bogen</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/sprite/sprite_job.h"/>
+        <source>Sprites</source>
+        <translation>Sprites</translation>
+    </message>
+    <message>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
         <source>squeezed</source>
         <extracomment>tables</extracomment>
@@ -17368,7 +17737,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Sterne</translation>
     </message>
     <message>
-        <location filename="ui/window/shortcut_sheet.cpp"/>
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
         <source>Start</source>
         <translation>Anfang</translation>
@@ -17377,6 +17745,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
         <source>start and end are the same point; move one of them</source>
         <translation>Anfang und Ende sind derselbe Punkt; verschieben Sie einen davon</translation>
+    </message>
+    <message>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
+        <source>Start button</source>
+        <translation>Start-Taste</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
@@ -17398,7 +17771,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="ui/print/print_dialog.cpp"/>
         <location filename="ui/study/study_dock.cpp"/>
         <source>Starting</source>
-        <translation>Beginnt</translation>
+        <translation>Wird begonnen</translation>
     </message>
     <message>
         <location filename="render/video/ffmpeg/writer.cpp"/>
@@ -17416,9 +17789,14 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>das Starten der Filter</translation>
     </message>
     <message>
-        <location filename="ui/lessons/lesson_desk.cpp"/>
+        <location filename="ui/lessons/lesson_controller.cpp"/>
         <source>Starts the step-by-step lesson about the visited exhibit.</source>
         <translation>Startet die Lektion, die Schritt für Schritt durch das besuchte Exponat führt.</translation>
+    </message>
+    <message>
+        <location filename="ui/editor/shader_panel.cpp"/>
+        <source>State of the text</source>
+        <translation>Zustand des Textes</translation>
     </message>
     <message>
         <location filename="ui/window/close_guard.cpp"/>
@@ -17436,7 +17814,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Schritt %1 von %2</translation>
     </message>
     <message>
-        <location filename="ui/lessons/lesson_desk.cpp"/>
+        <location filename="ui/lessons/lesson_controller.cpp"/>
         <source>Step &amp;back</source>
         <translation>Schritt &amp;zurück</translation>
     </message>
@@ -17454,12 +17832,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Step limit</source>
         <extracomment>tables</extracomment>
         <translation>Schrittgrenze</translation>
-    </message>
-    <message>
-        <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
-        <source>Step limit of the right half.</source>
-        <extracomment>tables</extracomment>
-        <translation>Schrittgrenze der rechten Hälfte.</translation>
     </message>
     <message>
         <location filename="exhibits/kit/sdf_rows.h"/>
@@ -17496,6 +17868,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <location filename="exhibits/your_shader/your_shader_table.h"/>
         <source>Steps</source>
+        <extracomment>tables</extracomment>
         <translation>Schritte</translation>
     </message>
     <message>
@@ -17529,7 +17902,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <location filename="exhibits/jobs/record/record_table.h"/>
         <source>still</source>
-        <translation>still</translation>
+        <translation>stehend</translation>
     </message>
     <message>
         <location filename="ui/window/close_guard.cpp"/>
@@ -17588,7 +17961,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <location filename="ui/print/print_dialog.cpp"/>
         <source>Stopping</source>
-        <translation>Hält an</translation>
+        <translation>Wird angehalten</translation>
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
@@ -17666,6 +18039,12 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Wie stark das Fell zu einer Seite gekämmt ist: 0 lässt die Haare aufrecht, hohe Werte legen sie flach.</translation>
     </message>
     <message>
+        <location filename="exhibits/noise/noise_table.h"/>
+        <source>Strength of the dark edges of billows that are seen with the sun behind the eye: 0 is none.</source>
+        <extracomment>tables</extracomment>
+        <translation>Stärke der dunklen Ränder von Wolkenballen, die mit der Sonne im Rücken zu sehen sind: 0 bedeutet keine.</translation>
+    </message>
+    <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <source>Strength of the dark lines on the borders of near objects: 0 draws none.</source>
         <extracomment>tables</extracomment>
@@ -17711,7 +18090,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="exhibits/hall/hall_table.h"/>
         <source>Strength of the halos around light that is brighter than the screen's white: 0 gives none, 1 is that of a healthy eye, and high that of a hazy lens.</source>
         <extracomment>tables</extracomment>
-        <translation>Stärke der Lichthöfe um Licht, das heller ist als das Weiß des Bildschirms: 0 ergibt keine, 1 die eines gesunden Auges, hoch die eines trüben Objektivs.</translation>
+        <translation>Stärke der Lichthöfe um Licht, das heller ist als das Weiß des Bildschirms: 0 gibt keine, 1 die eines gesunden Auges, hohe Werte die eines trüben Objektivs.</translation>
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
@@ -17733,9 +18112,9 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <location filename="exhibits/hall/hall_table.h"/>
-        <source>Strength of the lamps in the vault: 0 is a dark night, 1 is enough to read by.</source>
+        <source>Strength of the lamps in the vault: 0 leaves the spotlights alone, 1 is a dim background, 5 lights the whole hall evenly.</source>
         <extracomment>tables</extracomment>
-        <translation>Stärke der Lampen im Gewölbe: 0 ist eine dunkle Nacht, 1 genügt zum Lesen.</translation>
+        <translation>Stärke der Lampen im Gewölbe: Bei 0 leuchten nur die Strahler, 1 ist ein schwacher Hintergrund, 5 beleuchtet die ganze Halle gleichmäßig.</translation>
     </message>
     <message>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
@@ -17772,6 +18151,12 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Strength of the sky's light through window and oculus: 0 is a black sky.</source>
         <extracomment>tables</extracomment>
         <translation>Stärke des Himmelslichts durch Fenster und Oculus: 0 ist ein schwarzer Himmel.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/hall/hall_table.h"/>
+        <source>Strength of the spotlights on the exhibits, which shine with the lamps: 0 leaves the even light of the vault, high makes pools of light.</source>
+        <extracomment>tables</extracomment>
+        <translation>Stärke der Strahler auf die Exponate; sie leuchten mit den Lampen: Bei 0 bleibt das gleichmäßige Licht des Gewölbes, hohe Werte machen Inseln aus Licht.</translation>
     </message>
     <message>
         <location filename="exhibits/hall/hall_table.h"/>
@@ -17966,12 +18351,17 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays.h"/>
-        <source>Sunbeams: smeared across the picture, or marched through the dust.</source>
-        <translation>Sonnenstrahlen: über das Bild verwischt oder durch den Staub abgeschritten.</translation>
+        <source>Sunbeams: the sky blurred across the picture, or rays marched through dusty air.</source>
+        <translation>Sonnenstrahlen: der Himmel, über das Bild verwischt, oder Strahlen durch staubige Luft.</translation>
     </message>
     <message>
         <source>Sundae</source>
         <translation>Eisbecher</translation>
+    </message>
+    <message>
+        <location filename="exhibits/crepuscular_rays/crepuscular_rays.cpp"/>
+        <source>Sunlight scattered by the dusty air, in every direction of view, with the shadows of the hanging objects.</source>
+        <translation>Sonnenlicht, das die staubige Luft streut, in jeder Blickrichtung, mit den Schatten der hängenden Objekte.</translation>
     </message>
     <message>
         <location filename="exhibits/hall/hall_table.h"/>
@@ -17990,14 +18380,14 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>A &amp;und B vertauschen</translation>
     </message>
     <message>
-        <location filename="ui/model/other_settings.cpp"/>
+        <location filename="ui/model/settings_b.cpp"/>
         <source>Swap A and B</source>
         <translation>A und B vertauschen</translation>
     </message>
     <message>
         <location filename="exhibits/your_shader/your_shader_table.cpp"/>
-        <source>Switch of the shader.</source>
-        <translation>Schalter des Shaders.</translation>
+        <source>Switch that the shader reads.</source>
+        <translation>Schalter, den der Shader liest.</translation>
     </message>
     <message>
         <location filename="ui/compare/compare_actions.cpp"/>
@@ -18011,8 +18401,8 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <location filename="ui/study/study_export.cpp"/>
-        <source>Tables and charts (*.csv *.json *.png *.svg)</source>
-        <translation>Tabellen und Diagramme (*.csv *.json *.png *.svg)</translation>
+        <source>Tables and charts (%1)</source>
+        <translation>Tabellen und Diagramme (%1)</translation>
     </message>
     <message>
         <location filename="ui/presets/tag_chips.cpp"/>
@@ -18020,7 +18410,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Tag %1</translation>
     </message>
     <message>
-        <location filename="ui/presets/preset_shelf.cpp"/>
+        <location filename="ui/presets/preset_controller.cpp"/>
         <source>Tag a preset</source>
         <translation>Preset mit Tags versehen</translation>
     </message>
@@ -18046,17 +18436,12 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Tags: %1</translation>
     </message>
     <message>
-        <location filename="ui/tree/tree_file.cpp"/>
+        <location filename="ui/editor/document_file.cpp"/>
         <source>Take %1</source>
         <translation>%1 übernehmen</translation>
     </message>
     <message>
-        <location filename="ui/preferences/keys_page.cpp"/>
-        <source>Take it</source>
-        <translation>Wegnehmen</translation>
-    </message>
-    <message>
-        <location filename="ui/tree/tree_file.cpp"/>
+        <location filename="ui/editor/document_file.cpp"/>
         <source>Take the file's</source>
         <translation>Die der Datei nehmen</translation>
     </message>
@@ -18141,9 +18526,19 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Text</translation>
     </message>
     <message>
+        <location filename="ui/editor/shader_panel.cpp"/>
+        <source>Text of the shader</source>
+        <translation>Text des Shaders</translation>
+    </message>
+    <message>
         <location filename="ui/preferences/preferences_dialog.cpp"/>
         <source>Text size of the window, relative to the desktop's.</source>
         <translation>Textgröße des Fensters, gegenüber der des Desktops.</translation>
+    </message>
+    <message>
+        <location filename="ui/editor/shader_panel.cpp"/>
+        <source>Text that is shown</source>
+        <translation>Gezeigter Text</translation>
     </message>
     <message>
         <location filename="exhibits/study/study_text.cpp"/>
@@ -18203,8 +18598,8 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <location filename="exhibits/framework/files/lesson.cpp"/>
-        <source>the block that says whose lesson this is is missing; write ```json, {&quot;format&quot;: &quot;vitrine-lesson&quot;, &quot;version&quot;: 1, &quot;exhibit&quot;: ...} and ``` below the title.</source>
-        <translation>der Block, der sagt, wessen Lektion das ist, fehlt; schreiben Sie ```json, {&quot;format&quot;: &quot;vitrine-lesson&quot;, &quot;version&quot;: 1, &quot;exhibit&quot;: ...} und ``` unter den Titel.</translation>
+        <source>the block that names the exhibit of the lesson is missing; write ```json, {&quot;format&quot;: &quot;vitrine-lesson&quot;, &quot;version&quot;: 1, &quot;exhibit&quot;: ...} and ``` below the title.</source>
+        <translation>der Block, der das Exponat der Lektion nennt, fehlt; schreiben Sie ```json, {&quot;format&quot;: &quot;vitrine-lesson&quot;, &quot;version&quot;: 1, &quot;exhibit&quot;: ...} und ``` unter den Titel.</translation>
     </message>
     <message>
         <location filename="exhibits/fur/fur_passes.cpp"/>
@@ -18213,8 +18608,8 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <location filename="exhibits/recording/tour.cpp"/>
-        <source>The bookmark &quot;{1}&quot; is inside of a wall or of what stands in the hall; move it.</source>
-        <translation>Das Lesezeichen „{=1}“ liegt in einer Wand oder in etwas, das in der Halle steht; versetzen Sie es.</translation>
+        <source>The bookmark &quot;{1}&quot; is inside a wall or an object; move it.</source>
+        <translation>Das Lesezeichen „{=1}“ liegt in einer Wand oder einem Objekt; versetzen Sie es.</translation>
     </message>
     <message>
         <location filename="exhibits/printing/print_layout.cpp"/>
@@ -18403,11 +18798,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Was es kostet, den Fehler zu halbieren, lässt sich aus so wenigen und so stark schwankenden Punkten nicht schätzen; messen Sie mehr Werte.</translation>
     </message>
     <message>
-        <location filename="ui/window/shortcut_sheet.cpp"/>
-        <source>The cross moves, A presses, B closes</source>
-        <translation>Das Kreuz bewegt, A drückt, B schließt</translation>
-    </message>
-    <message>
         <location filename="ui/charts/charts_dock.cpp"/>
         <source>The curve</source>
         <translation>Die Kurve</translation>
@@ -18443,6 +18833,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>die Richtung ist {1} Grad; geben Sie -90 bis 90 an</translation>
     </message>
     <message>
+        <location filename="ui/window/shortcut_sheet.cpp"/>
+        <source>The directional pad moves, A presses, B closes</source>
+        <translation>Das Steuerkreuz bewegt, A drückt, B schließt</translation>
+    </message>
+    <message>
         <location filename="ui/print/strip_preview.cpp"/>
         <source>The dots as they will be printed; lines are the edges between lenses.
 The wheel, + and - zoom; dragging and the arrows move; Home goes to the middle.</source>
@@ -18466,6 +18861,12 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Die bearbeitete Szene (JSON) mit allen Änderungen, die noch nicht in ihrer Datei stehen. Zurücksetzen verwirft sie.</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
+        <source>The edited shader with all changes that are not in its file yet. Resetting it discards them.</source>
+        <extracomment>tables</extracomment>
+        <translation>Der bearbeitete Shader mit allen Änderungen, die noch nicht in seiner Datei stehen. Zurücksetzen verwirft sie.</translation>
+    </message>
+    <message>
         <location filename="exhibits/hall/hall_passes.cpp"/>
         <source>the environment is behind the exhibit</source>
         <translation>die Umgebung liegt hinter dem Exponat</translation>
@@ -18475,11 +18876,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/lenticular/lenticular.cpp"/>
         <source>the evaluations channel is requested</source>
         <translation>der Kanal der Auswertungen ist verlangt</translation>
-    </message>
-    <message>
-        <location filename="ui/export/screenshot_dialog.cpp"/>
-        <source>The exhibit alone, in the hall's light; around it the picture is transparent.</source>
-        <translation>Das Exponat allein, im Licht der Halle; um es herum ist das Bild transparent.</translation>
     </message>
     <message>
         <location filename="exhibits/museum/museum_plan.cpp"/>
@@ -18598,7 +18994,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>der Nebel ist zu dünn, um das Licht der Laternen zu zeigen</translation>
     </message>
     <message>
-        <location filename="ui/model/other_settings.cpp"/>
+        <location filename="ui/model/settings_b.cpp"/>
         <source>The former A</source>
         <translation>Das frühere A</translation>
     </message>
@@ -18669,9 +19065,14 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Die Halle lässt sich nicht drehen; nennen Sie ein Exponat.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/picture/picture_job.cpp"/>
+        <source>The hall has nothing around it that could be left out; visit an exhibit first.</source>
+        <translation>Um den Saal herum gibt es nichts, das wegfallen könnte; besuchen Sie zuerst ein Exponat.</translation>
+    </message>
+    <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays.cpp"/>
-        <source>The hall in clear air: all else is what beams and dust make of it.</source>
-        <translation>Die Halle in klarer Luft: Alles andere ist, was Strahlen und Staub aus ihr machen.</translation>
+        <source>The hall in clear air, without beams and dust: compare what they add.</source>
+        <translation>Die Halle in klarer Luft, ohne Strahlen und Staub: zum Vergleich, was sie hinzufügen.</translation>
     </message>
     <message>
         <location filename="exhibits/hall/hall_passes.cpp"/>
@@ -18693,6 +19094,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/sdf_morph/sdf_morph.cpp"/>
         <source>the handle, from near</source>
         <translation>der Henkel, aus der Nähe</translation>
+    </message>
+    <message>
+        <location filename="exhibits/hall/hall_passes.cpp"/>
+        <source>the hanging objects have turned</source>
+        <translation>die hängenden Objekte haben sich gedreht</translation>
     </message>
     <message>
         <location filename="ui/study/study_view.cpp"/>
@@ -18763,7 +19169,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <location filename="exhibits/study/kept_study.cpp"/>
-        <source>the key &quot;{1}&quot; is missing; it is no study that Vitrine wrote.</source>
+        <source>the key &quot;{1}&quot; is missing; it is not a study that Vitrine wrote.</source>
         <translation>der Schlüssel „{=1}“ fehlt; das ist keine Studie, die Vitrine geschrieben hat.</translation>
     </message>
     <message>
@@ -18812,13 +19218,13 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>die Beleuchtung der Referenz hat keine</translation>
     </message>
     <message>
-        <location filename="exhibits/sdf_scenes/asked_scene.cpp"/>
+        <location filename="exhibits/sdf_scenes/scene_evaluator.cpp"/>
         <source>the lists of near shapes are still being computed</source>
         <translation>die Listen naher Formen werden noch berechnet</translation>
     </message>
     <message>
         <location filename="exhibits/your_shader/your_shader_table.h"/>
-        <source>The loops of the shader end before.</source>
+        <source>The loops of the shader end earlier.</source>
         <translation>Die Schleifen des Shaders enden vorher.</translation>
     </message>
     <message>
@@ -18897,8 +19303,8 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <location filename="exhibits/hall/hall_antialiasing.cpp"/>
-        <source>the next motion starts from the idle picture</source>
-        <translation>die nächste Bewegung beginnt mit dem ruhenden Bild</translation>
+        <source>the next motion starts from the finished picture</source>
+        <translation>die nächste Bewegung beginnt mit dem fertigen Bild</translation>
     </message>
     <message>
         <location filename="exhibits/paper_lanterns/paper_lanterns.cpp"/>
@@ -18924,11 +19330,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/jobs/sprite/sprite_sheet.cpp"/>
         <source>The object covers at most {1} pixels of a frame: it moves far in its animation, or a frame is small. Take its motion out of the frames, or make them larger.</source>
         <translation>Das Objekt bedeckt höchstens {1} Pixel eines Frames: Es bewegt sich weit in seiner Animation, oder ein Frame ist klein. Nehmen Sie seine Bewegung aus den Frames, oder machen Sie sie größer.</translation>
-    </message>
-    <message>
-        <location filename="exhibits/kit/sdf_exhibit.cpp"/>
-        <source>The object itself, ray by ray, beside what stands in its place.</source>
-        <translation>Das Objekt selbst, Strahl für Strahl, neben dem, was an seiner Stelle steht.</translation>
     </message>
     <message>
         <location filename="exhibits/hall/hall_floor.cpp"/>
@@ -18964,6 +19365,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/printing/print_layout.cpp"/>
         <source>the phase is {1}; give a part of a lens, 0 to 1</source>
         <translation>die Phase ist {1}; geben Sie einen Teil einer Linse an, 0 bis 1</translation>
+    </message>
+    <message>
+        <location filename="ui/jobs/picture_preview.cpp"/>
+        <source>The picture as it will be saved, smaller.</source>
+        <translation>Das Bild, wie es gespeichert wird, verkleinert.</translation>
     </message>
     <message>
         <location filename="render/image/image_write.cpp"/>
@@ -19009,6 +19415,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/hall/hall_antialiasing.cpp"/>
         <source>the picture moves</source>
         <translation>das Bild bewegt sich</translation>
+    </message>
+    <message>
+        <location filename="ui/editor/shader_panel.cpp"/>
+        <source>The picture shows this text.</source>
+        <translation>Das Bild zeigt diesen Text.</translation>
     </message>
     <message>
         <location filename="exhibits/your_shader/guest_work.cpp"/>
@@ -19076,7 +19487,12 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Die Programmeinstellungen in %1 konnten nicht gelesen werden: %2. Sie wurden auf ihre Ausgangswerte zurückgesetzt; die Datei wurde als %3 aufbewahrt.</translation>
     </message>
     <message>
-        <location filename="ui/jobs/job_dialog.cpp"/>
+        <location filename="exhibits/jobs/picture/picture_job.h"/>
+        <source>The preview is smaller, with one sample per pixel.</source>
+        <translation>Die Vorschau ist kleiner, mit einem Sample pro Pixel.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/kit/job.h"/>
         <source>The preview shows a part of it.</source>
         <translation>Die Vorschau zeigt einen Teil davon.</translation>
     </message>
@@ -19126,6 +19542,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Das rasterisierte Netz</translation>
     </message>
     <message>
+        <location filename="exhibits/kit/sdf_exhibit.cpp"/>
+        <source>The ray-marched field, beside the mesh that is shown in its place.</source>
+        <translation>Das mit Strahlen abgeschrittene Feld, neben dem Netz, das an seiner Stelle gezeigt wird.</translation>
+    </message>
+    <message>
         <location filename="exhibits/sdf_scenes/sdf_scenes.cpp"/>
         <source>the reference has no glass</source>
         <translation>die Referenz hat kein Glas</translation>
@@ -19137,8 +19558,8 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <location filename="exhibits/study/study_judge.cpp"/>
-        <source>The reference is the picture at rest, whose own error is not checked.</source>
-        <translation>Die Referenz ist das ruhende Bild, dessen eigener Fehler nicht geprüft wird.</translation>
+        <source>The reference is the picture without motion, whose own error is not checked.</source>
+        <translation>Die Referenz ist das Bild ohne Bewegung, dessen eigener Fehler nicht geprüft wird.</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/sdf_scenes.cpp"/>
@@ -19182,8 +19603,8 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
-        <source>The rows end before lanterns look so narrow.</source>
-        <translation>Die Reihen enden, bevor Laternen so schmal aussehen.</translation>
+        <source>The rows of lanterns end before lanterns look this narrow.</source>
+        <translation>Die Reihen der Laternen enden, bevor Laternen so schmal aussehen.</translation>
     </message>
     <message>
         <location filename="ui/report/frame_report_view.cpp"/>
@@ -19211,11 +19632,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>die Szene hat mehr als {1} Knoten, mitgezählt, was Instanzen und Einbindungen bringen; lassen Sie einige weg</translation>
     </message>
     <message>
-        <location filename="exhibits/sdf_scenes/asked_scene.cpp"/>
-        <source>the scene has no end, so no cells hold it</source>
-        <translation>die Szene hat kein Ende, daher fassen sie keine Zellen</translation>
-    </message>
-    <message>
         <location filename="exhibits/sdf_scenes/scene_mesh.cpp"/>
         <source>The scene has no end: {1}. Say with --low and --high what part of it is to be meshed.</source>
         <translation>Die Szene hat kein Ende: {1}. Geben Sie mit --low und --high an, welcher Teil vernetzt werden soll.</translation>
@@ -19234,6 +19650,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/sdf_scenes/scene_reader.cpp"/>
         <source>the scene includes more than {1} files; join some</source>
         <translation>die Szene bindet mehr als {1} Dateien ein; fassen Sie einige zusammen</translation>
+    </message>
+    <message>
+        <location filename="exhibits/sdf_scenes/scene_evaluator.cpp"/>
+        <source>the scene is infinite, so no grid of cells can cover it</source>
+        <translation>die Szene ist unendlich, daher kann kein Gitter aus Zellen sie fassen</translation>
     </message>
     <message>
         <location filename="exhibits/printing/view_rig.cpp"/>
@@ -19308,9 +19729,14 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Der Shader bindet mehr als {1} Dateien ein; fassen Sie einige zusammen.</translation>
     </message>
     <message>
-        <location filename="exhibits/sdf_scenes/asked_scene.cpp"/>
+        <location filename="exhibits/sdf_scenes/scene_evaluator.cpp"/>
         <source>the shader text of lists contains no numbers</source>
         <translation>der Shadertext der Listen enthält keine Zahlen</translation>
+    </message>
+    <message>
+        <location filename="exhibits/sdf_scenes/scene_evaluator.cpp"/>
+        <source>the shader with constant numbers is still being generated</source>
+        <translation>der Shader mit konstanten Zahlen wird noch erzeugt</translation>
     </message>
     <message>
         <location filename="exhibits/kit/sdf_passes.cpp"/>
@@ -19346,6 +19772,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="ui/preferences/keys_page.cpp"/>
         <source>The shortcut is removed from the other command.</source>
         <translation>Das Tastenkürzel wird dem anderen Befehl genommen.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/sdf_scenes/scene_mesh.cpp"/>
+        <source>The size of a cell must be above 0; give a larger one.</source>
+        <translation>Eine Zelle muss größer als 0 sein; geben Sie eine größere an.</translation>
     </message>
     <message>
         <location filename="exhibits/your_shader/guest_passes.cpp"/>
@@ -19499,9 +19930,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>der Text unter dieser Überschrift hat {1} Bytes, und die Leiste hat Platz für {2}; kürzen Sie ihn, oder machen Sie zwei Schritte daraus.</translation>
     </message>
     <message>
-        <location filename="exhibits/sdf_scenes/asked_scene.cpp"/>
-        <source>the text with its numbers is still being written</source>
-        <translation>der Text mit seinen Zahlen wird noch geschrieben</translation>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
+        <source>The text in the editor while it has errors: the last good shader is shown. Resetting it discards the text.</source>
+        <extracomment>tables</extracomment>
+        <translation>Der Text im Editor, solange er Fehler hat: Gezeigt wird der letzte fehlerfreie Shader. Zurücksetzen verwirft den Text.</translation>
     </message>
     <message>
         <location filename="exhibits/printing/sheet.cpp"/>
@@ -19539,7 +19971,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>der Rundgang stammt von einem neueren Vitrine (Version {1}, dieses liest {2}); aktualisieren Sie Vitrine.</translation>
     </message>
     <message>
-        <location filename="exhibits/sdf_scenes/asked_scene.cpp"/>
+        <location filename="exhibits/sdf_scenes/scene_evaluator.cpp"/>
         <source>the tree is nested too deep for lists</source>
         <translation>der Baum ist für Listen zu tief verschachtelt</translation>
     </message>
@@ -19566,7 +19998,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <location filename="exhibits/jobs/kit/given_values.cpp"/>
         <source>the values of a job must be an object; correct it there.</source>
-        <translation>die Werte eines Auftrags müssen ein Objekt sein; berichtigen Sie das dort.</translation>
+        <translation>die Werte eines Auftrags müssen ein Objekt sein; korrigieren Sie das dort.</translation>
     </message>
     <message>
         <location filename="exhibits/your_shader/shader_check.cpp"/>
@@ -19605,8 +20037,8 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
-        <source>The visited exhibit has no tree.</source>
-        <translation>Das besuchte Exponat hat keinen Baum.</translation>
+        <source>The visited exhibit shows no file that is edited here.</source>
+        <translation>Das besuchte Exponat zeigt keine Datei, die hier bearbeitet wird.</translation>
     </message>
     <message>
         <location filename="exhibits/printing/print_layout.cpp"/>
@@ -19714,7 +20146,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <location filename="exhibits/jobs/sprite/sprite_job.cpp"/>
         <source>There are compass points for at most 16 directions; choose fewer directions, or numbers as names.</source>
-        <translation>Es gibt Himmelsrichtungen für höchstens 16 Richtungen; wähle weniger Richtungen oder Zahlen als Namen.</translation>
+        <translation>Es gibt Himmelsrichtungen für höchstens 16 Richtungen; wählen Sie weniger Richtungen, oder Zahlen als Namen.</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/scene_reader.cpp"/>
@@ -19789,13 +20221,13 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <location filename="exhibits/printing/print_layout.cpp"/>
-        <source>there are {1} views, and {2} is the most</source>
-        <translation>es gibt {1} Ansichten, und {2} sind das Höchste</translation>
+        <source>there are {1} views, and at most {2} are possible</source>
+        <translation>es gibt {1} Ansichten, und höchstens {2} sind möglich</translation>
     </message>
     <message>
         <location filename="exhibits/printing/view_files.cpp"/>
-        <source>There are {1} views, and {2} is the most; take fewer with --every {3} or --count {4}.</source>
-        <translation>Es gibt {1} Ansichten, und {2} sind das Höchste; nehmen Sie weniger, mit --every {3} oder --count {4}.</translation>
+        <source>There are {1} views, and at most {2} are possible; take fewer with --every {3} or --count {4}.</source>
+        <translation>Es gibt {1} Ansichten, und höchstens {2} sind möglich; nehmen Sie weniger, mit --every {3} oder --count {4}.</translation>
     </message>
     <message>
         <location filename="render/scene/gltf_guard.cpp"/>
@@ -19806,6 +20238,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/framework/files/lesson.cpp"/>
         <source>there is a block under this heading already; put both into one.</source>
         <translation>unter dieser Überschrift steht bereits ein Block; legen Sie beide zusammen.</translation>
+    </message>
+    <message>
+        <location filename="app/serve/listener.cpp"/>
+        <source>there is a file that is not a socket; it was left alone. Choose another path.</source>
+        <translation>dort liegt eine Datei, die kein Socket ist; sie blieb unberührt. Wählen Sie einen anderen Pfad.</translation>
     </message>
     <message>
         <location filename="app/kit/apply_preset.cpp"/>
@@ -19824,8 +20261,8 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_shots.cpp"/>
-        <source>There is no animation &quot;{1}&quot;; the file has {2}.</source>
-        <translation>Eine Animation „{=1}“ gibt es nicht; die Datei hat {=2}.</translation>
+        <source>There is no animation &quot;{1}&quot;{2} the file has {3}.</source>
+        <translation>Eine Animation „{=1}“ gibt es nicht{2} die Datei hat {=3}.</translation>
     </message>
     <message>
         <location filename="exhibits/crepuscular_rays/rays_scene.cpp"/>
@@ -19886,7 +20323,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <location filename="exhibits/your_shader/size_expression.cpp"/>
         <source>there is no input “{1}” with a number; declare it in INPUTS</source>
-        <translation>es gibt keinen Eingang „{=1}“ mit einer Zahl; vereinbaren Sie ihn in INPUTS</translation>
+        <translation>es gibt keinen Eingang „{=1}“ mit einer Zahl; deklarieren Sie ihn in INPUTS</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/sdf_scenes.cpp"/>
@@ -19921,7 +20358,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <location filename="exhibits/study/kept_study.cpp"/>
-        <source>there is no parameter; it is no study that Vitrine wrote.</source>
+        <source>there is no parameter; it is not a study that Vitrine wrote.</source>
         <translation>es gibt keinen Parameter; das ist keine Studie, die Vitrine geschrieben hat.</translation>
     </message>
     <message>
@@ -19951,8 +20388,8 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <location filename="exhibits/printing/sheet.cpp"/>
-        <source>There is no sheet &quot;{1}&quot;; known are {2}.</source>
-        <translation>Eine Folie „{=1}“ gibt es nicht; bekannt sind {=2}.</translation>
+        <source>There is no sheet &quot;{1}&quot;{2} known are {3}.</source>
+        <translation>Eine Folie „{=1}“ gibt es nicht{2} bekannt sind {=3}.</translation>
     </message>
     <message>
         <location filename="exhibits/framework/files/lesson.cpp"/>
@@ -19997,11 +20434,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <location filename="exhibits/framework/files/preset.cpp"/>
         <source>there is no version {1}; correct it there.</source>
-        <translation>es gibt keine Version {1}; berichtigen Sie sie dort.</translation>
+        <translation>es gibt keine Version {1}; korrigieren Sie sie dort.</translation>
     </message>
     <message>
         <location filename="exhibits/study/kept_study.cpp"/>
-        <source>there is no view; it is no study that Vitrine wrote.</source>
+        <source>there is no view; it is not a study that Vitrine wrote.</source>
         <translation>es gibt keine Ansicht; das ist keine Studie, die Vitrine geschrieben hat.</translation>
     </message>
     <message>
@@ -20206,11 +20643,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Drittes Objekt</translation>
     </message>
     <message>
-        <location filename="exhibits/ice_cream/ice_cream.h"/>
-        <source>Thirty-five solids make one ice cream; each point asks the few that decide.</source>
-        <translation>Fünfunddreißig Körper sind ein Eis; jeder Punkt fragt die wenigen, die entscheiden.</translation>
-    </message>
-    <message>
         <location filename="exhibits/framework/files/lesson.cpp"/>
         <source>this answer has no question; write &quot;### Question&quot; above it.</source>
         <translation>diese Antwort hat keine Frage; schreiben Sie „### Question“ darüber.</translation>
@@ -20261,7 +20693,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Dieses Exponat hat keine Diagramme.</translation>
     </message>
     <message>
-        <location filename="ui/export/screenshot_dialog.cpp"/>
+        <location filename="exhibits/jobs/picture/picture_job.cpp"/>
         <source>This exhibit is made of light alone: there is nothing to cut out.</source>
         <translation>Dieses Exponat besteht nur aus Licht: Es gibt nichts freizustellen.</translation>
     </message>
@@ -20301,34 +20733,9 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>das ist glTF {=1}, und gelesen wird Version 2; exportieren Sie es als glTF 2.0.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/files/preset.cpp"/>
-        <source>this is no preset of Vitrine: it says neither format nor version.</source>
-        <translation>das ist kein Preset von Vitrine: Es nennt weder Format noch Version.</translation>
-    </message>
-    <message>
-        <location filename="exhibits/framework/files/preset.cpp"/>
-        <source>this is no preset: it must be a JSON object.</source>
-        <translation>das ist kein Preset: Es muss ein JSON-Objekt sein.</translation>
-    </message>
-    <message>
-        <location filename="exhibits/sdf_scenes/scene_reader.cpp"/>
-        <source>this is no scene; one begins with &quot;format&quot;: &quot;{1}</source>
-        <translation>das ist keine Szene; eine beginnt mit &quot;format&quot;: &quot;{=1}</translation>
-    </message>
-    <message>
         <location filename="exhibits/jobs/kit/job_document.cpp"/>
         <source>this is no settings document of a job; give a file that a job of Vitrine wrote.</source>
         <translation>das sind keine Einstellungen eines Auftrags; geben Sie eine Datei an, die ein Auftrag von Vitrine geschrieben hat.</translation>
-    </message>
-    <message>
-        <location filename="exhibits/your_shader/guest_reader.cpp"/>
-        <source>This is no shader: it has neither main() nor mainImage(), and no JSON in its first comment; write one of them.</source>
-        <translation>Das ist kein Shader: Es gibt weder main() noch mainImage() noch JSON im ersten Kommentar; schreiben Sie eines davon.</translation>
-    </message>
-    <message>
-        <location filename="exhibits/study/kept_study.cpp"/>
-        <source>this is no study; choose a file that `vitrine study` wrote.</source>
-        <translation>das ist keine Studie; wählen Sie eine Datei, die `vitrine study` geschrieben hat.</translation>
     </message>
     <message>
         <location filename="render/scene/gltf_validate.cpp"/>
@@ -20344,6 +20751,31 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/printing/sheet_list.cpp"/>
         <source>this is not a list of lens sheets of version 1; move the file away to begin a new list.</source>
         <translation>das ist keine Liste von Linsenfolien der Version 1; verschieben Sie die Datei, um eine neue Liste zu beginnen.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/framework/files/preset.cpp"/>
+        <source>this is not a preset of Vitrine: it says neither format nor version.</source>
+        <translation>das ist kein Preset von Vitrine: Es nennt weder Format noch Version.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/framework/files/preset.cpp"/>
+        <source>this is not a preset: it must be a JSON object.</source>
+        <translation>das ist kein Preset: Es muss ein JSON-Objekt sein.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/sdf_scenes/scene_reader.cpp"/>
+        <source>this is not a scene; a scene begins with &quot;format&quot;: &quot;{1}</source>
+        <translation>das ist keine Szene; eine beginnt mit &quot;format&quot;: &quot;{=1}</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/guest_reader.cpp"/>
+        <source>This is not a shader: it has neither main() nor mainImage(), and no JSON in its first comment; write one of them.</source>
+        <translation>Das ist kein Shader: Es gibt weder main() noch mainImage() noch JSON im ersten Kommentar; schreiben Sie eines davon.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/study/kept_study.cpp"/>
+        <source>this is not a study; choose a file that `vitrine study` wrote.</source>
+        <translation>das ist keine Studie; wählen Sie eine Datei, die `vitrine study` geschrieben hat.</translation>
     </message>
     <message>
         <location filename="render/files/strict_json.cpp"/>
@@ -20417,6 +20849,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>diese Matrix lässt nichts zu zeichnen übrig; korrigieren Sie es dort.</translation>
     </message>
     <message>
+        <location filename="ui/window/window_dialogs.cpp"/>
+        <source>This museum lacks its exhibit.</source>
+        <translation>Diesem Museum fehlt das Exponat dazu.</translation>
+    </message>
+    <message>
         <location filename="exhibits/framework/table/preset_values.cpp"/>
         <source>this must be </source>
         <translation>hier muss stehen: </translation>
@@ -20449,7 +20886,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <location filename="exhibits/jobs/kit/job_document.cpp"/>
         <source>this must be a file name; correct it there.</source>
-        <translation>das muss ein Dateiname sein; berichtigen Sie das dort.</translation>
+        <translation>hier muss ein Dateiname stehen; korrigieren Sie es dort.</translation>
     </message>
     <message>
         <location filename="exhibits/printing/print_json.cpp"/>
@@ -20537,7 +20974,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <location filename="exhibits/jobs/kit/given_values.cpp"/>
         <source>this must be an array of {1} values; correct it there.</source>
-        <translation>das muss eine Liste von {1} Werten sein; berichtigen Sie das dort.</translation>
+        <translation>hier muss eine Liste von {1} Werten stehen; korrigieren Sie es dort.</translation>
     </message>
     <message>
         <location filename="exhibits/study/kept_study.cpp"/>
@@ -20567,7 +21004,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <location filename="exhibits/study/kept_study.cpp"/>
-        <source>this must be an object; it is no study that Vitrine wrote.</source>
+        <source>this must be an object; it is not a study that Vitrine wrote.</source>
         <translation>hier muss ein Objekt stehen; das ist keine Studie, die Vitrine geschrieben hat.</translation>
     </message>
     <message>
@@ -20910,7 +21347,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Zeit von einem Druck zum nächsten.</translation>
     </message>
     <message>
-        <location filename="ui/lessons/lesson_desk.cpp"/>
+        <location filename="ui/lessons/lesson_controller.cpp"/>
         <source>time of a picture</source>
         <translation>Zeit eines Bildes</translation>
     </message>
@@ -20930,6 +21367,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="ui/window/clock_bar.cpp"/>
         <source>Time of the clock</source>
         <translation>Zeit der Uhr</translation>
+    </message>
+    <message>
+        <source>Time of the exhibits' clock. Set it to show a certain moment.</source>
+        <translation>Zeit der Uhr der Exponate. Hier eingestellt, zeigt das Bild einen bestimmten Augenblick.</translation>
     </message>
     <message>
         <location filename="ui/window/status_line.cpp"/>
@@ -21023,7 +21464,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <location filename="exhibits/hall/bounced_light.cpp"/>
-        <source>too little of the sun comes in by window and oculus</source>
+        <source>too little sunlight comes in through window and oculus</source>
         <translation>durch Fenster und Oculus fällt zu wenig Sonne</translation>
     </message>
     <message>
@@ -21045,12 +21486,12 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <location filename="exhibits/jobs/record/record_table.h"/>
         <source>Tour</source>
-        <translation>Tour</translation>
+        <translation>Rundgang</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/record/record_table.h"/>
         <source>tour</source>
-        <translation>Tour</translation>
+        <translation>Rundgang</translation>
     </message>
     <message>
         <location filename="ui/window/window_dialogs.cpp"/>
@@ -21078,7 +21519,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Transmission: 0 ist undurchsichtig, 1 ist klares Glas mit der Farbe von 10 cm davon.</translation>
     </message>
     <message>
-        <location filename="ui/export/screenshot_dialog.cpp"/>
+        <location filename="exhibits/jobs/picture/picture_table.h"/>
         <source>Transparent</source>
         <translation>Transparent</translation>
     </message>
@@ -21105,16 +21546,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <source>Trimmed</source>
         <translation>Beschnitten</translation>
-    </message>
-    <message>
-        <location filename="exhibits/printing/print_table.h"/>
-        <source>Trimmed height.</source>
-        <translation>Beschnittene Höhe.</translation>
-    </message>
-    <message>
-        <location filename="exhibits/printing/print_table.h"/>
-        <source>Trimmed width.</source>
-        <translation>Beschnittene Breite.</translation>
     </message>
     <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
@@ -21144,38 +21575,38 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream.h"/>
-        <source>Try: build it up stage by stage, then strew sprinkles.</source>
-        <translation>Probieren: Stufe um Stufe aufbauen, dann Streusel streuen.</translation>
+        <source>Try: build it up stage by stage, then add sprinkles.</source>
+        <translation>Probieren: Stufe um Stufe aufbauen, dann Streusel hinzufügen.</translation>
     </message>
     <message>
         <location filename="exhibits/noise/noise.h"/>
-        <source>Try: let the sea roll, then look at the clouds.</source>
-        <translation>Probieren: das Meer rollen lassen, dann die Wolken ansehen.</translation>
+        <source>Try: choose the sea and press the button, then choose the clouds.</source>
+        <translation>Probieren: das Meer wählen und den Knopf drücken, dann die Wolken wählen.</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/sdf_scenes.h"/>
-        <source>Try: load a preset, then drag what is its own.</source>
-        <translation>Probieren: ein Preset laden, dann an dem ziehen, was ihm eigen ist.</translation>
-    </message>
-    <message>
-        <location filename="exhibits/sdf_morph/sdf_morph.h"/>
-        <source>Try: melt it, then look for the window in its side.</source>
-        <translation>Probieren: es schmelzen, dann das Fenster in seiner Seite suchen.</translation>
+        <source>Try: load a preset, then drag the sliders of its scene.</source>
+        <translation>Probieren: ein Preset laden, dann an den Reglern seiner Szene ziehen.</translation>
     </message>
     <message>
         <location filename="exhibits/your_shader/your_shader.h"/>
         <source>Try: name a file of yours, or load a preset.</source>
-        <translation>Versuchen Sie: eine eigene Datei nennen oder ein Preset laden.</translation>
+        <translation>Probieren: eine eigene Datei nennen oder ein Preset laden.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/sdf_morph/sdf_morph.h"/>
+        <source>Try: press the button to melt it, then find the window mirrored in its side.</source>
+        <translation>Probieren: mit dem Knopf schmelzen, dann in seiner Seite das gespiegelte Fenster suchen.</translation>
     </message>
     <message>
         <location filename="exhibits/fur/fur.h"/>
-        <source>Try: press the button, then look along the backs towards the window.</source>
-        <translation>Probieren: den Knopf drücken und dann über die Rücken zum Fenster schauen.</translation>
+        <source>Try: press the button, then look across the fur towards the window.</source>
+        <translation>Probieren: den Knopf drücken und dann über das Fell zum Fenster schauen.</translation>
     </message>
     <message>
         <location filename="exhibits/paper_lanterns/paper_lanterns.h"/>
-        <source>Try: set one free, then let the moon rise higher.</source>
-        <translation>Probieren: eine freilassen, dann den Mond höher steigen lassen.</translation>
+        <source>Try: release a lantern with the button, then raise the moon.</source>
+        <translation>Probieren: mit dem Knopf eine Laterne freilassen, dann den Mond höher stellen.</translation>
     </message>
     <message>
         <location filename="exhibits/pixel_art/pixel_art.h"/>
@@ -21274,14 +21705,14 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>gedreht</translation>
     </message>
     <message>
+        <location filename="exhibits/framework/table/parameters.cpp"/>
+        <source>two parameters share a name</source>
+        <translation>zwei Parameter haben denselben Namen</translation>
+    </message>
+    <message>
         <location filename="render/plan/frame_plan.cpp"/>
         <source>two passes share a name</source>
         <translation>zwei Passes haben denselben Namen</translation>
-    </message>
-    <message>
-        <location filename="exhibits/framework/table/parameters.cpp"/>
-        <source>two rows share a name</source>
-        <translation>zwei Zeilen haben denselben Namen</translation>
     </message>
     <message>
         <source>Two-picture flip</source>
@@ -21551,11 +21982,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Übernimmt die gewählte Variation und zeichnet neun neue um sie herum.</translation>
     </message>
     <message>
-        <location filename="ui/export/screenshot_dialog.cpp"/>
-        <source>Usual sizes</source>
-        <translation>Übliche Größen</translation>
-    </message>
-    <message>
         <location filename="exhibits/noise/noise_table.h"/>
         <source>value</source>
         <extracomment>tables</extracomment>
@@ -21734,11 +22160,6 @@ or cut from one picture with a grid of views. A folder or pictures can also be d
 oder aus einem Bild mit einem Raster von Ansichten geschnitten werden. Ein Ordner oder Bilder lassen sich auch hier ablegen.</translation>
     </message>
     <message>
-        <location filename="exhibits/printing/print_table.h"/>
-        <source>Views side by side in a quilt.</source>
-        <translation>Ansichten nebeneinander in einem Quilt.</translation>
-    </message>
-    <message>
         <location filename="ui/print/print_numbers.cpp"/>
         <source>Views that show</source>
         <translation>Sichtbare Ansichten</translation>
@@ -21755,12 +22176,7 @@ oder aus einem Bild mit einem Raster von Ansichten geschnitten werden. Ein Ordne
         <translation>%1 besuchen</translation>
     </message>
     <message>
-        <location filename="ui/export/screenshot_dialog.cpp"/>
-        <source>Visit an exhibit first: the hall has nothing around it that could be left out.</source>
-        <translation>Besuchen Sie zuerst ein Exponat: Um die Halle herum ist nichts, was wegbleiben könnte.</translation>
-    </message>
-    <message>
-        <location filename="ui/lessons/lesson_desk.cpp"/>
+        <location filename="ui/lessons/lesson_controller.cpp"/>
         <source>Visit an exhibit first; each lesson is about one exhibit.</source>
         <translation>Besuchen Sie zuerst ein Exponat; jede Lektion handelt von einem.</translation>
     </message>
@@ -21892,8 +22308,8 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays.cpp"/>
-        <source>Walk until the sun leaves the picture: these beams fade, because what is not seen cannot shine.</source>
-        <translation>Gehen Sie, bis die Sonne das Bild verlässt: Diese Strahlen verblassen, denn was nicht zu sehen ist, kann nicht scheinen.</translation>
+        <source>Walk until the sun leaves the picture: these beams fade, because the method only knows what is in the picture.</source>
+        <translation>Gehen Sie, bis die Sonne das Bild verlässt: Diese Strahlen verblassen, denn das Verfahren kennt nur, was im Bild ist.</translation>
     </message>
     <message>
         <location filename="ui/window/shortcut_sheet.cpp"/>
@@ -22021,11 +22437,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>Was jeder Strahl kostet</translation>
     </message>
     <message>
-        <location filename="exhibits/hall/hall_passes.cpp"/>
-        <source>what hangs here has turned</source>
-        <translation>was hier hängt, hat sich gedreht</translation>
-    </message>
-    <message>
         <location filename="ui/report/frame_report_dock.cpp"/>
         <location filename="ui/window/status_line.cpp"/>
         <source>What is drawn and why</source>
@@ -22105,11 +22516,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>Woher B kommt</translation>
     </message>
     <message>
-        <location filename="app/serve/listener.cpp"/>
-        <source>whether a server answers there cannot be told ({1}); choose another path.</source>
-        <translation>Ob dort ein Server antwortet, ist nicht zu erkennen ({1}); wählen Sie einen anderen Pfad.</translation>
-    </message>
-    <message>
         <location filename="exhibits/hall/hall_table.h"/>
         <source>Whether baked sky light and occlusion light the walls; without it, they get one even ambient light.</source>
         <extracomment>tables</extracomment>
@@ -22172,6 +22578,7 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <location filename="exhibits/your_shader/your_shader_table.h"/>
         <source>Whether the button of the mouse is held, for Shadertoy's iMouse.</source>
+        <extracomment>tables</extracomment>
         <translation>Ob die Maustaste gedrückt ist, für iMouse von Shadertoy.</translation>
     </message>
     <message>
@@ -22273,7 +22680,7 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
         <source>Whether the order of the views under each lens is reversed. This turns depth inside out, or corrects a reversed sequence.</source>
-        <translation>Ob die Reihenfolge der Ansichten unter jeder Linse umgekehrt ist. Das stülpt die Tiefe um oder berichtigt eine umgekehrte Folge.</translation>
+        <translation>Ob die Reihenfolge der Ansichten unter jeder Linse umgekehrt ist. Das kehrt die Tiefe um oder korrigiert eine umgekehrte Folge.</translation>
     </message>
     <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
@@ -22337,6 +22744,7 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <location filename="exhibits/your_shader/your_shader_table.h"/>
         <source>Whether time runs; it shows only in shaders that read the time.</source>
+        <extracomment>tables</extracomment>
         <translation>Ob die Zeit läuft; zu sehen nur bei Shadern, die die Zeit lesen.</translation>
     </message>
     <message>
@@ -22366,7 +22774,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>Ob Wände und Exponate die Sonne abhalten; ohne das scheint sie durch alles hindurch.</translation>
     </message>
     <message>
-        <location filename="ui/tree/tree_file.cpp"/>
+        <location filename="ui/editor/document_file.cpp"/>
         <source>Which one?</source>
         <translation>Welche soll gelten?</translation>
     </message>
@@ -22396,11 +22804,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>Die ganzen Bilder von A und B nebeneinander.</translation>
     </message>
     <message>
-        <location filename="ui/window/parameter_tabs.cpp"/>
-        <source>Whose parameters</source>
-        <translation>Wessen Parameter</translation>
-    </message>
-    <message>
         <location filename="ui/report/frame_report_view.cpp"/>
         <source>Why</source>
         <translation>Warum</translation>
@@ -22411,7 +22814,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>Warum hat das keine Wirkung?</translation>
     </message>
     <message>
-        <location filename="ui/export/screenshot_dialog.cpp"/>
         <location filename="exhibits/jobs/record/record_table.h"/>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <location filename="exhibits/printing/print_table.h"/>
@@ -22434,12 +22836,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>Breite, unter der Laternen als ihr Mittel gezeichnet werden.</translation>
     </message>
     <message>
-        <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
-        <source>Width of a cell; never less than a lantern needs.</source>
-        <extracomment>tables</extracomment>
-        <translation>Breite einer Zelle; nie weniger, als eine Laterne braucht.</translation>
-    </message>
-    <message>
         <location filename="exhibits/printing/print_table.h"/>
         <source>Width of a rendered view in pixels; more than two pixels per lens are lost in the print.</source>
         <translation>Breite einer gerenderten Ansicht in Pixeln; mehr als zwei Pixel pro Linse gehen im Druck verloren.</translation>
@@ -22454,6 +22850,12 @@ steht in assets/SOURCES.md.</translation>
         <location filename="exhibits/sdf_scenes/operation_kinds.cpp"/>
         <source>Width of the blend; 0 leaves a sharp edge.</source>
         <translation>Breite der Verschmelzung; 0 lässt eine scharfe Kante.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
+        <source>Width of the cells, each of which contains one lantern; a wide lantern may need more.</source>
+        <extracomment>tables</extracomment>
+        <translation>Breite der Zellen, deren jede eine Laterne enthält; eine breite Laterne kann mehr brauchen.</translation>
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
@@ -22499,7 +22901,13 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <location filename="exhibits/your_shader/your_shader_table.h"/>
         <source>Width of the picture in its frame in the hall, in pixels.</source>
+        <extracomment>tables</extracomment>
         <translation>Breite des Bildes in seinem Rahmen in der Halle, in Pixeln.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Width of the print after trimming.</source>
+        <translation>Breite des Drucks nach dem Beschnitt.</translation>
     </message>
     <message>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
@@ -22512,6 +22920,11 @@ steht in assets/SOURCES.md.</translation>
         <source>Width of the white paper around the pictures.</source>
         <extracomment>tables</extracomment>
         <translation>Breite des weißen Papiers um die Bilder.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/picture/picture_table.h"/>
+        <source>Width x height in pixels. Auto: as in the window, or as the picture whose settings are used, else 640 x 360; if only one side is given, the aspect ratio stays.</source>
+        <translation>Breite x Höhe in Pixeln. Auto: wie im Fenster oder wie das Bild, dessen Einstellungen verwendet werden, sonst 640 x 360; ist nur eine Seite angegeben, bleibt das Seitenverhältnis.</translation>
     </message>
     <message>
         <source>width x height in whole pixels</source>
@@ -22575,6 +22988,11 @@ steht in assets/SOURCES.md.</translation>
         <translation>Mit einem Gamepad</translation>
     </message>
     <message>
+        <location filename="ui/study/study_finder.cpp"/>
+        <source>with an error of at most</source>
+        <translation>mit einem Fehler von höchstens</translation>
+    </message>
+    <message>
         <location filename="exhibits/printing/print_layout.cpp"/>
         <source>with its border it has more than 2147483647 pixels on a side</source>
         <translation>mit seinem Rand hat er mehr als 2147483647 Pixel auf einer Seite</translation>
@@ -22590,7 +23008,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>Mit einer Ansicht zeigt der Druck von überall dasselbe Bild.</translation>
     </message>
     <message>
-        <location filename="exhibits/sdf_scenes/asked_scene.cpp"/>
+        <location filename="exhibits/sdf_scenes/scene_evaluator.cpp"/>
         <source>with so few shapes, evaluating all of them is as fast</source>
         <translation>bei so wenigen Formen ist es ebenso schnell, alle auszuwerten</translation>
     </message>
@@ -22605,9 +23023,19 @@ steht in assets/SOURCES.md.</translation>
         <translation>Mit {1} Pixeln pro Linse kann der Drucker Ansichten nicht trennen.</translation>
     </message>
     <message>
+        <location filename="ui/study/study_finder.cpp"/>
+        <source>within</source>
+        <translation>innerhalb von</translation>
+    </message>
+    <message>
         <location filename="exhibits/framework/files/lesson.cpp"/>
         <source>within a step there are the headings &quot;### Try&quot;, &quot;### Question&quot; and &quot;### Answer&quot;; write one of them, or &quot;## &quot; for a step.</source>
         <translation>in einem Schritt gibt es die Überschriften „### Try“, „### Question“ und „### Answer“; schreiben Sie eine davon, oder „## “ für einen Schritt.</translation>
+    </message>
+    <message>
+        <location filename="ui/study/study_chart.cpp"/>
+        <source>without the hall</source>
+        <translation>ohne den Saal</translation>
     </message>
     <message>
         <location filename="exhibits/fur/fur.cpp"/>
@@ -22615,7 +23043,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>vom Knopf geweckt vor {1}</translation>
     </message>
     <message>
-        <location filename="ui/report/frame_report_view.cpp"/>
         <location filename="exhibits/noise/noise_table.h"/>
         <source>Work</source>
         <extracomment>tables</extracomment>
@@ -22675,9 +23102,14 @@ steht in assets/SOURCES.md.</translation>
         <translation>schreiben Sie hier „milliseconds“, „row:NAME“ oder „counter:NAME“.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/picture/picture_table.h"/>
+        <source>Write 16 bits per channel: integers in PNG and TIFF, half floats for the color in OpenEXR.</source>
+        <translation>16 Bit je Kanal schreiben: ganze Zahlen in PNG und TIFF, halbe Gleitkommazahlen für die Farbe in OpenEXR.</translation>
+    </message>
+    <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <source>Write a description file with the place of every frame, as JSON in Aseprite's format.</source>
-        <translation>Schreibt eine Beschreibungsdatei mit der Lage jedes Bildes, als JSON in Aseprites Format.</translation>
+        <translation>Schreibt eine Beschreibungsdatei mit der Lage jedes Frames, als JSON in Aseprites Format.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
@@ -22701,13 +23133,13 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
-        <source>Writes the selected preset to a file.</source>
-        <translation>Schreibt das gewählte Preset in eine Datei.</translation>
+        <source>Writes the scene or the shader to another file.</source>
+        <translation>Schreibt die Szene oder den Shader in eine andere Datei.</translation>
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
-        <source>Writes the tree to another file.</source>
-        <translation>Schreibt den Baum in eine andere Datei.</translation>
+        <source>Writes the selected preset to a file.</source>
+        <translation>Schreibt das gewählte Preset in eine Datei.</translation>
     </message>
     <message>
         <location filename="render/image/video_codec.cpp"/>
@@ -22718,6 +23150,11 @@ steht in assets/SOURCES.md.</translation>
         <location filename="ui/tree/tree_dock.cpp"/>
         <source>Writes your edits to the scene file.</source>
         <translation>Schreibt Ihre Änderungen in die Szenendatei.</translation>
+    </message>
+    <message>
+        <location filename="ui/editor/shader_panel.cpp"/>
+        <source>Writes your text to its file (Ctrl+S).</source>
+        <translation>Schreibt Ihren Text in seine Datei (Strg+S).</translation>
     </message>
     <message>
         <location filename="render/files/atomic_write.cpp"/>
@@ -22803,7 +23240,7 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <location filename="ui/window/session_keeper.cpp"/>
         <source>Your last session was restored.</source>
-        <translation>Ihr letzter Stand wurde wiederhergestellt.</translation>
+        <translation>Ihre letzte Sitzung wurde wiederhergestellt.</translation>
     </message>
     <message>
         <location filename="ui/window/session_keeper.cpp"/>
@@ -22824,6 +23261,11 @@ steht in assets/SOURCES.md.</translation>
         <location filename="exhibits/your_shader/your_shader.h"/>
         <source>Your Shader</source>
         <translation>Ihr Shader</translation>
+    </message>
+    <message>
+        <location filename="ui/editor/shader_panel.cpp"/>
+        <source>Your shader, which you can edit, or the shader of a pass as the driver gets it.</source>
+        <translation>Ihr Shader, den Sie bearbeiten können, oder der Shader eines Passes, wie der Treiber ihn erhält.</translation>
     </message>
     <message>
         <location filename="ui/presets/preset_list.cpp"/>
@@ -23062,7 +23504,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>{1} hat {2} × {3} Pixel und wird über den Himmel gestreckt: Ein Bild aller Richtungen ist doppelt so breit wie hoch.</translation>
     </message>
     <message>
-        <location filename="ui/presets/preset_shelf.cpp"/>
+        <location filename="ui/presets/preset_controller.cpp"/>
         <source>{1} is a preset of &quot;{2}&quot;, which is not in this museum.</source>
         <translation>{=1} ist ein Preset von „{=2}“, das es in diesem Museum nicht gibt.</translation>
     </message>
@@ -23202,8 +23644,8 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <location filename="exhibits/compare/offered_comparison.cpp"/>
-        <source>{1} offers no comparison &quot;{2}&quot;; choose one of {3}.</source>
-        <translation>{=1} bietet keinen Vergleich „{=2}“; wählen Sie einen von {=3}.</translation>
+        <source>{1} offers no comparison &quot;{2}&quot;{3} choose one of {4}.</source>
+        <translation>{=1} bietet keinen Vergleich „{=2}“{3} wählen Sie einen von {=4}.</translation>
     </message>
     <message>
         <location filename="exhibits/compare/offered_comparison.cpp"/>
@@ -23342,7 +23784,7 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/kit/job.cpp"/>
-        <location filename="app/kit/picture_options.cpp"/>
+        <location filename="exhibits/jobs/picture/picture_job.cpp"/>
         <source>{1}: give a name that ends in {2}</source>
         <translation>{=1}: Geben Sie einen Namen an, der auf {2} endet</translation>
     </message>
@@ -23383,7 +23825,7 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <location filename="app/kit/part_folder.cpp"/>
-        <location filename="app/render_command.cpp"/>
+        <location filename="app/tour_command.cpp"/>
         <source>{1}: the folder cannot be made ({2}); choose another with --out.</source>
         <translation>{=1}: Der Ordner lässt sich nicht anlegen ({=2}); wählen Sie mit --out einen anderen.</translation>
     </message>
@@ -23408,7 +23850,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1}: Kein Exponat heißt &quot;{2} `vitrine list` nennt alle.</translation>
     </message>
     <message>
-        <location filename="app/kit/picture_options.cpp"/>
+        <location filename="exhibits/jobs/picture/picture_job.cpp"/>
         <source>{1}: this format holds no 16 bits; give a name that ends in {2}, or leave --sixteen-bit out.</source>
         <translation>{=1}: Dieses Format hält keine 16 Bit; geben Sie einen Namen an, der auf {2} endet, oder lassen Sie --sixteen-bit weg.</translation>
     </message>
@@ -23429,7 +23871,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1}: Dies ist beschädigt; erzeugen Sie den Teil neu.</translation>
     </message>
     <message>
-        <location filename="ui/presets/preset_shelf.cpp"/>
+        <location filename="ui/presets/preset_controller.cpp"/>
         <source>{1}: this picture carries no preset; choose a preset file, or a picture that Vitrine made.</source>
         <translation>{=1}: In diesem Bild steht kein Preset; wählen Sie eine Preset-Datei oder ein Bild, das Vitrine gemacht hat.</translation>
     </message>
@@ -23555,7 +23997,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>× %1</translation>
     </message>
     <message>
-        <location filename="ui/compare/compare_desk.cpp"/>
+        <location filename="ui/compare/compare_controller.cpp"/>
         <source>“%1” is already shown: both sides are the same.</source>
         <translation>„%1“ wird bereits gezeigt: Beide Seiten sind gleich.</translation>
     </message>
@@ -23590,18 +24032,18 @@ steht in assets/SOURCES.md.</translation>
         <translation>„{1}“ über {2} liegt</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/shadertoy_reader.cpp"/>
-        <source>“{1}” is no channel; there are iChannel0 to iChannel3.</source>
-        <translation>„{=1}“ ist kein Kanal; es gibt iChannel0 bis iChannel3.</translation>
-    </message>
-    <message>
         <location filename="exhibits/your_shader/reading.cpp"/>
         <source>“{1}” is no name of a variable; use letters, digits and _.</source>
         <translation>„{=1}“ ist kein Name einer Variablen; verwenden Sie Buchstaben, Ziffern und _.</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/shadertoy_reader.cpp"/>
+        <source>“{1}” is not a channel; there are iChannel0 to iChannel3.</source>
+        <translation>„{=1}“ ist kein Kanal; es gibt iChannel0 bis iChannel3.</translation>
+    </message>
+    <message>
         <location filename="exhibits/your_shader/size_expression.cpp"/>
-        <source>“{1}” is no size; write an expression of numbers, $WIDTH, $HEIGHT and inputs, such as floor($WIDTH/2)</source>
+        <source>“{1}” is not a size; write an expression of numbers, $WIDTH, $HEIGHT and inputs, such as floor($WIDTH/2)</source>
         <translation>„{=1}“ ist keine Größe; schreiben Sie einen Ausdruck aus Zahlen, $WIDTH, $HEIGHT und Eingängen, etwa floor($WIDTH/2)</translation>
     </message>
     <message>

@@ -125,7 +125,7 @@ void DocumentFile::saveAs()
     const QFileInfo file(QString::fromStdString(document.path));
     auto* dialog =
         new QFileDialog(window_.viewport().window(), tr("Save as"), document.writable ? file.absolutePath() : QString(),
-                        tr("%1 (%2)").arg(translatedText(label(row)), filePatterns(row.endings)));
+                        tr("%1 (%2)").arg(translatedText(label(row)), filePatterns(row.extensions)));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QString::fromStdString(document.suffix));

@@ -1,5 +1,6 @@
 #include "ui/record/bookmarks.h"
 
+#include "exhibits/framework/files/state_folder.h"
 #include "render/files/atomic_write.h"
 #include "ui/kit/message_of.h"
 #include "ui/kit/text.h"

@@ -144,7 +144,7 @@ void FileOpener::open(const QString& path)
         if (isPrint(path))
             emit printFound(path);
         else if (!openDocument(path))
-            shelf_.loadFile(path);
+            presetController_.loadFile(path);
     } else if (shaders.contains(ending) && openDocument(path)) {
         return;
     } else if (ending == QLatin1String("md")) {

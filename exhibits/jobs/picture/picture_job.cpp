@@ -63,7 +63,7 @@ NamedChannels channelsNamed(const std::string& text)
         else if (name != "color")
             throw Failure(ErrorKind::usage,
                           "--channels: \"" + name +
-                              "\" is no channel; give color, depth, normal or evaluations, separated by commas.");
+                              "\" is not a channel; give color, depth, normal or evaluations, separated by commas.");
         named.beyondColor = named.beyondColor || name != "color";
     }
     return named;
