@@ -36,6 +36,7 @@ ExportDialog::ExportDialog(std::vector<ExportKind> kinds, QWidget* parent)
     list_->setMaximumWidth(list_->minimumWidth());
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list_->setFrameShape(QFrame::NoFrame);
+    list_->setSpacing(4);
     for (const ExportKind& kind : kinds_) {
         auto* item = new QListWidgetItem(kind.title, list_);
         item->setData(idRole, kind.id);
@@ -102,6 +103,12 @@ void ExportDialog::endPage(const QString& id)
     // Other pages may still export; then the hidden dialog stays.
     if (std::none_of(pages_.begin(), pages_.end(), [this](const auto& each) { return isExporting(each.first); }))
         deleteLater();
+}
+
+void ExportDialog::showEvent(QShowEvent* event)
+{
+    QDialog::showEvent(event);
+    list_->setFocus(Qt::OtherFocusReason);  // The page, which is shown before, has taken the focus.
 }
 
 void ExportDialog::reject()

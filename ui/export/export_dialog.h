@@ -36,6 +36,9 @@ public:
     /// Cancels the export of the shown page. Without one, hides the dialog while other pages export, else closes it.
     void reject() override;
 
+protected:
+    void showEvent(QShowEvent*) override;
+
 private:
     [[nodiscard]] QDialog* page(const ExportKind&);
     [[nodiscard]] bool isExporting(const QString& id) const;

@@ -327,10 +327,8 @@ void JobDialog::showFacts(const jobs::JobReport& report, bool partly)
 
 double JobDialog::secondsExpected() const
 {
-    if (draft_.seconds() <= 0 || !drawn_) return 0;
     const jobs::JobScene scene = scene_();
-    const double drawn = job_.effort(*drawn_, scene);
-    return drawn > 0 ? draft_.seconds() * job_.effort(setup_.values(), scene) / drawn : 0;
+    return scene.usual.secondsPerSample * job_.effort(setup_.values(), scene);
 }
 
 void JobDialog::showButtons()

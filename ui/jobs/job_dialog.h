@@ -78,7 +78,7 @@ private:
     void showDraft(const JobRunner::Run&);
     void showFacts(const jobs::JobReport&, bool partly);
     void showButtons();
-    /// Returns how long the export will take, by the time of the draft; 0: unknown.
+    /// Returns how long the export will take, by the time of the window's pictures; 0: unknown.
     [[nodiscard]] double secondsExpected() const;
     void chooseDocument();
     void begin();

@@ -59,7 +59,6 @@ void JobRunner::go(Run run)
         return;
     }
     running_ = publishing_ = false;
-    seconds_ = static_cast<double>(elapsed_.elapsed()) / 1000;
     emit finished(run);
 }
 

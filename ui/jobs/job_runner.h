@@ -31,8 +31,6 @@ public:
     /// published.
     void cancel();
     [[nodiscard]] bool running() const { return running_; }
-    /// Returns the time that the last finished run took; 0: none has finished.
-    [[nodiscard]] double seconds() const { return seconds_; }
     [[nodiscard]] bool publishing() const { return running_ && publishing_; }
 
 signals:
@@ -56,7 +54,6 @@ private:
     RenderThread::Task task_;
     ProgressJob work_;
     QElapsedTimer elapsed_;
-    double seconds_ = 0;
     Run drawn_;
     bool publishes_ = false, publishing_ = false;
     bool running_ = false;

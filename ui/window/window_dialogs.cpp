@@ -39,6 +39,11 @@ WindowDialogs::WindowDialogs(Workbench& workbench, QWidget& window, Bookmarks& b
                              ExportAgain& again)
     : QObject(&window), workbench_(workbench), window_(window), bookmarks_(bookmarks), lessons_(lessons), again_(again)
 {
+    connect(&workbench.viewport(), &Viewport::drawn, this,
+            [this](const render::FrameReport& report, const QSize& pixels) {
+                const double samples = static_cast<double>(pixels.width()) * pixels.height();
+                if (samples > 0) secondsPerSample_ = report.milliseconds / 1000 / samples;
+            });
 }
 
 void WindowDialogs::openAbout()
@@ -70,8 +75,13 @@ std::vector<ExportKind> WindowDialogs::exportKinds()
 QDialog* WindowDialogs::makeJobPage(const jobs::Job& job, QWidget* parent)
 {
     auto* page = new JobDialog(
-        job, [this, &job] { return jobSceneOf(workbench_, job); }, workbench_.renderers(),
-        workbench_.viewport().renderThread(), parent);
+        job,
+        [this, &job] {
+            jobs::JobScene scene = jobSceneOf(workbench_, job);
+            scene.usual.secondsPerSample = secondsPerSample_;
+            return scene;
+        },
+        workbench_.renderers(), workbench_.viewport().renderThread(), parent);
     connect(&bookmarks_, &Bookmarks::changed, page, &JobDialog::refresh);
     if (job.name() == "render") {
         connect(page, &JobDialog::exportBegun, &again_,

@@ -54,6 +54,7 @@ private:
     Bookmarks& bookmarks_;
     LessonController& lessons_;
     ExportAgain& again_;
+    double secondsPerSample_ = 0;  ///< Time of the last picture of the window per pixel.
 };
 
 }  // namespace vitrine::ui

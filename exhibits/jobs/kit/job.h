@@ -39,6 +39,7 @@ struct UsualPicture {
     bool depth = false;   ///< Whether it had a channel of depths.
     /// Whether the field of view grows for a narrow picture, as in the window (`widened`).
     bool widens = false;
+    double secondsPerSample = 0;  ///< Time in which the window drew a sample of a pixel; 0: unknown.
 };
 
 /// Scene that a job works on: the museum and everything that is set in it.
@@ -227,7 +228,7 @@ public:
     [[nodiscard]] virtual JobScene sceneFor(const ParameterValues&, JobScene scene) const { return scene; }
     /// Returns a sentence on how a draft differs from the whole.
     [[nodiscard]] virtual std::string_view draftNote() const { return "The preview shows a part of it."; }
-    /// Returns the effort of a run, relative to that of other values: samples that are drawn. 0: unknown.
+    /// Returns the effort of a run: the number of samples of pixels that it draws. 0: unknown.
     [[nodiscard]] virtual double effort(const ParameterValues&, const JobScene&) const { return 0; }
     /// Returns the values of a smaller run that previews the whole one.
     [[nodiscard]] virtual ParameterValues draft(const ParameterValues& values, const JobInputs&) const

@@ -111,7 +111,7 @@ private slots:
     {
         window_->visit(shader);
         QCOMPARE(written("file"), std::string("gyroid.frag"));
-        for (const char* row : {"uCells", "uWall", "uTurning", "uGlow", "sTEPS"})
+        for (const char* row : {"uCells", "uWall", "uTurning", "uDust", "steps"})
             QVERIFY2(values().table().find(row), row);
         QVERIFY(window_->panel().row("uCells"));
     }

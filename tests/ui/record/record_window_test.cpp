@@ -18,6 +18,7 @@
 #include <QClipboard>
 #include <QLabel>
 #include <QListWidget>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSignalSpy>
 
@@ -279,8 +280,7 @@ private slots:
         QTRY_VERIFY(dialog->exporting());
         window_->close();
         QVERIFY2(window_->isVisible(), "a film is being recorded");
-        for (QDialog* question : window_->findChildren<QDialog*>())
-            if (question != dialog) question->reject();
+        window_->findChild<QMessageBox*>()->reject();
         dialog->reject();
         QVERIFY(!dialog->exporting());
         QVERIFY2(dialog->isVisible(), "canceled, not closed");
