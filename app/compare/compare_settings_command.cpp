@@ -89,7 +89,8 @@ void readSubject(const Museum& museum, const CLI::App& command, SettingsOptions&
 std::size_t subjectOf(const Museum& museum, const RequestedPicture& job)
 {
     if (job.subject != hallIndex) return job.subject;
-    for (const DifferingRow& row : differingRows(job.sceneState, museum.initialSceneState()))
+    for (const DifferingRow& row :
+         differingRows(job.sceneState, museum.readTables(museum.initialSceneState()).sceneState))
         if (row.subject != hallIndex) return row.subject;
     throw Failure(ErrorKind::usage,
                   "--with: these settings change no exhibit; say with --exhibit which one is compared.");

@@ -28,6 +28,9 @@ void TypedParameters::addTo(CLI::App& command, const Parameters& table, const Wa
             added->take_all()->allow_extra_args(true);
         else
             added->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::Throw);
+        // A wrong value is refused while the words are parsed, so that the first wrong word is named.
+        if (!option.several)
+            added->each([&table, option](const std::string& word) { jobs::GivenValues(table).type(option, {word}); });
     }
 }
 

@@ -18,7 +18,7 @@ uniform float u_warmth;  // 0 .. 1, default 0.85, "Warmth of the bulb"
 
 const int steps = 64; // 8 .. 256, default 64, exact 256, "Steps of a ray"
 const int beamSteps = 28; // 2 .. 200, default 28, exact 200, "Steps through the dust"
-const int samples = 2; // 1 .. 4, default 2, exact 4, "Rays along a pixel's side"
+const int samples = 2; // 1 .. 4, default 2, exact 4, "Samples"
 
 const float bulb = 0.13;
 const float ground = -1.42;

@@ -64,7 +64,7 @@ TEST(LessonCommand, ListsTheLessonOfEveryExhibit)
 {
     const Ended ended = test::vitrine({"lesson", "list"});
     EXPECT_EQ(ended.code, 0) << ended.err;
-    EXPECT_EQ(std::count(ended.out.begin(), ended.out.end(), '\n'), 9) << ended.out;
+    EXPECT_EQ(std::count(ended.out.begin(), ended.out.end(), '\n'), 10) << ended.out;
     EXPECT_NE(ended.out.find("sdf_morph "), std::string::npos);
 }
 
@@ -72,7 +72,7 @@ TEST(LessonCommand, ListsLessonsInTheLanguageThatIsAskedFor)
 {
     const Ended ended = test::vitrine({"--language", "de", "lesson", "list"});
     EXPECT_EQ(ended.code, 0) << ended.err;
-    EXPECT_EQ(std::count(ended.out.begin(), ended.out.end(), '\n'), 9) << ended.out;
+    EXPECT_EQ(std::count(ended.out.begin(), ended.out.end(), '\n'), 10) << ended.out;
     EXPECT_NE(ended.out.find("Haare, die es nirgends gibt"), std::string::npos) << ended.out;
     EXPECT_EQ(ended.out.find("Hair that is nowhere"), std::string::npos) << ended.out;
 }

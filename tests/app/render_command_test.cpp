@@ -287,7 +287,7 @@ TEST(RenderCommand, AValueOutOfRangeIsBroughtBackAndSaidSo)
     EXPECT_EQ(ended.code, 0);
     EXPECT_NE(ended.out.find("size 48 × 27 px"), std::string::npos) << ended.out;
     EXPECT_NE(ended.err.find("morph"), std::string::npos) << ended.err;
-    EXPECT_NE(ended.err.find("the nearest that is allowed"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find("the nearest allowed value"), std::string::npos) << ended.err;
 }
 
 TEST(RenderCommand, DottedNamesSetAnyExhibitInTheHall)

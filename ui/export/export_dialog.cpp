@@ -55,17 +55,13 @@ ExportDialog::ExportDialog(std::vector<ExportKind> kinds, QWidget* parent)
     restorePlace(*this, exportPlaces().value(QStringLiteral("export/geometry")).toByteArray());
 }
 
-ExportDialog::~ExportDialog()
-{
-    exportPlaces().setValue(QStringLiteral("export/geometry"), saveGeometry());
-}
-
 QDialog* ExportDialog::page(const ExportKind& kind)
 {
     QDialog*& page = pages_[kind.id];
     if (page) return page;
     page = kind.makePage(stack_);
     page->setWindowFlags(Qt::Widget);
+    page->setAccessibleName(kind.title);
     stack_->addWidget(page);
     connect(page, &QDialog::finished, this, [this, id = kind.id] { endPage(id); });
     return page;
@@ -100,9 +96,11 @@ void ExportDialog::endPage(const QString& id)
 {
     pages_.erase(id);  // A finished page deletes itself.
     QDialog::reject();
-    // Other pages may still export; then the hidden dialog stays.
-    if (std::none_of(pages_.begin(), pages_.end(), [this](const auto& each) { return isExporting(each.first); }))
-        deleteLater();
+    exportPlaces().setValue(QStringLiteral("export/geometry"), saveGeometry());
+    // While another page exports, all pages stay.
+    if (std::any_of(pages_.begin(), pages_.end(), [this](const auto& each) { return isExporting(each.first); })) return;
+    for (const auto& [name, page] : pages_) page->deleteLater();
+    pages_.clear();
 }
 
 void ExportDialog::showEvent(QShowEvent* event)

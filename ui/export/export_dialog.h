@@ -28,12 +28,11 @@ class ExportDialog final : public QDialog {
 
 public:
     ExportDialog(std::vector<ExportKind> kinds, QWidget* parent);
-    ~ExportDialog() override;
 
     /// Shows a kind and returns its page.
     QDialog* showKind(const QString& id);
     [[nodiscard]] QString shownKind() const;
-    /// Cancels the export of the shown page. Without one, hides the dialog while other pages export, else closes it.
+    /// Cancels the export of the shown page. Without one, closes the dialog.
     void reject() override;
 
 protected:

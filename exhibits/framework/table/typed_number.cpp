@@ -33,8 +33,11 @@ std::string rangeText(const NumberRange& range)
 {
     const std::string kind = range.whole ? "a whole number" : "a number";
     if (!isBounded(range)) return range.whole ? "a whole number" : "a finite number";
-    return kind + " from " + render::shortestNumber(range.low) + " to " + render::shortestNumber(range.high) +
-           behindNumber(info(range.unit).symbol);
+    const auto text = [&](double limit) {
+        return range.whole && std::abs(limit) < 1e15 ? std::to_string(std::llround(limit))
+                                                     : render::shortestNumber(limit);
+    };
+    return kind + " from " + text(range.low) + " to " + text(range.high) + behindNumber(info(range.unit).symbol);
 }
 
 std::optional<std::string> withDecimalPoint(const std::string& typed)

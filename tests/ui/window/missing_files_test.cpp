@@ -438,7 +438,8 @@ private slots:
         QTest::keyClick(dialog, Qt::Key_Escape);
         QVERIFY(dialog->isVisible() && !dialog->exporting());
         QTest::keyClick(dialog, Qt::Key_Escape);
-        QTRY_VERIFY(!window_->findChild<ExportDialog*>());
+        QTRY_VERIFY(!window_->findChild<JobDialog*>());
+        QVERIFY(!all->isVisible());
         QVERIFY(!QFile::exists(path("look-7.png")));
     }
 
@@ -469,7 +470,11 @@ private slots:
         QVERIFY(all->isVisible());
         QCOMPARE(all->shownKind(), QString("sprite"));
         all->close();
-        QTRY_VERIFY(!window_->findChild<ExportDialog*>());
+        QTRY_VERIFY(!window_->findChild<JobDialog*>());
+        // It can be opened again at once.
+        window_->dialogs().openPrint();
+        QVERIFY(all->isVisible() && all->findChild<PrintDialog*>()->isVisible());
+        all->close();
     }
 
 public slots:
