@@ -169,8 +169,8 @@ TEST_F(GlassInTheHall, ThePlinthIsSeenWhereFloat64FindsItThroughTheGlass)
     // The rest is reflection in the glass, and pixels with several points of the marble.
     EXPECT_LT(errors[errors.size() / 2], 0.06);
     EXPECT_LT(errors[errors.size() * 9 / 10], 0.3);
-    // Control: rays with another index hit other points.
-    const std::vector<double> other = errorsOnThePlinth(1.5, 1.2);
+    // Control: rays with another index hit other points. Between 1.1 and 1.5 their light differs enough in any sky.
+    const std::vector<double> other = errorsOnThePlinth(1.5, 1.1);
     EXPECT_GT(other[other.size() / 2], 0.15);
     EXPECT_GT(other[other.size() * 9 / 10], 1.0);
 }
