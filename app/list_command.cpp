@@ -40,18 +40,6 @@ int manual(const std::string& name)
                                         " `vitrine list` names them.");
 }
 
-/// Returns the initial parameter tables. Reads no assets, so it is fast.
-Json initialTables()
-{
-    const HallTable hall;
-    Json all = Json::array();
-    all.push_back(exhibitJson("hall", hallTitle, hallSummary, hall, nullptr));
-    for (const auto& exhibit : allExhibits())
-        all.push_back(
-            exhibitJson(exhibit->name(), exhibit->title(), exhibit->summary(), exhibit->parameters(), exhibit.get()));
-    return all;
-}
-
 /// Returns the parameter tables after these assignments, because files may add parameters.
 Json tablesWith(const std::vector<std::string>& sets)
 {
@@ -65,7 +53,7 @@ Json tablesWith(const std::vector<std::string>& sets)
 
 int list(bool asJson, const std::vector<std::string>& sets)
 {
-    const Json all = sets.empty() ? initialTables() : tablesWith(sets);
+    const Json all = tablesWith(sets);
     if (asJson) {
         std::fputs(render::writeJson(all).c_str(), stdout);
         return 0;

@@ -84,7 +84,8 @@ struct NamedRow {
 /// the option.
 void applyMotion(const Museum&, SceneState&, std::size_t subject, const std::string& assignment);
 
-/// Parses "1.5,2,0" as three finite numbers; plain ones are in `unit`. Throws Failure (ErrorKind::usage) naming the option.
+/// Parses "1.5,2,0" as three finite numbers; plain ones are in `unit`. Throws Failure (ErrorKind::usage) naming the
+/// option.
 [[nodiscard]] glm::dvec3 parseTriple(const std::string& option, const std::string& text, Unit unit = Unit::none);
 /// Parses "640x360" as two positive numbers. `what` describes them and `such` is an example, for the message.
 [[nodiscard]] glm::ivec2 parseSize(const std::string& option, const std::string& text,

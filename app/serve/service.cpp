@@ -54,7 +54,8 @@ Json textsJson(const std::vector<std::string>& texts)
 }  // namespace
 
 Service::Service(const Museum& museum, render::gl::Renderer& renderer, const render::gl::ContextInfo& gl)
-    : museum_(museum), renderer_(renderer), gl_(gl), sceneState_(museum.initialSceneState())
+    : museum_(museum), renderer_(renderer), gl_(gl),
+      sceneState_(museum.readTables(museum.initialSceneState()).sceneState)
 {
 }
 
@@ -235,7 +236,7 @@ Json Service::resetValues(const Json& params, const Watch&)
     CLI::App options;
     options.add_option("exhibit", exhibit);
     readParams(options, "reset", params);
-    const SceneState initial = museum_.initialSceneState();
+    const SceneState initial = museum_.readTables(museum_.initialSceneState()).sceneState;
     SceneState next = sceneState_;
     const std::size_t only = exhibit.empty() ? 0 : subjectNamed(exhibit);
     for (std::size_t i = 0; i < next.values.size(); ++i) {
@@ -325,8 +326,8 @@ std::string pictureInBase64(const PictureRequest& request, const PictureMaker& m
     const std::string bytes = render::encodedPicture("The picture", maker.picture(), format, metadata);
     if (bytes.size() > mostAnswerBytes)
         throw Failure(ErrorKind::usage, "render: a picture of " + sizeJson(request).dump() + " pixels has " +
-                                        std::to_string(bytes.size()) + " bytes, and an answer takes " +
-                                        std::to_string(mostAnswerBytes) + "; let out name a file.");
+                                            std::to_string(bytes.size()) + " bytes, and an answer takes " +
+                                            std::to_string(mostAnswerBytes) + "; let out name a file.");
     return base64(bytes);
 }
 

@@ -25,11 +25,14 @@ void forEachFile(Subjects subjects, const SceneState& sceneState, const std::fun
 
 }  // namespace
 
-bool namesFiles(Subjects subjects, const SceneState& sceneState)
+bool namesFiles(const SceneState& sceneState)
 {
-    bool any = false;
-    forEachFile(subjects, sceneState, [&](const std::string&) { any = true; });
-    return any;
+    for (const ParameterValues& values : sceneState.values)
+        for (std::size_t row = 0; row < values.rows().size(); ++row)
+            if (values.rows()[row].kind == Kind::file && !values.isInitial(row) &&
+                !std::get<std::string>(values.row(row)).empty())
+                return true;
+    return false;
 }
 
 std::uint64_t stateOfFiles(Subjects subjects, const SceneState& sceneState)

@@ -6,8 +6,8 @@
 
 namespace vitrine {
 
-/// Returns whether any parameter names a file or folder, or anything visible is made from one.
-[[nodiscard]] bool namesFiles(Subjects, const SceneState&);
+/// Returns whether any parameter names a file or folder that the visitor chose.
+[[nodiscard]] bool namesFiles(const SceneState&);
 
 /// Returns a hash of the state of all files and folders that the scene state names, and of their neighbors. Files that
 /// these need in turn (`TableFromFiles::furtherFiles`) are included.

@@ -60,7 +60,7 @@ void CompareController::refresh()
         overlay_->setMode(CompareMode::off);  // Calls this function again.
         return;
     }
-    if (!other_->isSet() || !namesFiles(workbench_.museum().subjects(), other_->sceneState())) {
+    if (!other_->isSet() || !namesFiles(other_->sceneState())) {
         fileWatch_.stop();
     } else if (!fileWatch_.isActive()) {
         filesRead_ = stateOfFiles(workbench_.museum().subjects(), other_->sceneState());

@@ -19,7 +19,8 @@ std::unique_ptr<CodeView> openCodeView(QWidget* parent)
     static void* const symbol = openEditorModule();
     std::unique_ptr<CodeView> view(reinterpret_cast<decltype(&vitrineCodeView)>(symbol)(codeViewVersion, parent));
     if (!view)
-        throw Failure(ErrorKind::file, "libvitrine_editor.so belongs to another version of Vitrine; build both together.");
+        throw Failure(ErrorKind::file,
+                      "libvitrine_editor.so belongs to another version of Vitrine; build both together.");
     return view;
 }
 

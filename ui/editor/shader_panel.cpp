@@ -6,9 +6,9 @@
 #include "ui/editor/document_file.h"
 #include "ui/editor/find_bar.h"
 #include "ui/editor/live_text.h"
+#include "ui/kit/accessible_content.h"
 #include "ui/kit/flow_layout.h"
 #include "ui/kit/language.h"
-#include "ui/kit/accessible_content.h"
 #include "ui/kit/tab_order.h"
 #include "ui/kit/text.h"
 #include "ui/kit/type_size.h"
@@ -253,8 +253,9 @@ void ShaderPanel::showFindings()
         if (!first && each.isError) first = &each;
     }
     view_->setNotes(notes);
-    setState(first ? tr("Line %1: %2 The last good picture stays.").arg(first->line).arg(translatedText(first->sentence))
-                   : tr("The picture shows this text."));
+    setState(first
+                 ? tr("Line %1: %2 The last good picture stays.").arg(first->line).arg(translatedText(first->sentence))
+                 : tr("The picture shows this text."));
 }
 
 void ShaderPanel::setState(const QString& text)

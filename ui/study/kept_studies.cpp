@@ -151,7 +151,8 @@ QListWidgetItem* KeptStudies::itemFor(const StudyEntry& entry) const
     facts.removeAll(QString());
     item->setData(TwoLineDelegate::secondLine, facts.join(QStringLiteral(" · ")));
     QStringList lines{titleOf(study), tr("Exhibit: %1").arg(words(study.exhibit)),
-                      tr("Parameters: %1").arg(translatedText(study.parameterNames())), facts.join(QStringLiteral(" · ")),
+                      tr("Parameters: %1").arg(translatedText(study.parameterNames())),
+                      facts.join(QStringLiteral(" · ")),
                       tr("%1 × %2 pixels, clock: %3").arg(study.size.x).arg(study.size.y).arg(words(study.clock))};
     item->setToolTip(lines.join(QLatin1Char('\n')));
     item->setData(Qt::AccessibleTextRole, titleOf(study) + QStringLiteral(", ") + facts.join(QStringLiteral(", ")));

@@ -19,7 +19,7 @@ std::uint64_t FileWatch::state() const
 
 void FileWatch::renew()
 {
-    const bool named = namesFiles(museum_.subjects(), history_.sceneState());
+    const bool named = namesFiles(history_.sceneState());
     known_ = named ? state() : 0;
     if (named && !timer_.isActive()) timer_.start();
     if (!named) timer_.stop();

@@ -118,7 +118,7 @@ render::PictureFormat pictureFormat(const ParameterValues& values, const std::fi
     if (const auto format = render::writtenFormat(out, bits)) return *format;
     if (render::writtenFormat(out))
         throw Failure(ErrorKind::usage, out.string() + ": this format holds no 16 bits; give a name that ends in " +
-                                        render::writtenExtensions(bits) + ", or leave --sixteen-bit out.");
+                                            render::writtenExtensions(bits) + ", or leave --sixteen-bit out.");
     throw Failure(ErrorKind::usage, out.string() + ": give a name that ends in " + render::writtenExtensions() + '.');
 }
 

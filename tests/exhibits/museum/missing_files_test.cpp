@@ -101,9 +101,9 @@ TEST(MissingFiles, AreDrawnWhenTheyComeBackAndLeftOutWhenTheyGo)
         };
         scene.name({});
         const std::size_t without = draws();
-        EXPECT_FALSE(namesFiles(museum().subjects(), scene.sceneState));
+        EXPECT_FALSE(namesFiles(scene.sceneState));
         scene.name(path);
-        EXPECT_TRUE(namesFiles(museum().subjects(), scene.sceneState));
+        EXPECT_TRUE(namesFiles(scene.sceneState));
         EXPECT_EQ(draws(), without);
         const std::uint64_t before = stateOfFiles(museum().subjects(), scene.sceneState);
         EXPECT_EQ(stateOfFiles(museum().subjects(), scene.sceneState), before);

@@ -62,7 +62,7 @@ TEST(TourFile, WhatIsWrongIsNamedByLineAndKey)
     expect("{", {"tour.json, line 1"});
     expect("[]", {"tour.json", "object"});
     expect("{\"version\": 1}", {"format", "missing"});
-    expect("{\"format\": \"vitrine-preset\"}", {"vitrine-preset", "no tour"});
+    expect("{\"format\": \"vitrine-preset\"}", {"vitrine-preset", "not a tour"});
     expect("{\"format\": \"vitrine-tour\",\n\"version\": 2}", {"line 2, version", "newer"});
     expect("{\"format\": \"vitrine-tour\",\n\"version\": \"1\"}", {"line 2, version"});
     expect(head + "\"bookmarks\": []}", {"line 3, bookmarks", "at least one"});

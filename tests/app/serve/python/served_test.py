@@ -117,7 +117,7 @@ class ServedTest(unittest.TestCase):
         render = self.v.methods["render"]["params"]
         self.assertEqual(render["required"], ["exhibit"])
         self.assertEqual(render["properties"]["alone"]["type"], "boolean")
-        self.assertEqual(render["properties"]["samples"]["x-takes"], "1..4096")
+        self.assertEqual(render["properties"]["samples"]["x-takes"], "1..4096|auto")
 
     @unittest.skipUnless(OpenImageIO, "needs python3-openimageio")
     def test_arrays_are_the_values_in_the_files_of_the_command(self):

@@ -117,7 +117,8 @@ TEST(Lesson, RefusalsNameFileLineKeyAndWhatToDo)
     EXPECT_FAILURE(lessonOf("## First\n"), "line 1: a lesson begins with its title");
     EXPECT_FAILURE(lessonOf("Hello.\n# Title\n"), "line 1: a lesson begins with its title");
     EXPECT_FAILURE(lessonOf(""), "line 1: a lesson begins with its title");
-    EXPECT_FAILURE(lessonOf("# Title\n## First\n"), "line 1: the block that says whose lesson this is is missing");
+    EXPECT_FAILURE(lessonOf("# Title\n## First\n"),
+                   "line 1: the block that names the exhibit of the lesson is missing");
     std::string many = lessonHead;
     for (std::size_t i = 0; i <= mostLessonSteps; ++i) many += "## Step\nText.\n```json\n{}\n```\n";
     EXPECT_FAILURE(lessonOf(many), "a lesson has at most 24 steps");

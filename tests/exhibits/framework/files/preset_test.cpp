@@ -149,7 +149,7 @@ TEST(Preset, RefusesOtherFormatsExhibitsAndVersions)
     EXPECT_FAILURE(read("[]"), "this is not a preset");
     EXPECT_FAILURE(read("{}"), "says neither format nor version");
     EXPECT_FAILURE(read(R"({"version": 1})"), "\"format\" is missing");
-    EXPECT_FAILURE(read(R"({"version": 1, "format": "other"})"), "no format of Vitrine");
+    EXPECT_FAILURE(read(R"({"version": 1, "format": "other"})"), "not a format of Vitrine");
     EXPECT_FAILURE(read(R"({"version": 1, "format": "vitrine-preset", "exhibit": "fur"})"),
                    "this preset is for fur, not for everything");
     EXPECT_FAILURE(read(R"({"version": 1, "format": "vitrine-preset"})"), "\"exhibit\" is missing");
