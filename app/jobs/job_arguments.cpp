@@ -102,7 +102,7 @@ void addJobArguments(CLI::App& command, const jobs::Job& job, JobArguments& type
         command.add_option("exhibit", typed.scene.subject, "Name of an exhibit, or hall")
             ->required(needs.carriesSettings);
         addSceneOptions(command, typed.scene);
-        // What is a parameter of the job is no option of the scene.
+        // A parameter of the job is no option of the scene.
         for (const jobs::JobOption& option : jobs::optionsOf(job.parameters()))
             if (CLI::Option* ofScene = command.get_option_no_throw(option.name)) command.remove_option(ofScene);
         if (CLI::Option* samples = command.get_option_no_throw("--samples")) command.remove_option(samples);

@@ -53,7 +53,7 @@ vec3 glassColor(float kind, float number)
     return color;
 }
 
-// What the window lets through at a point: the color of the glass, black where lead and stone are. `stone` is the
+// Light that the window lets through at a point: the color of the glass, black where lead and stone are. `stone` is the
 // distance into the stone, positive outside of every opening.
 vec3 window(vec2 p, float pixel, out float stone)
 {

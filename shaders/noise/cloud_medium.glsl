@@ -49,10 +49,10 @@ float cloudSunlight(float cosine, float depth, float forward, float backward, in
     return sum;
 }
 
-// Factor of the sunlight near the surface of a cloud, 0 to 1: light has been scattered few times there, and little of it
-// turns back, so that billows have dark edges seen with the sun behind the eye. Towards the sun, where the edges shine,
-// there is no such loss. `strength` is from 0 to 1. Schneider 2015, "The Real-Time Volumetric Cloudscapes of Horizon
-// Zero Dawn".
+// Factor of the sunlight near the surface of a cloud, 0 to 1: light has been scattered few times there, and little of
+// it turns back, so that billows have dark edges seen with the sun behind the eye. Towards the sun, where the edges
+// shine, there is no such loss. `strength` is from 0 to 1. Schneider 2015, "The Real-Time Volumetric Cloudscapes of
+// Horizon Zero Dawn".
 float cloudPowder(float depth, float cosine, float strength)
 {
     float ahead = smoothStep(-0.3, 0.8, cosine);

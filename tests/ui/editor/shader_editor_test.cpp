@@ -148,7 +148,7 @@ private slots:
         QVERIFY(written("draft").find("vec5") != std::string::npos);
         QCOMPARE(number("gain"), 7.0);
 
-        // What is right again is shown, and is no edit if it is what the file has.
+        // A corrected text is shown; if it equals the file, it is no edit.
         typeOver("vec5", "vec4");
         QTRY_VERIFY(live().findings().empty() && !live().isChecking());
         QVERIFY(view().noteAt(5).isEmpty());
