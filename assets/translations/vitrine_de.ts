@@ -3800,6 +3800,11 @@ Zeiten nach: %2.</translation>
         <translation>Helligkeit, unter der der Himmel keine Strahlen gibt: 0 nutzt ihn ganz, hohe Werte nur die hellsten Teile.</translation>
     </message>
     <message>
+        <source>Brightness of the bulb</source>
+        <extracomment>tables</extracomment>
+        <translation>Helligkeit der Birne</translation>
+    </message>
+    <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
         <source>Brightness of the rays: each stop doubles it.</source>
         <extracomment>tables</extracomment>
@@ -7000,6 +7005,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Dämmerung</translation>
     </message>
     <message>
+        <source>Dust in the air</source>
+        <extracomment>tables</extracomment>
+        <translation>Staub in der Luft</translation>
+    </message>
+    <message>
         <location filename="exhibits/sdf_morph/sdf_morph.h"/>
         <source>E – let it melt</source>
         <translation>E – schmelzen lassen</translation>
@@ -7813,6 +7823,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Fein, 75 Linsen je Zoll</translation>
     </message>
     <message>
+        <source>Fineness of the pattern</source>
+        <extracomment>tables</extracomment>
+        <translation>Feinheit des Musters</translation>
+    </message>
+    <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <source>finished</source>
@@ -8597,6 +8612,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>Gustiness</source>
         <extracomment>tables</extracomment>
         <translation>Böigkeit</translation>
+    </message>
+    <message>
+        <source>gyroid</source>
+        <extracomment>tables</extracomment>
+        <translation>Gyroid</translation>
     </message>
     <message>
         <source>Gyroid lantern</source>
@@ -12816,6 +12836,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <location filename="exhibits/your_shader/your_shader_table.cpp"/>
         <source>Number that the shader reads.</source>
+        <extracomment>tables</extracomment>
         <translation>Zahl, die der Shader liest.</translation>
     </message>
     <message>
@@ -17591,6 +17612,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Tempo des Mausrads</translation>
     </message>
     <message>
+        <source>Speed of turning</source>
+        <extracomment>tables</extracomment>
+        <translation>Drehgeschwindigkeit</translation>
+    </message>
+    <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
         <source>Spin</source>
         <translation>Drehen</translation>
@@ -17879,9 +17905,19 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Schritte</translation>
     </message>
     <message>
+        <source>Steps of a ray</source>
+        <extracomment>tables</extracomment>
+        <translation>Schritte eines Strahls</translation>
+    </message>
+    <message>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
         <source>Steps of half and of double that length give the same normals.</source>
         <translation>Schritte von halber und doppelter Länge ergeben dieselben Normalen.</translation>
+    </message>
+    <message>
+        <source>Steps through the dust</source>
+        <extracomment>tables</extracomment>
+        <translation>Schritte durch den Staub</translation>
     </message>
     <message>
         <source>Stereo in red and cyan</source>
@@ -22333,6 +22369,11 @@ steht in assets/SOURCES.md.</translation>
         <translation>Zeit der Wanduhr um glFinish</translation>
     </message>
     <message>
+        <source>Warmth of the bulb</source>
+        <extracomment>tables</extracomment>
+        <translation>Wärme der Birne</translation>
+    </message>
+    <message>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
         <source>Warmth of the dusk at the horizon: 0 is cool, 1 glows like a sunset.</source>
         <extracomment>tables</extracomment>
@@ -22839,6 +22880,11 @@ steht in assets/SOURCES.md.</translation>
         <location filename="exhibits/printing/print_table.h"/>
         <source>Width of a rendered view in pixels; more than two pixels per lens are lost in the print.</source>
         <translation>Breite einer gerenderten Ansicht in Pixeln; mehr als zwei Pixel pro Linse gehen im Druck verloren.</translation>
+    </message>
+    <message>
+        <source>Width of the bars</source>
+        <extracomment>tables</extracomment>
+        <translation>Breite der Stäbe</translation>
     </message>
     <message>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
