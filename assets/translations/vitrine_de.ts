@@ -507,6 +507,11 @@ Zeiten werden gemessen, sobald alle gezeichnet sind.</translation>
         <translation>%1 × %2 Punkte, gesehen um den bei %3, %4.</translation>
     </message>
     <message>
+        <location filename="ui/study/study_chart.cpp"/>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 Pixel</translation>
+    </message>
+    <message>
         <location filename="ui/study/kept_studies.cpp"/>
         <source>%1 × %2 pixels, clock: %3</source>
         <translation>%1 × %2 Pixel, Uhr: %3</translation>
@@ -644,30 +649,6 @@ Zeiten nach: %2.</translation>
         <translation>
             <numerusform>höchstens %n</numerusform>
             <numerusform>höchstens %n</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <location filename="ui/study/kept_studies.cpp"/>
-        <source>%n point(s)</source>
-        <translation>
-            <numerusform>%n Punkt</numerusform>
-            <numerusform>%n Punkte</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <location filename="ui/presets/tag_chips.cpp"/>
-        <source>%n preset(s) with this tag</source>
-        <translation>
-            <numerusform>%n Preset mit diesem Tag</numerusform>
-            <numerusform>%n Presets mit diesem Tag</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <location filename="ui/study/study_chart.cpp"/>
-        <source>%n view(s) of %1 × %2 pixels</source>
-        <translation>
-            <numerusform>%n Ansicht mit %1 × %2 Pixeln</numerusform>
-            <numerusform>%n Ansichten mit %1 × %2 Pixeln</numerusform>
         </translation>
     </message>
     <message>
@@ -14109,6 +14090,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Punkte</translation>
     </message>
     <message>
+        <location filename="ui/study/kept_studies.cpp"/>
+        <source>points: %1</source>
+        <translation>Punkte: %1</translation>
+    </message>
+    <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
         <source>polar sum</source>
         <extracomment>tables</extracomment>
@@ -14299,6 +14285,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="ui/presets/preset_controller.cpp"/>
         <source>Presets (*.json)</source>
         <translation>Presets (*.json)</translation>
+    </message>
+    <message>
+        <location filename="ui/presets/tag_chips.cpp"/>
+        <source>Presets with this tag: %1</source>
+        <translation>Presets mit diesem Tag: %1</translation>
     </message>
     <message>
         <location filename="ui/compare/compare_controller.cpp"/>
@@ -22204,6 +22195,11 @@ oder aus einem Bild mit einem Raster von Ansichten geschnitten werden. Ein Ordne
         <location filename="ui/print/print_dialog.cpp"/>
         <source>Views, interlaced.</source>
         <translation>Verschachtelte Ansichten.</translation>
+    </message>
+    <message>
+        <location filename="ui/study/study_chart.cpp"/>
+        <source>Views: %1</source>
+        <translation>Ansichten: %1</translation>
     </message>
     <message>
         <location filename="ui/window/own_objects_menu.cpp"/>

@@ -55,7 +55,7 @@ void TagChips::addChip(const QString& tag, int uses, bool pressed)
     chip->setChecked(pressed);
     chip->setFocusPolicy(Qt::StrongFocus);
     chip->setAccessibleName(tr("Tag %1").arg(tag));
-    chip->setToolTip(tr("%n preset(s) with this tag", nullptr, uses));
+    chip->setToolTip(tr("Presets with this tag: %1").arg(uses));
     chip->setFont(chipFont());
     connect(chip, &QToolButton::toggled, this, &TagChips::changed);
     layout()->addWidget(chip);

@@ -145,8 +145,7 @@ QListWidgetItem* KeptStudies::itemFor(const StudyEntry& entry) const
     }
     const KeptStudy& study = entry.study;
     item->setText(titleOf(study));
-    QStringList facts{dayAndMinute(study.measured),
-                      tr("%n point(s)", nullptr, static_cast<int>(study.measuredPoints())),
+    QStringList facts{dayAndMinute(study.measured), tr("points: %1").arg(study.measuredPoints()),
                       study.complete ? QString() : tr("stopped early"), words(study.renderer)};
     facts.removeAll(QString());
     item->setData(TwoLineDelegate::secondLine, facts.join(QStringLiteral(" · ")));

@@ -434,8 +434,7 @@ QString headingOf(Subjects subjects, const StudyRequest& request)
 
 QString conditions(std::size_t views, glm::ivec2 size, bool alone, const std::string& clock)
 {
-    QStringList all{
-        StudyChart::tr("%n view(s) of %1 × %2 pixels", nullptr, static_cast<int>(views)).arg(size.x).arg(size.y)};
+    QStringList all{StudyChart::tr("Views: %1").arg(views), StudyChart::tr("%1 × %2 pixels").arg(size.x).arg(size.y)};
     if (alone) all << StudyChart::tr("without the hall");
     if (!clock.empty()) all << StudyChart::tr("clock: %1").arg(translatedText(clock));
     return all.join(QStringLiteral(" · "));
