@@ -1,7 +1,9 @@
 #pragma once
 
 #include "exhibits/jobs/kit/job.h"
+#include "render/image/image.h"
 
+#include <QImage>
 #include <QWidget>
 
 #include <functional>
@@ -22,6 +24,9 @@ public:
     /// Clears the preview.
     virtual void clear() = 0;
 };
+
+/// Converts linear RGBA, or RGB, to display codes with straight alpha. Fully transparent pixels have no color.
+[[nodiscard]] QImage imageWithOpacity(const render::Image&);
 
 /// Creates the preview of the job of this name; null if the job has none.
 [[nodiscard]] JobPreview* makePreview(std::string_view job, QWidget* parent);

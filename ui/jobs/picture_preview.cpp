@@ -1,31 +1,16 @@
 #include "ui/jobs/picture_preview.h"
 
 #include "exhibits/jobs/picture/picture_job.h"
-#include "render/image/srgb.h"
 #include "ui/kit/theme.h"
 
 #include <QPainter>
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace vitrine::ui {
 namespace {
 
 constexpr int checkSize = 8;  // Pixels of a square of the checkerboard.
-
-QImage withOpacity(const render::Image& picture)
-{
-    QImage codes(picture.width, picture.height, QImage::Format_ARGB32);
-    for (int y = 0; y < picture.height; ++y)
-        for (int x = 0; x < picture.width; ++x) {
-            const auto code = [&](int k) { return static_cast<int>(render::srgb8FromLinear(picture.at(x, y, k))); };
-            const float opacity = picture.channels > 3 ? std::clamp(picture.at(x, y, 3), 0.0F, 1.0F) : 1.0F;
-            codes.setPixel(x, y, qRgba(code(0), code(1), code(2), static_cast<int>(std::lround(255 * opacity))));
-        }
-    return codes;
-}
 
 }  // namespace
 
@@ -39,7 +24,7 @@ PicturePreview::PicturePreview(QWidget* parent) : JobPreview(parent)
 
 std::function<void()> PicturePreview::prepare(const jobs::JobRun& run, const ParameterValues&, const ParameterValues&)
 {
-    QImage picture = withOpacity(static_cast<const jobs::PictureRun&>(run).picture());
+    QImage picture = imageWithOpacity(static_cast<const jobs::PictureRun&>(run).picture());
     return [this, picture = std::move(picture)] { setPicture(picture); };
 }
 
@@ -55,15 +40,12 @@ void PicturePreview::paintEvent(QPaintEvent*)
     QPainter painter(this);
     const QSize size = picture_.size().scaled(this->size(), Qt::KeepAspectRatio);
     const QRect place(QPoint((width() - size.width()) / 2, (height() - size.height()) / 2), size);
-    if (picture_.hasAlphaChannel()) {
-        painter.setClipRect(place);
-        painter.fillRect(place, theme().base);
-        for (int y = place.top(); y <= place.bottom(); y += checkSize)
-            for (int x = place.left() + (y - place.top()) / checkSize % 2 * checkSize; x <= place.right();
-                 x += 2 * checkSize)
-                painter.fillRect(x, y, checkSize, checkSize, theme().window);
-        painter.setClipping(false);
-    }
+    painter.setClipRect(place);
+    painter.fillRect(place, theme().base);
+    for (int y = place.top(); y <= place.bottom(); y += checkSize)
+        for (int x = place.left() + (y - place.top()) / checkSize % 2 * checkSize; x <= place.right();
+             x += 2 * checkSize)
+            painter.fillRect(x, y, checkSize, checkSize, theme().window);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     painter.drawImage(place, picture_);
 }

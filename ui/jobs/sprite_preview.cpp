@@ -1,7 +1,6 @@
 #include "ui/jobs/sprite_preview.h"
 
 #include "exhibits/jobs/sprite/sprite_job.h"
-#include "render/image/srgb.h"
 #include "ui/kit/theme.h"
 
 #include <QPainter>
@@ -14,18 +13,6 @@ namespace vitrine::ui {
 namespace {
 
 constexpr double shortestTurn = 0.25;  ///< Seconds that a direction is shown at least.
-
-QImage pictureOf(const render::Image& sheet)
-{
-    QImage picture(sheet.width, sheet.height, QImage::Format_ARGB32);
-    for (int y = 0; y < sheet.height; ++y)
-        for (int x = 0; x < sheet.width; ++x) {
-            const auto code = [&](int k) { return static_cast<int>(render::srgb8FromLinear(sheet.at(x, y, k))); };
-            const auto opacity = static_cast<int>(std::lround(255 * std::clamp(sheet.at(x, y, 3), 0.0F, 1.0F)));
-            picture.setPixel(x, y, opacity > 0 ? qRgba(code(0), code(1), code(2), opacity) : 0U);
-        }
-    return picture;
-}
 
 }  // namespace
 
@@ -43,7 +30,7 @@ std::function<void()> SpritePreview::prepare(const jobs::JobRun& run, const Para
     const SpriteSheet& sheet = *static_cast<const jobs::SpriteRun&>(run).sheet();
     const SpriteTable& t = spriteTable();
     auto shown = std::make_shared<Shown>();
-    shown->picture = pictureOf(sheet.color);
+    shown->picture = imageWithOpacity(sheet.color);
     shown->cells = sheet.cells;
     for (const glm::ivec2 pivot : sheet.pivots) shown->pivots.emplace_back(pivot.x, pivot.y);
     shown->frame = {drawn[t.width], drawn[t.height]};
