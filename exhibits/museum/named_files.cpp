@@ -4,27 +4,7 @@
 #include "render/files/asset_store.h"
 #include "render/hash.h"
 
-#include <functional>
-
 namespace vitrine {
-namespace {
-
-void forEachFile(Subjects subjects, const SceneState& sceneState, const std::function<void(const std::string&)>& work)
-{
-    for (std::size_t i = 0; i < subjects.size() && i < sceneState.values.size(); ++i)
-        if (const auto* made = capability<TableFromFiles>(*subjects[i]))
-            for (const std::string& path : made->furtherFiles(sceneState.values[i])) work(path);
-    for (const ParameterValues& values : sceneState.values)
-        for (std::size_t row = 0; row < values.rows().size(); ++row) {
-            if (values.rows()[row].kind != Kind::file) continue;
-            if (const std::string path = filePath(values.rows()[row], std::get<std::string>(values.row(row)));
-                !path.empty())
-                work(path);
-        }
-}
-
-}  // namespace
-
 bool namesFiles(const SceneState& sceneState)
 {
     for (const ParameterValues& values : sceneState.values)
@@ -38,11 +18,21 @@ bool namesFiles(const SceneState& sceneState)
 std::uint64_t stateOfFiles(Subjects subjects, const SceneState& sceneState)
 {
     render::Hash hash;
-    forEachFile(subjects, sceneState, [&](const std::string& path) {
+    const auto add = [&](const std::string& path) {
         hash.add(path);
         render::addTo(hash, render::fileState(path));
         render::addTo(hash, render::folderState(path));
-    });
+    };
+    for (std::size_t i = 0; i < subjects.size() && i < sceneState.values.size(); ++i)
+        if (const auto* made = capability<TableFromFiles>(*subjects[i]))
+            for (const std::string& path : made->furtherFiles(sceneState.values[i])) add(path);
+    for (const ParameterValues& values : sceneState.values)
+        for (std::size_t row = 0; row < values.rows().size(); ++row) {
+            if (values.rows()[row].kind != Kind::file) continue;
+            if (const std::string path = filePath(values.rows()[row], std::get<std::string>(values.row(row)));
+                !path.empty())
+                add(path);
+        }
     return hash.value();
 }
 
