@@ -6,6 +6,7 @@
 #include "exhibits/hall/hall_table.h"
 #include "render/failure.h"
 #include "render/files/read_file.h"
+#include "render/text/nearest_word.h"
 
 #include <CLI/CLI.hpp>
 
@@ -74,9 +75,14 @@ int listLessons()
 int showLesson(const std::string& name)
 {
     const Tables tables;
-    const bool isExhibit = std::any_of(tables.exhibits.begin(), tables.exhibits.end(),
-                                       [&](const auto& exhibit) { return exhibit->name() == name; });
-    const Lesson lesson = readLesson(isExhibit ? shippedLesson(name) : std::filesystem::path(name), tables.values);
+    std::vector<std::string> names;
+    for (const auto& exhibit : tables.exhibits) names.emplace_back(exhibit->name());
+    const bool isExhibit = std::find(names.begin(), names.end(), name) != names.end();
+    const std::filesystem::path path = name;
+    if (std::error_code ignored; !isExhibit && !path.has_extension() && !std::filesystem::exists(path, ignored))
+        throw Failure(ErrorKind::usage, "There is neither a lesson file nor an exhibit named " + name +
+                                            didYouMean(name, names) + " `vitrine lesson list` names the lessons.");
+    const Lesson lesson = readLesson(isExhibit ? shippedLesson(name) : path, tables.values);
     std::fputs(lessonText(lesson, tables.values).c_str(), stdout);
     return 0;
 }

@@ -25,6 +25,7 @@
 #include "render/image/image_io.h"
 #include "render/measure/distance.h"
 #include "render/plan/diagnostics.h"
+#include "render/text/joined.h"
 #include "render/text/nearest_word.h"
 #include "render/version.h"
 
@@ -108,18 +109,18 @@ std::string Service::methodsText()
 Json Service::answer(const std::string& method, const Json& params, const Watch& watch)
 {
     bytes_.clear();
-    std::string names;
+    std::vector<std::string> names;
     for (const Entry& entry : methods()) {
         if (entry.method && method == entry.name) return (this->*entry.method)(params, watch);
-        names += std::string(entry.name) + ", ";
+        names.emplace_back(entry.name);
     }
     for (const auto& job : jobs::allJobs()) {
         if (hasMethod(job->name())) continue;
         if (method == job->name()) return runJob(*job, params, watch);
-        names += std::string(job->name()) + ", ";
+        names.emplace_back(job->name());
     }
-    names.resize(names.size() - 2);
-    throw RpcFailure(RpcCode::method, "There is no method \"" + method + "\"; there are " + names + '.');
+    throw RpcFailure(RpcCode::method, "There is no method \"" + method + '"' + didYouMean(method, names) +
+                                          " there are " + joined(names) + '.');
 }
 
 Json Service::discover(const Json& params, const Watch& watch)

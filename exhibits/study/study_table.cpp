@@ -5,6 +5,7 @@
 #include "render/failure.h"
 #include "render/measure/distance.h"
 #include "render/text/joined.h"
+#include "render/text/nearest_word.h"
 
 #include <algorithm>
 #include <sstream>
@@ -12,11 +13,12 @@
 namespace vitrine {
 namespace {
 
-/// Returns the names of parameters that can be studied: "bounces, shadowRays, ...".
-std::string qualityNames(const SceneState& sceneState, std::size_t exhibit)
+/// Returns the names of parameters that can be studied.
+std::vector<std::string> qualityNames(const SceneState& sceneState, std::size_t exhibit)
 {
-    return joined(qualityAxes(sceneState, exhibit, 2), ", ",
-                  [&](const StudyAxis& axis) { return rowOf(sceneState, axis).name; });
+    std::vector<std::string> names;
+    for (const StudyAxis& axis : qualityAxes(sceneState, exhibit, 2)) names.emplace_back(rowOf(sceneState, axis).name);
+    return names;
 }
 
 StudyAxis axisNamed(const Museum& museum, const SceneState& sceneState, std::size_t subject, const std::string& text,
@@ -35,11 +37,14 @@ StudyAxis axisNamed(const Museum& museum, const SceneState& sceneState, std::siz
     }
     const auto row = sceneState.values[exhibit].table().find(name);
     std::optional<StudyAxis> axis = row ? studyAxis(sceneState, exhibit, *row, points) : std::nullopt;
-    if (!axis)
+    if (!axis) {
+        const std::vector<std::string> names = qualityNames(sceneState, exhibit);
         throw Failure(ErrorKind::usage,
                       "study " + text + ": " + std::string(museum.subject(exhibit).name()) +
-                          (row ? " has it, but no value of it is more exact than another" : " has no such parameter") +
-                          "; give one of " + qualityNames(sceneState, exhibit) + '.');
+                          (row ? std::string(" has it, but no value of it is more exact than another;")
+                               : " has no such parameter" + didYouMean(name, names)) +
+                          " give one of " + joined(names) + '.');
+    }
     return std::move(*axis);
 }
 

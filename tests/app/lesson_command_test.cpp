@@ -58,6 +58,9 @@ TEST(LessonCommand, PrintsTasksQuestionsAndAnswers)
     for (const char* word : {"**Aufgabe:** ", "**Frage:** ", "**Antwort:** "})
         EXPECT_NE(german.out.find(word), std::string::npos) << word;
     EXPECT_EQ(test::vitrine({"lesson", "show", folder / "none.md"}).code, 5);
+    const Ended misspelled = test::vitrine({"lesson", "show", "furr"});
+    EXPECT_EQ(misspelled.code, 2);
+    EXPECT_NE(misspelled.err.find("did you mean fur?"), std::string::npos) << misspelled.err;
 }
 
 TEST(LessonCommand, ListsTheLessonOfEveryExhibit)

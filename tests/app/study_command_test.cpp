@@ -263,7 +263,7 @@ TEST(StudyCommand, WhatIsTypedWronglyIsSaidInOneSentence)
         test::expectOneSentence(ended, parts);
         EXPECT_FALSE(std::filesystem::exists(out)) << words[0];
     };
-    expectUsage({"hitTolerence"}, {"hitTolerence", "hitTolerance"});
+    expectUsage({"hitTolerence"}, {"hitTolerence", "no such parameter; did you mean hitTolerance?"});
     expectUsage({"morph"}, {"morph", "no value of it is more exact", "hitTolerance"});
     expectUsage({"hitTolerance", "hitTolerance"}, {"hitTolerance", "twice"});
     expectUsage({"hitTolerance", "--values", "1,soup"}, {"--values", "soup", "hitTolerance"});

@@ -110,6 +110,20 @@ TEST(Usage, ABadSettingNamesItsKeyAndWhatItTakes)
     expectUsage("hall.morph=1", {"morph", "hall"});
 }
 
+TEST(Usage, MisspelledWordsGetASuggestion)
+{
+    const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+        {{"--set", "morp=0.5"}, "did you mean morph?"},
+        {{"--animate", "morph=sin:0:1"}, "did you mean sine?"},
+        {{"--channels", "colr"}, "did you mean color?"},
+    };
+    for (const auto& [words, suggestion] : cases) {
+        const Ended ended = refused(words);
+        EXPECT_EQ(ended.code, 2) << words[1];
+        expectOneSentence(ended, {suggestion});
+    }
+}
+
 TEST(Usage, BadNumbersNameTheirOption)
 {
     const std::vector<std::pair<std::vector<std::string>, std::string>> cases{

@@ -3,6 +3,7 @@
 #include "render/failure.h"
 #include "render/files/number_text.h"
 #include "render/text/joined.h"
+#include "render/text/nearest_word.h"
 
 #include <algorithm>
 #include <cmath>
@@ -177,7 +178,9 @@ Motion typedMotion(const ParameterInfo& row, const std::string& option, const st
     const std::vector<std::string> parts = betweenColons(text);
     const auto kind = std::find(motionKinds.begin(), motionKinds.end(), parts.front());
     if (kind == motionKinds.end())
-        throw wrong("unknown kind of motion \"" + parts.front() + "\"; give one of " + joined(motionKinds) + '.');
+        throw wrong("unknown kind of motion \"" + parts.front() + '"' +
+                    didYouMean(parts.front(), {motionKinds.begin(), motionKinds.end()}) + " give one of " +
+                    joined(motionKinds) + '.');
     if (parts.size() < 3)
         throw wrong("give a kind and two values, such as " + parts.front() + ":0.1:0.9, then its options.");
     Motion motion;

@@ -6,6 +6,7 @@
 #include "render/files/atomic_write.h"
 #include "render/files/number_text.h"
 #include "render/plan/diagnostics.h"
+#include "render/text/nearest_word.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,9 +62,9 @@ NamedChannels channelsNamed(const std::string& text)
         else if (name == "evaluations")
             named.channels.evaluations = true;
         else if (name != "color")
-            throw Failure(ErrorKind::usage,
-                          "--channels: \"" + name +
-                              "\" is not a channel; give color, depth, normal or evaluations, separated by commas.");
+            throw Failure(ErrorKind::usage, "--channels: \"" + name + "\" is not a channel" +
+                                                didYouMean(name, {"color", "depth", "normal", "evaluations"}) +
+                                                " give color, depth, normal or evaluations, separated by commas.");
         named.beyondColor = named.beyondColor || name != "color";
     }
     return named;
