@@ -14,7 +14,7 @@ struct JobFolder {
     void (*require)(const std::filesystem::path&);
     /// Writes what the finished run made. Throws Failure (ErrorKind::file).
     void (*write)(const std::filesystem::path&, const jobs::JobRun&);
-    /// Prints what it made, unless `quietly`, and what it did not reach. Returns the exit code.
+    /// Prints the result, unless `quietly`, and limits that were not met. Returns the exit code.
     int (*tell)(const std::filesystem::path&, const jobs::JobRun&, bool quietly);
     /// Returns the measures in the parts of the output. `isPart`: this process makes one part; otherwise it merges.
     std::unique_ptr<StudyParts> (*measures)(Parts&, bool isPart);

@@ -98,7 +98,7 @@ void planGlare(const HallScene& scene, const SceneLighting& lighting, double bri
                          {above, "nothing is brighter than the screen's white"}});
     if (!plan.includeIfEffective(bound, {glareSourcePass, glareSpreadPass})) return;
 
-    // Texels that halve exactly from level to level.
+    // The size is rounded up, so that it can be halved exactly from level to level.
     const int step = GLARE_DIVISOR << (block.levels - 1);
     const glm::ivec2 size = (picture + step - 1) / step * (step / GLARE_DIVISOR);
     plan.image({.name = glareSourceImage, .format = render::Format::rgba16f, .size = size, .levels = block.levels});

@@ -122,7 +122,7 @@ void setFoam(const NoiseTable& t, const ParameterValues& values, NoiseBlock& blo
         const glm::dvec4 w(block.wave[i]);
         const double k = glm::length(glm::dvec2(w));
         const double share = 1 / (1 + k * k * cut);
-        // Waves of deep water.
+        // Change of phase within FOAM_AGE, for waves on deep water.
         const double change = FOAM_AGE * std::sqrt(9.81 * k);
         block.breaking[i] = glm::vec4(glm::dvec4(share, share * std::cos(change), share * std::sin(change), 0));
         variance += 0.5 * std::pow(share * w.z * k, 2);

@@ -242,7 +242,7 @@ std::shared_ptr<const SkyView> lakeDusk(const PaperLanternsTable& t, const Param
 LakeBlock lakeBlock(const PaperLanternsTable& t, const ParameterValues& values, double seconds, const LakePress& press)
 {
     LakeBlock block;
-    // Values of parameters without effect in the reference's light and in the views of parts.
+    // In the reference's light and in views of parts, some parameters have no effect: they keep these initial values.
     const ParameterValues fixed = t.initial();
     block.seed = static_cast<std::uint32_t>(values[t.seed]);
     block.turn = static_cast<float>(values[t.turned]);

@@ -41,7 +41,7 @@ SceneEvaluator everyShape(const ShownScene& shown, const SceneConstants& words, 
     return asked;
 }
 
-/// Returns null while it is being made.
+/// Returns the evaluator that uses lists of nearby shapes, or null while it is being made.
 std::shared_ptr<const SceneEvaluator> byLists(const ShownScene& shown, const SceneConstants& words,
                                               render::AssetStore& assets)
 {

@@ -35,7 +35,7 @@ public:
 /// `unfinishedLock`.
 void removeUnfinished() noexcept;
 
-/// While it is held, `removeUnfinished` waits: protects steps that belong together, such as two renames.
+/// While the returned lock is held, `removeUnfinished` waits. It protects steps that belong together, such as two renames.
 [[nodiscard]] std::unique_lock<std::recursive_mutex> unfinishedLock();
 
 }  // namespace vitrine::render

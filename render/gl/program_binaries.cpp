@@ -85,7 +85,7 @@ bool loadProgramBinary(GLuint program, std::string_view source)
         head.binaryBytes != bytes.size() - sizeof head)
         return false;
     std::error_code ignored;
-    // Marks it as used: the files that were not used for the longest time are deleted first.
+    // The file is marked as used: the files that were not used for the longest time are deleted first.
     fs::last_write_time(file, fs::file_time_type::clock::now(), ignored);
     glProgramBinary(program, head.format, bytes.data() + sizeof head, static_cast<GLsizei>(head.binaryBytes));
     GLint good = GL_FALSE;

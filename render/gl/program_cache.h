@@ -37,7 +37,7 @@ public:
     /// Number of programs that are kept although the last frame did not use them.
     static constexpr std::size_t mostIdle = 24;
 
-    /// Builds on a thread with this context from now on; null: no longer.
+    /// Builds programs of families on a thread with this context from now on. Null stops that thread.
     void buildWith(std::shared_ptr<SharedContext>);
 
     /// Starts a new frame: programs used from now on count as used by it.

@@ -134,7 +134,7 @@ ToRec709::ToRec709(const PictureColor& color, int channels, bool encoded)
     const Profile from = byProfile ? opened(color.profile) : describedProfile(color, gray, encoded);
     if (byProfile) {
         const auto space = from ? cmsGetColorSpace(from.get()) : cmsSigNamedData;
-        // Its inks were converted to red, green and blue when the file was decoded.
+        // CMYK inks were converted to red, green and blue when the file was decoded.
         if (space == cmsSigCmykData) return;
         if (space != (gray ? cmsSigGrayData : cmsSigRgbData)) {
             problem_ = "Its color profile does not fit its pixels and is ignored; they are taken as sRGB.";

@@ -38,7 +38,7 @@ StillHeader bmpHeader(std::string_view bytes)
     constexpr std::uint32_t ofOs2 = 12;
     if (littleEndian(bytes, 14, 4) == ofOs2)
         return {.size = sizeOf(littleEndian(bytes, 18, 2), littleEndian(bytes, 20, 2))};
-    // Negative: stored from the top down.
+    // The height is negative if the rows are stored from the top down.
     const std::int64_t height = static_cast<std::int32_t>(littleEndian(bytes, 22, 4));
     return {.size = sizeOf(static_cast<std::int32_t>(littleEndian(bytes, 18, 4)), std::abs(height))};
 }

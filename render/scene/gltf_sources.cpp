@@ -174,7 +174,7 @@ std::vector<tinygltf::Image> readImages(const JsonDocument& document, const std:
             try {
                 image.image = fileOf(uri, folder, limits);
             } catch (const Failure&) {
-                // The model is drawn without it. The material that uses it reports that it is missing.
+                // The model is drawn without this picture. A material that uses the picture reports that it is missing.
             }
         }
         if ((total += image.image.size()) > limits.bufferBytes)

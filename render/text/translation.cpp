@@ -96,7 +96,7 @@ bool isNeutral(std::string_view text)
     };
     if (quoted("\"", "\"") || quoted("“", "”") || (text.starts_with('/') && text.find(": ") == std::string_view::npos))
         return true;
-    // Numbers with units, lists of numbers or of names. No other words are allowed.
+    // A text is also neutral if it has only numbers with units, or is a list of numbers or of names.
     std::size_t from = 0;
     bool first = true;
     while (from < text.size()) {

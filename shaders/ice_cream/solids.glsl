@@ -126,7 +126,7 @@ float waferAtMost(vec2 profile)
     return most + 1.0e-5;
 }
 
-// Level of the wafer; `most` is that of waferAtMost. Foot, collar and bowl stand on each other: the vertical gap to
+// Value of the field for the wafer; `most` is the upper bound from waferAtMost. Foot, collar and bowl stand on each other: the vertical gap to
 // each bounds its distance.
 float waferLevel(vec3 p, vec2 profile, float most)
 {

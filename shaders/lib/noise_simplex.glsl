@@ -68,7 +68,7 @@ Noise2 simplexNoise(ivec2 cell, vec2 place, ivec2 period, uint seed)
     n.slope = vec2(0.0);
     for (int i = 0; i < 3; ++i) {
         vec2 s = base + (i == 0 ? vec2(0.0) : (i == 1 ? mid : vec2(1.0)));
-        // Offset from the corner of the cell.
+        // Offset of the simplex corner from the corner of the cell.
         vec2 corner = vec2(s.x - 0.5 * (s.y + float(odd)), s.y);
         ivec2 halves = ivec2(2 * cell.x + int(floor(2.0 * corner.x + 0.5)), cell.y + int(s.y));
         uint bits = noiseBits(halves, ivec2(2 * period.x, period.y), seed);

@@ -95,7 +95,7 @@ vec3 behindGrounds(vec3 sky, vec3 d, float angle, float pane)
     float width = max(angle, 1e-4) * 1.5;
     vec3 haze = terrainHaze(d, pane);
     vec3 lit = terrainLight(d, pane);
-    // From far to near, each with less haze than the one behind it.
+    // Hills, roofs and trees are blended from far to near, each with less haze than the one behind it.
     float hills = 0.020 + 0.035 * terrainNoise(p.x * 3.0 + 7.0, 21u) + 0.006 * terrainNoise(p.x * 17.0, 22u);
     vec3 color = mix(sky, mix(vec3(0.10, 0.13, 0.15) * lit, haze, 0.34), terrainBelow(p.y - hills, width));
     vec3 roofs = mix(vec3(0.17, 0.12, 0.10) * lit, haze, 0.16);
@@ -108,7 +108,7 @@ vec3 behindGrounds(vec3 sky, vec3 d, float angle, float pane)
     float leaves = 0.75 + 0.5 * terrainNoise(p.x * 160.0 + 37.0 * floor(p.y * 130.0), 51u);
     vec3 tree = mix(vec3(0.16, 0.19, 0.06), vec3(0.035, 0.055, 0.028), depth) * lit * leaves;
     color = mix(color, mix(tree, haze, 0.025), terrainBelow(near, width + 0.003));
-    // The lawn, with a gravel path along its middle.
+    // Color of the lawn, with a gravel path along its middle.
     vec3 lawn = vec3(0.10, 0.13, 0.045) * lit * (0.85 + 0.3 * terrainNoise(p.x / max(-p.y, 0.01) * 6.0, 61u));
     float path = terrainBelow(abs(p.x) - 1.1 * max(-p.y, 0.0) * 0.35, width);
     lawn = mix(lawn, vec3(0.33, 0.30, 0.25) * lit, path);

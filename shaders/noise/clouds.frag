@@ -53,9 +53,9 @@ float cloudDensity(vec3 p, float weather, bool fine)
     if (fine && parameters.erosion > 0.0) {
         vec3 q = p + work.fineShift;
         float edges = noiseOfClouds(q, CLOUD_FINE_REPEAT).y;
-        // Finer octaves of the same noise, in a period that divides that of the others.
+        // The same noise at a higher frequency is added. Its period divides that of the lower frequency.
         edges = mix(edges, noiseOfClouds(q, CLOUD_FINE_REPEAT / 4.0).y, 0.2);
-        // Wisps at the bottom, lumps at the top.
+        // Inverting the noise makes lumps at the top of a cloud; without it, there are wisps at the bottom.
         float eaten = mix(edges, 1.0 - edges, clamp(h * 4.0, 0.0, 1.0));
         d = clamp((d - parameters.erosion * eaten * (1.0 - 0.5 * d)) / (1.0 - 0.5 * parameters.erosion), 0.0, 1.0);
     }

@@ -163,7 +163,7 @@ SeaHit seaHit(PortalRay ray)
             continue;
         }
 #endif
-        // Between the last two points, by linear interpolation.
+        // The hit lies between the last two points; linear interpolation finds it.
         if (gap < 0.0) return SeaHit(mix(last, t, gapBefore / max(gapBefore - gap, 1e-6)), water.moved);
         if (d.y > 0.0 && p.y > water.top) return SeaHit(-1.0, vec2(0.0));
         if (t > 2e4) break;

@@ -100,7 +100,7 @@ vec3 skyLight(vec3 d, vec2 blur, float pixel)
 #endif
 #endif
 #ifdef MIST
-    // The whole mist above the place.
+    // Optical depth of all mist above the eye, along this direction.
     float depth = parameters.fog * parameters.fogHeight / max(d.y, 1e-4);
     float left = exp(-min(depth, 80.0));
     return mix(mistLight(), sky, left);

@@ -79,7 +79,7 @@ LanternWalk withPoint(LanternWalk before, LanternRay ray, Lantern l, float near)
 #endif
     walk.glow += walk.left * covered * glow;
     walk.left *= 1.0 - covered;
-    // Its base hides the background, and is dark compared with the paper.
+    // The base of the lantern hides the background, and is dark compared with the paper.
     float base = overlap(aside, 1.2 * lake.baseHalfWidth, widths.x);
     base *= overlap(y, lake.baseHalfHeight + lake.baseHalfWidth * abs(ray.direction.y), widths.y);
     walk.glow += walk.left * base * 0.06 * glow;

@@ -121,7 +121,7 @@ Lit litFrame(LanternWalk walk, vec3 n, vec3 d, vec3 outer, vec3 moon, float widt
         vec3 h = safeNormalize(l - d, n);
         mirrored = candle * (wood ? 0.02 : 0.5) * pow(max(dot(n, h), 0.0), 60.0) / squared;
     } else {
-        // Light of the glowing paper next to it.
+        // Irradiance from the glowing paper next to the shaded point.
         float sideways = wood ? max(n.y, 0.0) + 0.3 * max(1.0 - abs(n.y), 0.0) * step(0.0, p.y) : 1.0;
         light = PI * walk.lantern.glow * tubeFactor(r, max(p.y, 0.0)) * sideways;
         vec2 out2 = p.xz / max(r, 1e-4);

@@ -22,7 +22,7 @@ namespace {
 
 constexpr int lookAtFilesEvery = 1000;  // Milliseconds.
 
-/// Returns the cause of problems of drawing B.
+/// Returns the key under which the message strip lists problems of drawing B.
 QString drawingOfB()
 {
     return QStringLiteral("drawing of B");

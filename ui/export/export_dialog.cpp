@@ -97,7 +97,7 @@ void ExportDialog::endPage(const QString& id)
     pages_.erase(id);  // A finished page deletes itself.
     QDialog::reject();
     exportPlaces().setValue(QStringLiteral("export/geometry"), saveGeometry());
-    // While another page exports, all pages stay.
+    // While another page exports, no page is deleted.
     if (std::any_of(pages_.begin(), pages_.end(), [this](const auto& each) { return isExporting(each.first); })) return;
     for (const auto& [name, page] : pages_) page->deleteLater();
     pages_.clear();

@@ -185,7 +185,7 @@ private:
     /// Returns the region in which everything moves, if it is small enough to be drawn alone over a static picture.
     [[nodiscard]] std::optional<PictureRegion> smallRegion();
     void cameraChanged();
-    /// Updates after a glide began, or a cut that replaces it.
+    /// Called after a glide or a cut of the camera began. Records a cut, and orders a new picture.
     void leftFor();
     /// Glides to a standpoint and makes `subject` the visited one. Into and out of the depot the camera cuts.
     void glideTo(std::size_t subject, const CameraControl::Standpoint&);

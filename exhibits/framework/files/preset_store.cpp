@@ -178,7 +178,7 @@ fs::path PresetStore::importFile(const fs::path& path, std::string_view exhibit,
     }
     const bool ofEverything = presetHeader(render::parseJson(text, path.string(), presetLimits)).isExhibition;
     const Preset preset = ofEverything ? presetInExhibition(text, path.string(), exhibit, table)
-                                       // Only to check that it is valid.
+                                       // The file is parsed only to check that it is valid.
                                        : parsePreset(text, path.string(), exhibit, table);
     if (ofEverything) text = presetText(preset);
     const std::string name = preset.name.empty() ? path.stem().string() : preset.name;

@@ -21,7 +21,7 @@ struct Halos {
     glm::ivec2 picture{0};  ///< Size in pixels of the picture from which they were made.
 };
 
-/// Makes them of the image as it was read back.
+/// Creates the halos from the image that was read back from the GPU.
 [[nodiscard]] inline std::shared_ptr<const Halos> halosOf(const render::Image& spread, glm::ivec2 picture)
 {
     auto texture = std::make_shared<render::Texture>();

@@ -223,7 +223,7 @@ private:
         if (std::strcmp(codec->name, "mpeg4") == 0) e.flags |= AV_CODEC_FLAG_QSCALE;
         if ((format_->oformat->flags & AVFMT_GLOBALHEADER) != 0) e.flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
         Dictionary options(recipe.encoding);
-        // Lossless formats would take it as effort, and H.264 as quantizer.
+        // Lossless formats would take the global quality as effort, and H.264 as quantizer.
         if (std::strcmp(codec->name, "mpeg4") != 0) av_dict_set(options.get(), "global_quality", nullptr, 0);
         checked("starting the encoder", avcodec_open2(&e, codec, options.get()));
     }
