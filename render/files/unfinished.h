@@ -35,7 +35,8 @@ public:
 /// `unfinishedLock`.
 void removeUnfinished() noexcept;
 
-/// While the returned lock is held, `removeUnfinished` waits. It protects steps that belong together, such as two renames.
+/// While the returned lock is held, `removeUnfinished` waits. It protects steps that belong together, such as two
+/// renames.
 [[nodiscard]] std::unique_lock<std::recursive_mutex> unfinishedLock();
 
 }  // namespace vitrine::render
