@@ -38,7 +38,7 @@ render::LocalLight spotOf(const Place& place)
     // Frames in the walls face along z: a picture light hangs in front of them and reaches the plaque.
     const bool inWall = std::abs(origin.x) > 5.5;
     if (inWall) return spotAt(world({0, 2.1, 1.5}), world({0, -0.2, 0}), {22, 58});
-    // SecondaryView the light comes out of the vault, from the entrance's side.
+    // The other spotlights hang in the vault, on the entrance's side of their exhibit.
     const glm::dvec3 target(origin.x, 0.4 * std::max(origin.y, 0.0), origin.z);
     return spotAt({0.7 * origin.x, 6.6, origin.z + 1.6}, target, {11, 27});
 }

@@ -204,7 +204,7 @@ glm::dvec2 latticeCorner(const PaperLanternsTable& t, const ParameterValues& val
 glm::ivec2 firstCellAt(const glm::dvec2& drifted, double cell)
 {
     const glm::dvec2 gone = glm::floor(glm::dvec2(drifted.x, -drifted.y) / cell);
-    // Modulo 2^24, since these are numbers and not positions.
+    // Cell numbers only seed random numbers, so they may be taken modulo 2^24.
     return -glm::ivec2(static_cast<int>(std::fmod(gone.x, 16777216.0)),
                        static_cast<int>(std::fmod(gone.y, 16777216.0)));
 }

@@ -46,7 +46,7 @@ private:
     std::vector<MadeFrom> parts_;
 };
 
-/// Returns for example "\"raduis\" is no key of a sphere; did you mean \"radius\"? There are radius, material, ...".
+/// Returns for example "unknown key of a sphere: \"raduis\"; did you mean \"radius\"? Known are radius and material.".
 [[nodiscard]] std::string unknownWord(std::string_view word, const std::string& of,
                                       const std::vector<std::string>& known);
 

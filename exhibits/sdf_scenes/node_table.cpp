@@ -1,4 +1,4 @@
-// Converts the numbers of a node to rows of a table and back into the text.
+// Converts the numbers of a node to parameters of a table and back into the text.
 
 #include "exhibits/framework/table/value_text.h"
 #include "exhibits/sdf_scenes/record_kinds.h"

@@ -82,7 +82,8 @@ private:
 
         [[nodiscard]] const Bounds& extent(std::uint32_t node) const { return extents[node - first]; }
     };
-    /// `nested`: number of enclosing nodes that search for a level of their child.
+    /// Returns the cover of `node`, whose field is needed up to the distance `level` from its surface. `nested`: number
+    /// of enclosing nodes for which a level is being searched.
     [[nodiscard]] Cover coverOf(const SceneConstants&, std::uint32_t node, double level, int nested) const;
     [[nodiscard]] double levelOfChild(const SceneConstants&, std::uint32_t node, double level, int nested) const;
     [[nodiscard]] double levelWithinReach(const SceneConstants&, std::uint32_t node, double level, int nested) const;

@@ -13,11 +13,11 @@ namespace vitrine::scenes {
 /// Returns the nodes in a scene's own file by their paths, with the definitions under "nodes" after the tree.
 [[nodiscard]] Tree treeOf(const Scene&);
 
-/// Row of a node's properties: a field, or one number of it; no field for its material.
+/// Parameter of a node: a field, or one number of a field. `field` is null for the material.
 struct NodeRow {
     const Field* field = nullptr;
     std::size_t component = 0;
-    bool whole = true;  ///< The row is the field's only number, or its direction.
+    bool whole = true;  ///< The parameter is the field's only number, or its direction.
 };
 [[nodiscard]] std::vector<NodeRow> rowsOfNode(const Scene&, std::string_view path);
 
@@ -25,7 +25,7 @@ struct NodeRow {
 /// are those of `Scene::numbersAt`. Returns nothing if there is no node at this path.
 [[nodiscard]] std::optional<TreeRows> nodeRows(const Scene&, const std::vector<double>& numbers, std::string_view path);
 
-/// Returns the scene's text with another value in a row of a node.
+/// Returns the scene's text with another value of a parameter of a node.
 [[nodiscard]] std::string textWithRow(const Scene&, std::string_view path, std::size_t row, const Value&);
 /// Returns the scene's text with the differences between two transforms of a node.
 [[nodiscard]] std::string textWithPlace(const Scene&, std::string_view path, const TreePlace& before,

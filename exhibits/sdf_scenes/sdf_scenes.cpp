@@ -298,7 +298,7 @@ void SdfScenes::planPart(const std::string& name, const ParameterValues& values,
     const auto& prepared = static_cast<const PreparedScene&>(*context.prepared);
     const scenes::SceneEvaluator& asked = portal.side > 0 ? prepared.askedRight : prepared.asked;
     const std::string steps = portal.side > 0 ? name + '/' : "sdf_scenes/";
-    // Shaders see only the rows that all scenes have, so that all scenes share one uniform block.
+    // Shaders see only the parameters that all scenes have, so that all scenes share one uniform block.
     std::vector<std::string> notes;
     const ParameterValues common = underTable(values, {std::shared_ptr<const Parameters>(), &table_}, notes);
     render::Pass pass = portalPass(name, "in view", common, "sdf_scenes/scene.frag", portal, context);

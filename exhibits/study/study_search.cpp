@@ -69,7 +69,7 @@ bool StudySearch::hasRoom() const
 
 void StudySearch::addEachAlone()
 {
-    // Each parameter alone: what it gives and what it costs.
+    // Each parameter is varied alone, to measure its effect and its cost.
     Setting present;
     for (const StudyAxis& axis : request_.axes)
         present.push_back(
@@ -89,7 +89,7 @@ void StudySearch::addEachAlone()
 
 void StudySearch::addAroundFront()
 {
-    // Around the front, as long as it moves and there is room.
+    // Neighbors of the front are added, as long as the front changes and settings are left.
     for (const std::size_t f : searchedFront()) {
         for (std::size_t a = 0; a < request_.axes.size(); ++a) {
             for (const int direction : {-1, 1}) {

@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::string_view prefix = "guest_";
 
-/// Words that GLSL 4.50 reserves, by the version that began to. A text of an older version may use them as names. 1000:
-/// words that no version uses, which are names everywhere.
+/// Words that GLSL 4.50 reserves, with the version that reserved them first. A text of an older version may use them as
+/// names. 1000: words that no version uses, which are names everywhere.
 const std::map<std::string_view, int>& reservedSince()
 {
     static const std::map<std::string_view, int> words = [] {

@@ -214,7 +214,7 @@ std::uint64_t WorkPlan::identity(double rate) const
         for (const LoadedPicture& picture : *pictures) hash.addValue(picture.id);
     const bool goesOn = !plan_.allSlices && shot_.values[shot_.table.afterChange] == ShaderChange::goesOn;
     if (!work_.isKept || goesOn) return hash.value();
-    // Events depend on the step, so that the rows count.
+    // Each input counts by the value of its parameter. The value of an event in the shader differs from step to step.
     for (const std::vector<std::size_t>& rows : shot_.table.ofInputs)
         for (const std::size_t row : rows) {
             if (const auto* number = std::get_if<double>(&shot_.values.row(row))) hash.addValue(*number);

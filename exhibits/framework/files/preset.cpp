@@ -333,7 +333,7 @@ std::string renamedPreset(const JsonDocument& document, std::string_view name)
     const PresetHeader header = presetHeader(document);
     Json root = document.root();
     if (!root.contains("name")) {
-        // Beside the exhibit's name, where presets have it.
+        // The name is inserted before the values, where other presets have it.
         Json ordered = Json::object();
         for (const auto& [key, value] : root.items()) {
             if (key == "values") ordered["name"] = name;

@@ -83,7 +83,7 @@ std::string taggedPreset(const JsonDocument& document, const PresetTags& tags)
     (void)presetHeader(document);
     Json written = Json::array();
     for (const std::string& tag : tags) written.push_back(tag);
-    // After the name, as in other presets.
+    // The tags are inserted after the name, as in other presets.
     Json root = Json::object();
     for (const auto& [key, value] : document.root().items()) {
         if (key == "tags") continue;

@@ -57,7 +57,7 @@ public:
     [[nodiscard]] std::unique_ptr<JobRun> start(JobOrder) const override;
     [[nodiscard]] std::vector<std::pair<const char*, const char*>> idleOptions(const ParameterValues&,
                                                                                const JobScene&) const override;
-    /// Measurements, each of which has a picture.
+    /// Returns the pattern of the files with a part's measurements.
     [[nodiscard]] std::string partItems(const std::filesystem::path&) const override { return "%s.picture"; }
 };
 
