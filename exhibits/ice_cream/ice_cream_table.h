@@ -77,7 +77,8 @@ struct IceCreamRows : virtual Parameters {
                "Part of the ice cream to show: one alone, or all.");
     Choice<IceCreamColors> colorBy = choice("colorBy", IceCreamColors::material, {"material", "part"},
                                             "Meaning of the colors: the materials, or one color per part.");
-    Toggle animate = toggle("animate", false, "Whether the candies spin, those in the air float, and the whole turns.");
+    Toggle animate =
+        toggle("animate", false, "Whether the candies spin, those in the air float, and the whole ice cream turns.");
     Real orbitSpeed =
         real("orbitSpeed", 0.1 / (2 * std::numbers::pi), hertz, Range{-10, 10}.soft(-0.2, 0.2),
              "Speed at which the ice cream turns, in turns per second: negative turns the other way.", when(animate));

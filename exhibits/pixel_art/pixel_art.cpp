@@ -37,7 +37,7 @@ double stepTime(const PixelArtTable& t, const ParameterValues& values, double ti
     return std::isfinite(step) ? step : 0;
 }
 
-/// Returns the time within the round, which repeats.
+/// Returns the time within the loop of the animation.
 double withinRound(double step)
 {
     const double rest = std::fmod(step, worldRound);

@@ -38,7 +38,7 @@ struct PixelArtTable final : Parameters {
     Toggle animate =
         toggle("animate", false, "Whether time runs: the torus tumbles, cubes bob, water moves; a round takes 4 s.");
     Real moment = real("moment", 0.55, second, Range{0, 4},
-                       "Time within the round that is shown, or at which the animation starts.");
+                       "Time within the loop that is shown, or at which the animation starts.");
     Real frameRate = real("frameRate", 12, none, Range{1, 60}.soft(4, 30),
                           "Frames per second of the animation: few look drawn by hand, many run smoothly.",
                           when(animate) or whenNot(moment, 0));
