@@ -49,8 +49,8 @@ public:
     [[nodiscard]] const std::shared_ptr<const render::Texture>& picture() const { return picture_; }
     [[nodiscard]] double scale(std::size_t row) const { return scales_[row]; }
     [[nodiscard]] std::size_t sourceCount() const { return scales_.size() - 6; }
-    /// Returns on the hall's lightmap the square root, over `surfaceScale`, of a surface's bounced light relative to
-    /// the air's.
+    /// Returns a texture in the coordinates of the hall's lightmap: the square root, over `surfaceScale`, of a
+    /// surface's bounced light relative to the air's.
     [[nodiscard]] const std::shared_ptr<const render::Texture>& surfaces() const { return surfaces_; }
     [[nodiscard]] double surfaceScale() const { return surfaceScale_; }
 

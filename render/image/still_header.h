@@ -16,7 +16,7 @@ struct StillHeader {
 /// Reads the file header and the information header, of OS/2 or Windows.
 [[nodiscard]] StillHeader bmpHeader(std::string_view bytes);
 
-/// Walks through the blocks of the file (GIF89a) without reading the picture data.
+/// Returns the header data of a GIF file (GIF89a), read from its blocks without decoding pictures.
 [[nodiscard]] StillHeader gifHeader(std::string_view bytes);
 
 }  // namespace vitrine::render
