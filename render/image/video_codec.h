@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/image/sound.h"
 #include "render/image/stored_picture.h"
 
 #include <cstddef>
@@ -57,6 +58,8 @@ public:
     /// Decodes the bytes of a BMP, or of a GIF with one picture, to 8-bit codes: gray, RGB or RGBA, row 0 at the top.
     /// The caller must have checked the size in the header. Returns as `readComment`.
     [[nodiscard]] virtual std::string readStill(std::string_view bytes, bool isGif, StoredPicture& out) noexcept = 0;
+    /// Decodes a WAV or FLAC file. Returns as `readComment`.
+    [[nodiscard]] virtual std::string readSound(const std::string& path, Sound& out) noexcept = 0;
     /// Version of the loaded libavcodec: "59.37.100".
     [[nodiscard]] virtual const char* libraryVersion() const noexcept = 0;
 };
@@ -67,5 +70,5 @@ public:
 }  // namespace vitrine::render
 
 /// The module's only exported symbol. Returns null unless `version` is `vitrineVideoVersion`.
-inline constexpr int vitrineVideoVersion = 3;
+inline constexpr int vitrineVideoVersion = 4;
 extern "C" vitrine::render::VideoCodec* vitrineVideo(int version);

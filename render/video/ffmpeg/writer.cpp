@@ -1,6 +1,7 @@
 #include "render/image/video_codec.h"
 #include "render/video/ffmpeg/output.h"
 #include "render/video/ffmpeg/owned.h"
+#include "render/video/ffmpeg/sound.h"
 #include "render/video/ffmpeg/still.h"
 
 extern "C" {
@@ -316,6 +317,10 @@ public:
     std::string readStill(std::string_view bytes, bool isGif, StoredPicture& out) noexcept override
     {
         return Writer::guarded([&] { out = stillPicture(bytes, isGif); });
+    }
+    std::string readSound(const std::string& path, Sound& out) noexcept override
+    {
+        return Writer::guarded([&] { out = soundOf(path); });
     }
     [[nodiscard]] const char* libraryVersion() const noexcept override { return version_.c_str(); }
 
