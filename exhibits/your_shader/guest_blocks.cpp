@@ -66,18 +66,27 @@ glm::dvec4 valueOf(const Input& input, const std::vector<std::size_t>& rows, con
     }
 }
 
+/// Returns Shadertoy's iMouse, in pixels: the position, and where the button was pressed last. The third number is
+/// negative while the button is up; all are 0 before it was pressed.
+glm::dvec4 pressed(const Mouse& mouse, const glm::dvec2& size)
+{
+    if (!mouse.isDown && !mouse.pressedAt) return glm::dvec4(0);
+    const glm::dvec2 at = mouse.pressedAt.value_or(mouse.position) * size;
+    return {mouse.position * size, mouse.isDown ? at.x : -at.x, -at.y};
+}
+
 /// Variables of all dialects, by name.
 class FrameValues {
 public:
-    FrameValues(std::size_t pass, glm::ivec2 size, const StepTime& time, const Mouse& mouse)
+    FrameValues(const DrawnPass& drawn, const StepTime& time, const Mouse& mouse)
     {
         const double t = time.seconds, day = 86400;
-        const glm::dvec2 whole(size), at = mouse.position * whole;
+        const glm::dvec2 whole(drawn.size), at = mouse.position * whole;
         const double seconds = t + day / 2, days = std::floor(seconds / day), ofDay = seconds - days * day;
         const glm::dvec4 date(2026, 1, 1 + days, ofDay), dateFrom0(2026, 0, 1 + days, ofDay);
-        const glm::dvec4 held = mouse.isDown ? glm::dvec4(at, at.x, -at.y) : glm::dvec4(0);
         const glm::dvec4 resolution(whole, 1, 0), frame(static_cast<double>(time.frame));
-        values_ = {{"PASSINDEX", glm::dvec4(static_cast<double>(pass))},
+        values_ = {{"PASSINDEX", glm::dvec4(static_cast<double>(drawn.pass))},
+                   {cubeFaceName, glm::dvec4(drawn.face)},
                    {"RENDERSIZE", resolution},
                    {"TIME", glm::dvec4(t)},
                    {"TIMEDELTA", glm::dvec4(time.delta)},
@@ -88,7 +97,7 @@ public:
                    {"iTimeDelta", glm::dvec4(time.delta)},
                    {"iFrameRate", glm::dvec4(time.rate)},
                    {"iFrame", frame},
-                   {"iMouse", held},
+                   {"iMouse", pressed(mouse, whole)},
                    {"iDate", dateFrom0},
                    {"iSampleRate", glm::dvec4(44100)},
                    {"iChannelTime", glm::dvec4(t)},
@@ -135,10 +144,10 @@ render::Bytes inputBytes(const Work& work, const YourShaderTable& table, const P
     return writer.take();
 }
 
-render::Bytes frameBytes(const Work& work, std::size_t pass, glm::ivec2 size, const StepTime& time, const Mouse& mouse,
+render::Bytes frameBytes(const Work& work, const DrawnPass& drawn, const StepTime& time, const Mouse& mouse,
                          const PictureSize& sizeOf)
 {
-    const FrameValues values(pass, size, time, mouse);
+    const FrameValues values(drawn, time, mouse);
     render::Std140Writer writer;
     for (const BuiltIn& builtIn : work.shader->builtIns) {
         if (builtIn.count == 0) {

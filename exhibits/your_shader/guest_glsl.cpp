@@ -298,6 +298,21 @@ bool uses(const Code& code, std::string_view word)
                        [&](const CodePiece& piece) { return Tokens(piece.text).contains(word); });
 }
 
+/// Main function of a pass that draws a face of a cube map. Directions are those with which it is read.
+constexpr const char* cubeMain = R"(void main()
+{
+    vec2 p = 2.0 * gl_FragCoord.xy / iResolution.xy - 1.0;
+    vec3 way = guest_cube_face == 0   ? vec3(1.0, -p.y, -p.x)
+               : guest_cube_face == 1 ? vec3(-1.0, -p.y, p.x)
+               : guest_cube_face == 2 ? vec3(p.x, 1.0, p.y)
+               : guest_cube_face == 3 ? vec3(p.x, -1.0, -p.y)
+               : guest_cube_face == 4 ? vec3(p.x, -p.y, 1.0)
+                                      : vec3(-p.x, -p.y, -1.0);
+    guest_FragColor = vec4(0.0);
+    mainCubemap(guest_FragColor, gl_FragCoord.xy, vec3(0.0), normalize(way));
+}
+)";
+
 std::string fragmentText(const Shader& shader, const Pass& pass, const std::string& blocks)
 {
     std::string text = "#version 450\n" + lineDirective(1, PassText::ownSource) + blocks;
@@ -312,10 +327,7 @@ std::string fragmentText(const Shader& shader, const Pass& pass, const std::stri
     text += visitorsCode(shader, pass.code, false);
     if (shader.form != Form::shadertoy) return text;
     text += lineDirective(1, PassText::ownSource);
-    if (uses(pass.code, "mainCubemap"))
-        return text +
-               "void main() { guest_FragColor = vec4(0.0); mainCubemap(guest_FragColor, gl_FragCoord.xy, vec3(0.0), "
-               "vec3(0.0, 0.0, 1.0)); }\n";
+    if (pass.isCube) return text + cubeMain;
     return text + "void main() { guest_FragColor = vec4(0.0); mainImage(guest_FragColor, gl_FragCoord.xy); }\n";
 }
 

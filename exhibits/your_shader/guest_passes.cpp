@@ -1,11 +1,15 @@
 #include "exhibits/your_shader/guest_passes.h"
 
 #include "exhibits/kit/exhibit_pass.h"
+#include "exhibits/your_shader/guest_built_in.h"
+#include "exhibits/your_shader/guest_keys.h"
+#include "exhibits/your_shader/guest_sound.h"
 #include "exhibits/your_shader/size_expression.h"
 #include "render/hash.h"
 #include "shaders/lib/bindings.glsl"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -45,6 +49,7 @@ public:
     std::optional<WorkPicture> run()
     {
         if (!findSizes()) return std::nullopt;
+        readPressedKeys();
         const double rate = shot_.values[shot_.table.rate];
         const double steps = std::floor(shot_.time * rate + 1e-6);
         if (!work_.isKept) {
@@ -67,6 +72,7 @@ public:
 
 private:
     bool findSizes();
+    void readPressedKeys();
     void declareImages();
     [[nodiscard]] std::string imageOf(std::size_t target, std::int64_t step) const;
     [[nodiscard]] glm::ivec2 sizeOf(std::string_view picture) const;
@@ -82,7 +88,11 @@ private:
     void planStep(const std::string& namePrefix, const std::string& reason, std::int64_t step, const StepTime&,
                   bool hasKey);
     void markStep(std::int64_t step, std::uint64_t identity, bool isOnly);
-    [[nodiscard]] std::vector<render::SampledTexture> inputsOf(const WorkPass&, std::int64_t step) const;
+    [[nodiscard]] std::vector<render::SampledTexture> inputsOf(const WorkPass&, std::int64_t step,
+                                                               const StepTime&) const;
+    [[nodiscard]] std::shared_ptr<const render::Texture> textureOf(const PassPicture&, const StepTime&) const;
+    [[nodiscard]] glm::ivec2 sizeOf(const PassPicture&) const;
+    [[nodiscard]] render::Pass passOf(std::size_t i, std::int64_t step, const StepTime&, int face) const;
     [[nodiscard]] WorkPicture picture(std::int64_t step) const;
 
     /// States that say which step the images hold, for even and odd steps.
@@ -104,6 +114,7 @@ private:
     const render::PersistentState& kept_;
     render::FramePlan& plan_;
     std::vector<glm::ivec2> sizes_;  ///< Sizes of the targets.
+    std::vector<KeyPress> keys_;
 };
 
 std::optional<double> WorkPlan::inputNumber(std::string_view name) const
@@ -136,12 +147,21 @@ bool WorkPlan::findSizes()
             size[axis] = std::min(made.pixels, Limits::side);
         }
         sizes_.push_back(size);
-        bytes += std::int64_t{size.x} * size.y * (target.isFloat ? 16 : 4) * (target.isKept ? 2 : 1);
+        const int texelBytes = target.isCube ? 6 * 8 : target.isFloat ? 16 : 4;
+        bytes += std::int64_t{size.x} * size.y * texelBytes * (target.isKept ? 2 : 1);
     }
     if (bytes <= mostBufferBytes) return true;
     plan_.warn("your_shader/buffers", "The buffers of the shader need " + std::to_string(bytes >> 20) +
                                           " MB, more than 1024 MB; draw a smaller picture.");
     return false;
+}
+
+void WorkPlan::readPressedKeys()
+{
+    if (!work_.readsKeys) return;
+    KeyPresses read = readKeys(shot_.values[shot_.table.keys]);
+    if (!read.problem.empty()) plan_.warn("your_shader/keys", read.problem.english());
+    keys_ = std::move(read.presses);
 }
 
 std::string WorkPlan::imageOf(std::size_t target, std::int64_t step) const
@@ -156,17 +176,23 @@ void WorkPlan::declareImages()
     for (std::size_t i = 0; i < work_.targets.size(); ++i) {
         const Target& target = work_.targets[i];
         // The picture in the hall is seen from afar, and read there only.
-        const bool hasLevels = shot_.inHall && i == shown && !target.isRead;
+        const bool hasLevels = target.hasLevels || (shot_.inHall && i == shown && !target.isRead);
         const auto side = static_cast<unsigned>(std::max(sizes_[i].x, sizes_[i].y));
         for (const std::int64_t step : {0, 1})
             plan_.image({.name = imageOf(i, step),
-                         .format = target.isFloat ? render::Format::rgba32f : render::Format::rgba8,
+                         .format = target.isCube    ? render::Format::rgba16f
+                                   : target.isFloat ? render::Format::rgba32f
+                                                    : render::Format::rgba8,
+                         .type = target.isCube ? render::TextureType::cube : render::TextureType::flat,
                          .size = sizes_[i],
                          .levels = hasLevels ? static_cast<int>(std::bit_width(side)) : 1,
                          .persistent = true,
                          .repeat = target.repeats,
                          .nearest = target.isNearest});
     }
+    for (const WorkPass& pass : work_.passes)
+        for (const PassPicture& picture : pass.pictures)
+            if (isBuiltIn(picture.from)) planBuiltIn(picture.from, plan_);
 }
 
 glm::ivec2 WorkPlan::sizeOf(std::string_view name) const
@@ -174,24 +200,25 @@ glm::ivec2 WorkPlan::sizeOf(std::string_view name) const
     for (std::size_t i = 0; i < work_.targets.size(); ++i)
         if (work_.targets[i].name == name) return sizes_[i];
     for (std::size_t i = 0; i < work_.shader->inputs.size(); ++i)
-        if (const auto& texture = shot_.ofInputs[i].texture; texture && work_.shader->inputs[i].name == name)
-            return {texture->width, texture->height};
+        if (work_.shader->inputs[i].name == name) return sizeOf({.from = PassPicture::From::input, .index = i});
     return glm::ivec2(1);
+}
+
+glm::ivec2 WorkPlan::sizeOf(const PassPicture& picture) const
+{
+    if (picture.isTarget()) return sizes_[picture.index];
+    if (isBuiltIn(picture.from)) return sizeOfBuiltIn(picture.from);
+    const auto texture = textureOf(picture, {});
+    return {texture->width, texture->height};
 }
 
 glm::ivec2 WorkPlan::sizeIn(std::size_t pass, std::string_view name) const
 {
-    using From = PassPicture::From;
     int unit = 0;
     for (const PictureUse& use : picturesOf(*work_.shader, work_.shader->passes[pass])) {
         if (use.name == name && use.source == PictureUse::Source::channel)
             for (const PassPicture& picture : work_.passes[pass].pictures) {
-                if (picture.unit != unit) continue;
-                if (picture.from == From::thisStep || picture.from == From::stepBefore) return sizes_[picture.index];
-                if (picture.from == From::nothing) break;
-                const auto& texture =
-                    (picture.from == From::input ? shot_.ofInputs : shot_.files)[picture.index].texture;
-                if (texture) return {texture->width, texture->height};
+                if (picture.unit == unit) return sizeOf(picture);
             }
         ++unit;
     }
@@ -220,7 +247,9 @@ std::uint64_t WorkPlan::identity(double rate) const
             if (const auto* number = std::get_if<double>(&shot_.values.row(row))) hash.addValue(*number);
             if (const auto* color = std::get_if<glm::dvec3>(&shot_.values.row(row))) hash.addValue(*color);
         }
-    for (const Real row : {shot_.table.mouseX, shot_.table.mouseY}) hash.addValue(shot_.values[row]);
+    for (const Real row : {shot_.table.mouseX, shot_.table.mouseY, shot_.table.pressX, shot_.table.pressY})
+        hash.addValue(shot_.values[row]);
+    hash.add(shot_.values[shot_.table.keys]);
     return hash.addValue(shot_.values[shot_.table.mouseDown]).value();
 }
 
@@ -272,61 +301,97 @@ void WorkPlan::clearBefore0()
         pass.phase = render::PassPhase::simulate;
         pass.shader = meshDepth().shader;
         pass.colors = {render::Attachment::cleared(imageOf(i, 1))};
+        if (plan_.images().at(imageOf(i, 1)).levels > 1) pass.mipmaps = {imageOf(i, 1)};
         plan_.add(std::move(pass));
     }
 }
 
-std::vector<render::SampledTexture> WorkPlan::inputsOf(const WorkPass& pass, std::int64_t step) const
+/// Returns the texture of a picture that no pass draws.
+std::shared_ptr<const render::Texture> WorkPlan::textureOf(const PassPicture& picture, const StepTime& time) const
 {
+    using From = PassPicture::From;
+    switch (picture.from) {
+    case From::keyboard: return keyboardPicture(keys_, time);
+    case From::file: return shot_.files[picture.index].texture ? shot_.files[picture.index].texture : blackTexture();
+    case From::input:
+    case From::waveform:
+    case From::spectrum: break;
+    default: return blackTexture();
+    }
+    const LoadedPicture& loaded = shot_.ofInputs[picture.index];
+    const Input& input = work_.shader->inputs[picture.index];
+    const int columns = input.high.empty() ? soundColumns : static_cast<int>(std::clamp(input.high[0], 1.0, 4096.0));
+    if (input.type == InputType::audio) return waveformPicture(loaded.sound.get(), columns, time.seconds);
+    if (input.type == InputType::spectrum) return spectrumPicture(loaded.sound.get(), columns, time.seconds);
+    return loaded.texture ? loaded.texture : blackTexture();
+}
+
+std::vector<render::SampledTexture> WorkPlan::inputsOf(const WorkPass& pass, std::int64_t step,
+                                                       const StepTime& time) const
+{
+    using From = PassPicture::From;
     std::vector<render::SampledTexture> inputs;
     for (const PassPicture& picture : pass.pictures) {
-        using From = PassPicture::From;
-        std::shared_ptr<const render::Texture> texture = blackTexture();
-        if (picture.from == From::input && shot_.ofInputs[picture.index].texture)
-            texture = shot_.ofInputs[picture.index].texture;
-        if (picture.from == From::file && shot_.files[picture.index].texture)
-            texture = shot_.files[picture.index].texture;
-        if (picture.from == From::thisStep)
-            inputs.push_back({picture.unit, imageOf(picture.index, step)});
-        else if (picture.from == From::stepBefore)
-            inputs.push_back({picture.unit, imageOf(picture.index, step + 1)});
+        if (picture.isTarget())
+            inputs.push_back({picture.unit, imageOf(picture.index, picture.from == From::thisStep ? step : step + 1)});
+        else if (isBuiltIn(picture.from))
+            inputs.push_back({picture.unit, planBuiltIn(picture.from, plan_)});
         else
-            inputs.push_back({picture.unit, texture});
+            inputs.push_back({picture.unit, textureOf(picture, time)});
     }
     return inputs;
+}
+
+/// Returns a pass of a step, or that of one face of a cube map.
+render::Pass WorkPlan::passOf(std::size_t i, std::int64_t step, const StepTime& time, int face) const
+{
+    static constexpr std::array<const char*, 6> faces{"+x", "-x", "+y", "-y", "+z", "-z"};
+    const ParameterValues& values = shot_.values;
+    const YourShaderTable& table = shot_.table;
+    Mouse mouse{{values[table.mouseX], values[table.mouseY]}, values[table.mouseDown], {}};
+    if (values[table.pressX] >= 0 && values[table.pressY] >= 0)
+        mouse.pressedAt = glm::dvec2(values[table.pressX], values[table.pressY]);
+    const WorkPass& of = work_.passes[i];
+    const bool isCube = work_.targets[of.target].isCube;
+    const std::string target = imageOf(of.target, step);
+    render::Pass pass;
+    pass.name = std::to_string(i + 1) + ' ' + work_.shader->passes[i].name;
+    if (isCube) (pass.name += ' ') += faces[static_cast<std::size_t>(face)];
+    pass.phase = render::PassPhase::simulate;
+    pass.shader = {.vertex = generatedVertex,
+                   .fragment = generatedFragment,
+                   .defines = {"GUEST_ROUNDS " + std::to_string(values[table.loopRounds]) + 'u'},
+                   .sources = of.sources};
+    pass.blocks[BLOCK_EXHIBIT] = frameBytes(work_, {i, sizes_[of.target], face}, time, mouse,
+                                            [&](std::string_view name) { return sizeIn(i, name); });
+    pass.inputs = inputsOf(of, step, time);
+    pass.colors = {isCube ? render::Attachment::clearedSlice(target, face) : render::Attachment::cleared(target)};
+    pass.draws = {render::Draw{}};
+    if (plan_.images().at(target).levels > 1 && (!isCube || face == 5)) pass.mipmaps = {target};
+    return pass;
 }
 
 /// Adds the passes of one step. With a key, they are left out while nothing that they depend on changes.
 void WorkPlan::planStep(const std::string& namePrefix, const std::string& reason, std::int64_t step,
                         const StepTime& time, bool hasKey)
 {
-    const ParameterValues& values = shot_.values;
-    const Mouse mouse{{values[shot_.table.mouseX], values[shot_.table.mouseY]}, values[shot_.table.mouseDown]};
     const render::Bytes inputs = bytesOfInputs(time);
-    const std::string rounds = "GUEST_ROUNDS " + std::to_string(values[shot_.table.loopRounds]) + 'u';
     std::vector<render::Pass> passes;
     render::Hash key;
     key.addValue(identity(time.rate)).addValue(step);
+    if (work_.readsKeys) key.add(shot_.values[shot_.table.keys]);
     for (std::size_t i = 0; i < work_.passes.size(); ++i) {
-        const WorkPass& of = work_.passes[i];
+        const Target& target = work_.targets[work_.passes[i].target];
         // Only the last step shows a picture.
-        if (!hasKey && !work_.targets[of.target].isKept && !work_.targets[of.target].isRead) continue;
-        render::Pass pass;
-        pass.name = namePrefix + std::to_string(i + 1) + ' ' + work_.shader->passes[i].name;
-        pass.reason = reason;
-        pass.phase = render::PassPhase::simulate;
-        pass.shader = {
-            .vertex = generatedVertex, .fragment = generatedFragment, .defines = {rounds}, .sources = of.sources};
-        pass.blocks[BLOCK_PARAMETERS] = inputs;
-        pass.blocks[BLOCK_EXHIBIT] = frameBytes(work_, i, sizes_[of.target], time, mouse,
-                                                [&](std::string_view name) { return sizeIn(i, name); });
-        pass.inputs = inputsOf(of, step);
-        pass.colors = {render::Attachment::cleared(imageOf(of.target, step))};
-        pass.draws = {render::Draw{}};
-        if (i + 1 == work_.passes.size() && plan_.images().at(pass.colors[0].image).levels > 1)
-            pass.mipmaps = {pass.colors[0].image};
-        key.add(viewOf(pass.blocks[BLOCK_EXHIBIT]));
-        passes.push_back(std::move(pass));
+        if (!hasKey && !target.isKept && !target.isRead) continue;
+        for (int face = 0; face < (target.isCube ? 6 : 1); ++face) {
+            render::Pass pass = passOf(i, step, time, face);
+            pass.name.insert(0, namePrefix);
+            pass.reason = reason;
+            pass.blocks[BLOCK_PARAMETERS] = inputs;
+            key.add(viewOf(pass.blocks[BLOCK_EXHIBIT]));
+            passes.push_back(std::move(pass));
+        }
     }
     key.add(viewOf(inputs));
     for (render::Pass& pass : passes) {

@@ -3,6 +3,7 @@
 #include "exhibits/your_shader/guest_blocks.h"
 #include "exhibits/your_shader/guest_work.h"
 #include "exhibits/your_shader/your_shader_table.h"
+#include "render/image/sound.h"
 #include "render/image/texture.h"
 #include "render/plan/frame_plan.h"
 
@@ -16,10 +17,11 @@
 
 namespace vitrine::guest {
 
-/// Texture from a file, with its state.
+/// Picture or sound from a file, with its state.
 struct LoadedPicture {
     std::shared_ptr<const render::Texture> texture;
     std::uint64_t id = 0;
+    std::shared_ptr<const render::Sound> sound = {};
 };
 
 /// Everything needed to plan the picture of a work.

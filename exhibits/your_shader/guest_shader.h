@@ -23,7 +23,8 @@ struct Limits {
     static constexpr std::size_t expressionBytes = 256;
     static constexpr std::size_t choices = 256;
     static constexpr std::size_t macroTokens = 100'000;
-    static constexpr int side = 8192;  ///< Width and height of a buffer, in pixels.
+    static constexpr int side = 8192;      ///< Width and height of a buffer, in pixels.
+    static constexpr int cubeSide = 1024;  ///< Width and height of the faces of Cube A, in pixels, as on Shadertoy.
     static constexpr std::size_t findings = 20;
 };
 
@@ -68,7 +69,8 @@ struct Input {
     InputType type = InputType::real;
     std::string glslType;  ///< "float", "vec4", "sampler2D".
     std::string label;
-    /// Limits and initial value, one number for each component; empty for pictures and buttons.
+    /// Limits and initial value, one number for each component; empty for pictures and buttons. The upper limit of a
+    /// sound is its number of columns.
     std::vector<double> low, high, initial;
     std::optional<double> exact;       ///< Value that counts as exact, of an accuracy setting.
     std::vector<InputChoice> choices;  ///< Choices of an input of type `choice`, in the order shown.
@@ -82,6 +84,9 @@ struct BuiltIn {
     std::string glslType;
     std::size_t count = 0;  ///< Length of an array; 0: no array.
 };
+
+/// Variable with the number of the face that a pass of a cube map draws, as `DrawnPass::face`.
+inline constexpr const char* cubeFaceName = "guest_cube_face";
 
 /// Code that stands in one file without a gap.
 struct CodePiece {
@@ -112,6 +117,7 @@ struct Pass {
     std::string target;  ///< Buffer that it draws into; empty: the picture.
     bool isPersistent = false;
     bool isFloat = false;
+    bool isCube = false;        ///< Shadertoy's Cube A: `mainCubemap` draws the six faces of a cube map.
     std::string width, height;  ///< Size expressions (`passSize`); empty: the size of the picture.
     Code code;
     std::vector<std::string> defines;

@@ -56,6 +56,11 @@ bool isTime(std::string_view name)
     return std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
 
+bool isMouse(std::string_view name)
+{
+    return name == "iMouse" || name == "u_mouse" || name == "mouse";
+}
+
 /// Makes a work of a shader and its programs.
 class Maker {
 public:
@@ -100,6 +105,7 @@ private:
         work_.targets.push_back({.name = name,
                                  .isFloat = pass.isFloat,
                                  .isPersistent = pass.isPersistent,
+                                 .isCube = pass.isCube,
                                  .width = pass.width,
                                  .height = pass.height});
         return known;
@@ -125,8 +131,11 @@ private:
             if (words.uses(use.name)) made.pictures.push_back(pictureOf(use, i, unit));
             ++unit;
         }
-        for (const BuiltIn& builtIn : shader_.builtIns)
-            work_.readsTime = work_.readsTime || (isTime(builtIn.name) && words.uses(builtIn.name));
+        for (const BuiltIn& builtIn : shader_.builtIns) {
+            if (!words.uses(builtIn.name)) continue;
+            work_.readsTime = work_.readsTime || isTime(builtIn.name);
+            work_.readsMouse = work_.readsMouse || isMouse(builtIn.name);
+        }
         for (const Input& input : shader_.inputs)
             work_.readsTime = work_.readsTime || (input.type == InputType::event && words.uses(input.name));
         return made;
@@ -134,14 +143,6 @@ private:
 
     PassPicture pictureOf(const PictureUse& use, std::size_t pass, int unit)
     {
-        using From = PassPicture::From;
-        if (use.glslType != "sampler2D") {
-            const Code& code = shader_.passes[pass].code;
-            error_ = {.file = shader_.files[code.empty() ? 0 : code.back().file].name,
-                      .sentence = message("“{1}” is a {2}; cube maps and volumes are not drawn yet, use a picture.",
-                                          use.name, use.glslType)};
-            return {};
-        }
         switch (use.source) {
         case PictureUse::Source::target: return readTarget(use.name, pass, unit);
         case PictureUse::Source::import: return readFile(shader_.imports[use.index].path, unit);
@@ -150,19 +151,37 @@ private:
         }
         const Input& input = shader_.inputs[use.index];
         if (input.source == "buffer") return readTarget(input.name, pass, unit);
-        return {unit, input.type == InputType::image ? From::input : From::nothing, use.index};
+        if (input.glslType != "sampler2D") return {unit, builtIn(input.glslType, input.name), 0};
+        if (input.type == InputType::image) return {unit, PassPicture::From::input, use.index};
+        work_.readsTime = true;
+        const bool isWaveform = input.type == InputType::audio;
+        return {unit, isWaveform ? PassPicture::From::waveform : PassPicture::From::spectrum, use.index};
+    }
+    /// Returns the built-in cube map or volume. Shadertoy's volume of gray noise is known by the name of its file.
+    static PassPicture::From builtIn(const std::string& glslType, const std::string& name)
+    {
+        if (glslType == "samplerCube") return PassPicture::From::environment;
+        const bool isGray = name.find("gray") != std::string::npos || name.find("grey") != std::string::npos ||
+                            name.find("27012b4eadd0c3ce12498b867058e4f7") != std::string::npos;
+        return isGray ? PassPicture::From::grayNoise : PassPicture::From::colorNoise;
     }
     PassPicture readChannel(const Channel& channel, std::size_t pass, int unit)
     {
-        if (channel.kind == "buffer") {
-            const std::string name = channel.source == "self" ? nameOfTarget(pass) : channel.source;
-            const std::size_t target = indexOf(name);
-            if (target < work_.targets.size()) {
-                work_.targets[target].isNearest |= channel.filter == "nearest";
-                work_.targets[target].repeats |= channel.wrap == "repeat" || channel.wrap == "Repeat";
-            }
+        const std::string name = channel.source == "self" ? nameOfTarget(pass) : channel.source;
+        const std::size_t target = indexOf(name);
+        const bool isCube = channel.glslType == "samplerCube";
+        if (target < work_.targets.size() && work_.targets[target].isCube == isCube &&
+            (isCube || channel.kind == "buffer")) {
+            work_.targets[target].isNearest |= channel.filter == "nearest";
+            work_.targets[target].hasLevels |= channel.filter == "mipmap";
+            work_.targets[target].repeats |= channel.wrap == "repeat" || channel.wrap == "Repeat";
             return readTarget(name, pass, unit);
         }
+        if (channel.kind == "keyboard") {
+            work_.readsKeys = work_.readsTime = true;
+            return {unit, PassPicture::From::keyboard, 0};
+        }
+        if (channel.glslType != "sampler2D") return {unit, builtIn(channel.glslType, channel.source), 0};
         const bool isFile = channel.kind == "texture" && !channel.source.empty() && !channel.source.starts_with('/');
         if (!isFile) return {unit, PassPicture::From::nothing, 0};
         return readFile(channel.source, unit);

@@ -25,22 +25,32 @@ struct Target {
     bool isPersistent = false;  ///< The shader says that its content stays until the next step.
     bool isKept = false;        ///< A step reads what the step before drew into it.
     bool isRead = false;        ///< A pass of the shader reads it.
-    bool repeats = false, isNearest = false;
+    bool repeats = false, isNearest = false, hasLevels = false;
+    bool isCube = false;
     std::string width, height;  ///< Size expressions (`passSize`).
 };
 
 /// Picture that a pass reads.
 struct PassPicture {
     enum class From : std::uint8_t {
-        thisStep,    ///< Target drawn in the same step.
-        stepBefore,  ///< Target of the step before.
-        input,       ///< The visitor's choice.
-        file,        ///< `Work::files`.
-        nothing      ///< Black: a keyboard without keys, or silence.
+        thisStep,     ///< Target drawn in the same step.
+        stepBefore,   ///< Target of the step before.
+        input,        ///< The visitor's choice.
+        file,         ///< `Work::files`.
+        keyboard,     ///< Keys that the parameter `keys` names.
+        environment,  ///< Built-in cube map (`environmentImage`).
+        grayNoise,    ///< Built-in volume (`noiseImage`).
+        colorNoise,
+        waveform,  ///< Sound of an input.
+        spectrum,  ///< Frequencies of the sound of an input.
+        nothing    ///< Black.
     };
     int unit = 0;
     From from = From::nothing;
     std::size_t index = 0;  ///< Index of the target, input or file.
+
+    /// Returns whether it is a target of the work.
+    [[nodiscard]] bool isTarget() const { return from == From::thisStep || from == From::stepBefore; }
 };
 
 /// Names of the generated shaders in `WorkPass::sources`.
@@ -62,9 +72,11 @@ struct Work {
     std::vector<Target> targets;
     std::vector<std::filesystem::path> files;  ///< Pictures that the shader names: imports and channels.
     std::vector<std::string> beside;           ///< Further files that it was read from.
-    bool readsTime = false;                    ///< Time, frame number or date, or an event.
-    bool isKept = false;                       ///< A step depends on the step before.
-    std::uint64_t id = 0;                      ///< Hash of its programs.
+    bool readsTime = false;                    ///< Time, frame number or date, an event, or the keyboard.
+    bool readsMouse = false;                   ///< Position or button of the mouse.
+    bool readsKeys = false;
+    bool isKept = false;   ///< A step depends on the step before.
+    std::uint64_t id = 0;  ///< Hash of its programs.
 };
 
 /// Makes the work of a shader that was checked without errors. Returns null and adds to `errors` if it reads something

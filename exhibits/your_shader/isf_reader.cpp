@@ -174,6 +174,8 @@ private:
     void readRange(const Json& json, Input& input)
     {
         const std::size_t count = componentsOf(input.glslType);
+        if (input.type == InputType::audio || input.type == InputType::spectrum)
+            input.high = numbers(input, json, "MAX", 1);
         if (input.type == InputType::event || count == 0) return;
         if (input.type == InputType::choice) return readChoices(json, input);
         input.low = numbers(input, json, "MIN", count);
@@ -206,6 +208,7 @@ private:
         const Json& values = member(json, "VALUES");
         const Json& labels = member(json, "LABELS");
         const std::vector<double> initial = numbers(input, json, "DEFAULT", 1);
+        if (const Json& exact = member(json, "EXACT"); exact.is_number()) input.exact = exact.get<double>();
         if (!values.is_array() || values.empty()) {
             input.type = InputType::integer;
             input.low = numbers(input, json, "MIN", 1);
@@ -226,6 +229,10 @@ private:
             const bool named = labels.is_array() && i < labels.size();
             input.choices.push_back({value, named ? textOf(labels[i]) : std::to_string(value)});
         }
+        const auto isExact = [&](const InputChoice& choice) { return choice.value == input.exact; };
+        if (input.exact && std::none_of(input.choices.begin(), input.choices.end(), isExact))
+            refuse(input.name,
+                   message("EXACT of the input “{1}” is none of its VALUES; write one of them.", input.name));
         const auto isInitial = [&](const InputChoice& choice) {
             return !initial.empty() && choice.value == initial[0];
         };

@@ -105,12 +105,9 @@ private:
     }
     void setRange(Input& input, std::size_t count, std::size_t end, int line)
     {
-        std::string_view comment = tokens_.commentBehind(end);
-        if (comment.starts_with("color")) {
-            input.type = InputType::color;
-            comment = {};
-        }
+        const std::string_view comment = tokens_.commentBehind(end);
         if (!comment.empty() && readRangeComment(comment, count, input, reading_, file_, line)) return;
+        if (comment.starts_with("color") && count >= 3) input.type = InputType::color;
         input.low.assign(count, 0);
         input.high.assign(count, 1);
         input.initial.assign(count, input.type == InputType::color ? 1 : 0);
@@ -148,8 +145,16 @@ private:
         input.name = name;
         input.glslType = type;
         input.type = type == "int" ? InputType::integer : InputType::real;
+        if (const std::optional<double> number = numberBefore(last)) input.initial.assign(1, *number);
         if (readRangeComment(comment, 1, input, reading_, file_, tokens_[at].line))
             addInput(reading_, std::move(input), file_, tokens_[at].line);
+    }
+    /// Returns the number that ends at a token, or before it if it is a semicolon.
+    [[nodiscard]] std::optional<double> numberBefore(std::size_t last) const
+    {
+        const std::size_t at = tokens_.text(last) == ";" ? last - 1 : last;
+        const std::optional<double> number = glslNumber(tokens_.text(at));
+        return number && tokens_.text(at - 1) == "-" ? -*number : number;
     }
 
     Reading& reading_;

@@ -59,6 +59,20 @@ std::vector<double> forEach(std::vector<double> numbers, std::size_t components)
     return numbers;
 }
 
+/// Ends of a range, a number for each component.
+struct Ends {
+    std::vector<double> low, high;
+};
+
+/// Reads "0.1 .. 2". Empty ends: the text has another form.
+Ends rangeIn(std::string_view text, std::size_t components)
+{
+    const std::size_t dots = text.find("..");
+    if (dots == std::string_view::npos) return {};
+    return {forEach(numbersIn(render::trimmed(text.substr(0, dots), " \t")), components),
+            forEach(numbersIn(render::trimmed(text.substr(dots + 2), " \t")), components)};
+}
+
 }  // namespace
 
 std::string unquoted(std::string_view text)
@@ -131,20 +145,21 @@ bool readRangeComment(std::string_view comment, std::size_t components, Input& i
                       std::uint32_t file, int line)
 {
     const std::vector<std::string_view> parts = partsOf(comment);
-    const std::size_t dots = parts.front().find("..");
-    if (dots == std::string_view::npos) return false;
-    std::vector<double> low = forEach(numbersIn(render::trimmed(parts.front().substr(0, dots), " \t")), components);
-    std::vector<double> high = forEach(numbersIn(render::trimmed(parts.front().substr(dots + 2), " \t")), components);
-    if (low.empty() || high.empty()) return false;
+    const bool isColor = parts.front() == "color" && components >= 3;
+    Ends ends = isColor ? Ends{std::vector<double>(components, 0), std::vector<double>(components, 1)}
+                        : rangeIn(parts.front(), components);
+    if (ends.low.empty() || ends.high.empty()) return false;
     for (std::size_t i = 0; i < components; ++i)
-        if (low[i] >= high[i])
+        if (ends.low[i] >= ends.high[i])
             throw refused(reading, file, line, parts.front(),
                           message("The range of “{1}” is empty; write the lower number first.", input.name));
-    std::vector<double> initial = low;
+    if (isColor) input.type = InputType::color;
+    std::vector<double> initial = !input.initial.empty() ? input.initial : isColor ? ends.high : ends.low;
     for (const std::string_view part : std::vector(parts.begin() + 1, parts.end())) {
         const std::size_t blank = std::min(part.find(' '), part.size());
         const std::string_view key = part.substr(0, blank);
-        const std::vector<double> numbers = numbersIn(render::trimmed(part.substr(blank), " \t"));
+        std::vector<double> numbers = numbersIn(render::trimmed(part.substr(blank), " \t"));
+        if (isColor && components == 4 && numbers.size() == 3) numbers.push_back(1);  // Opaque.
         if (part.size() >= 2 && part.front() == '"' && part.back() == '"')
             input.label = unquoted(part);
         else if (key == "default" && !forEach(numbers, components).empty())
@@ -161,11 +176,11 @@ bool readRangeComment(std::string_view comment, std::size_t components, Input& i
                         part, input.name));
     }
     for (std::size_t i = 0; i < components; ++i)
-        if (initial[i] < low[i] || initial[i] > high[i])
+        if (initial[i] < ends.low[i] || initial[i] > ends.high[i])
             throw refused(reading, file, line, "default",
                           message("The default of “{1}” is outside of its range; change one of them.", input.name));
-    input.low = std::move(low);
-    input.high = std::move(high);
+    input.low = std::move(ends.low);
+    input.high = std::move(ends.high);
     input.initial = std::move(initial);
     return true;
 }
@@ -194,6 +209,14 @@ void addInput(Reading& reading, Input input, std::uint32_t file, int line)
                               Limits::inputsOfAKind, Limits::inputs));
     if (input.label.empty()) input.label = input.name;
     shader.inputs.push_back(std::move(input));
+}
+
+std::optional<double> glslNumber(std::string_view glsl)
+{
+    if (glsl.ends_with('f') || glsl.ends_with('F')) glsl.remove_suffix(1);
+    if (glsl.ends_with('.')) glsl.remove_suffix(1);
+    const std::optional<double> number = render::parseNumber((glsl.starts_with('.') ? "0" : "") + std::string(glsl));
+    return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
 std::size_t componentsOf(std::string_view type)

@@ -4,6 +4,7 @@
 #include "exhibits/your_shader/guest_reader.h"
 #include "exhibits/your_shader/guest_shader.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -31,10 +32,11 @@ struct Reading {
 /// Refuses macros that expand to more than Limits::macroTokens tokens, which would fill the memory of the compiler.
 void refuseMacroBombs(const Reading&);
 
-/// Settings of a slider in a comment: `0.1 .. 2, default 0.5, exact 1, m, "Size"`. Everything but the range may be left
-/// out; numbers of a vector stand behind each other. `components` is the number of values of the input. Returns whether
-/// the comment has this form; a comment that begins with a range but goes on differently is refused with the word that
-/// is wrong. Throws Refused.
+/// Settings of a slider in a comment: `0.1 .. 2, default 0.5, exact 1, m, "Size"`, or `color, default 1 0.5 0, "Tint"`.
+/// Everything but the range or the word may be left out; numbers of a vector stand behind each other. Without a
+/// default, `input.initial` counts if it is not empty. `components` is the number of values of the input. Returns
+/// whether the comment has this form; a comment that begins so but goes on differently is refused with the word that is
+/// wrong. Throws Refused.
 bool readRangeComment(std::string_view comment, std::size_t components, Input& input, const Reading&,
                       std::uint32_t file, int line);
 
@@ -46,6 +48,9 @@ void addInput(Reading&, Input, std::uint32_t file, int line);
 
 /// Returns the text without quotes around it.
 [[nodiscard]] std::string unquoted(std::string_view text);
+
+/// Returns the value of a number of GLSL: ".5", "1.", "2.0f"; nothing for other words.
+[[nodiscard]] std::optional<double> glslNumber(std::string_view glsl);
 
 /// Returns the number of components of a GLSL type: 1 to 4; 0 for other types.
 [[nodiscard]] std::size_t componentsOf(std::string_view glslType);

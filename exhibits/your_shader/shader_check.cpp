@@ -1,6 +1,7 @@
 #include "exhibits/your_shader/shader_check.h"
 
 #include "exhibits/your_shader/guest_glsl.h"
+#include "exhibits/your_shader/guest_work.h"
 #include "render/failure.h"
 
 #include <algorithm>
@@ -91,7 +92,9 @@ CheckedShader translate(ReadShader read, ShaderCompiler& compiler)
 
 CheckedShader checkShaderFile(const std::filesystem::path& path, ShaderCompiler& compiler)
 {
-    return translate(readShaderFile(path), compiler);
+    CheckedShader checked = translate(readShaderFile(path), compiler);
+    if (checked.isGood()) static_cast<void>(makeWork(checked, path, checked.errors));
+    return checked;
 }
 
 }  // namespace vitrine::guest

@@ -29,7 +29,8 @@ struct CheckedShader {
 /// Translates a shader that was read: the passes become programs with a guard in every loop.
 [[nodiscard]] CheckedShader translate(ReadShader, ShaderCompiler&);
 
-/// Reads and translates a file.
+/// Reads and translates a file, and looks for the pictures that it names. Its errors are those that keep it from being
+/// drawn.
 [[nodiscard]] CheckedShader checkShaderFile(const std::filesystem::path&, ShaderCompiler&);
 
 }  // namespace vitrine::guest

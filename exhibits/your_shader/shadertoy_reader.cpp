@@ -75,7 +75,7 @@ private:
         refuse(at, message("“{1}” is wrong here; write #iUniform float name = 0.5 in {0.0, 1.0}.", tokens_.text(at)));
     }
 
-    /// Reads numbers up to a closing bracket: "1", "-1", "vec2(1, 2)", "{ 0, 1 }". Moves `at` behind them.
+    /// Reads numbers up to a closing bracket: "1", "-1", "true", "vec2(1, 2)", "{ 0, 1 }". Moves `at` behind them.
     std::vector<double> numbers(std::size_t& at, std::size_t end) const
     {
         const std::size_t begin = at;
@@ -90,13 +90,12 @@ private:
                 if (--depth <= 0) break;
             } else if (text == "-") {
                 sign = -1;
+            } else if (text == "true" || text == "false") {
+                all.push_back(text == "true" ? 1 : 0);
+                if (depth == 0) break;
             } else if (tokens_[at].kind == Token::Kind::number) {
-                std::string_view digits = text;
-                if (digits.ends_with('f') || digits.ends_with('F')) digits.remove_suffix(1);
-                if (digits.ends_with('.')) digits.remove_suffix(1);
-                const std::string whole = (digits.starts_with('.') ? "0" : "") + std::string(digits);
-                const auto value = render::parseNumber(whole);
-                if (!value || !std::isfinite(*value)) refuseSlider(at);
+                const std::optional<double> value = glslNumber(text);
+                if (!value) refuseSlider(at);
                 all.push_back(sign * *value);
                 sign = 1;
                 if (depth == 0) break;
@@ -179,6 +178,11 @@ private:
         if (key == "Type" && value == "CubeMap") {
             channel.glslType = "samplerCube";
             channel.kind = "cubemap";
+        } else if (key == "Type" && value == "Volume") {
+            channel.glslType = "sampler3D";
+            channel.kind = "volume";
+        } else if (key == "Type" && value == "Keyboard") {
+            channel.kind = "keyboard";
         }
     }
 
@@ -271,6 +275,12 @@ private:
         // Buffers keep their content, because any of them may be read before it is drawn.
         pass.isPersistent = pass.isFloat = type != "image";
         if (type != "image") pass.target = pass.name;
+        if (type == "cubemap") {
+            pass.isCube = true;
+            pass.width = pass.height = std::to_string(Limits::cubeSide);
+            if (reading_.shader.builtIns.back().name != cubeFaceName)
+                reading_.shader.builtIns.push_back({cubeFaceName, "int"});
+        }
         pass.code = common_;
         const Code own = withIncludes(reading_, file);
         pass.code.insert(pass.code.end(), own.begin(), own.end());

@@ -11,6 +11,7 @@
 #include "render/files/assets.h"
 #include "render/files/read_file.h"
 #include "render/hash.h"
+#include "render/video/sound_file.h"
 #include "shaders/lib/bindings.glsl"
 
 #include <algorithm>
@@ -48,6 +49,22 @@ guest::LoadedPicture pictureFrom(const std::string& path, const ParameterInfo& r
         part.unreadable.push_back({"your_shader/pictures", unreadableFile(row, title, read.failure),
                                    message("A test picture takes its place.")});
     return {read.value ? read.value : guest::testPicture(), read.id};
+}
+
+/// Returns the sound of a file, or silence. Reports a file that cannot be read.
+guest::LoadedPicture soundFrom(const std::string& path, const ParameterInfo& row, std::string_view title,
+                               render::AssetStore& assets, PreparedShader& part)
+{
+    if (path.empty()) return {};
+    const auto read = assets.get<render::Sound>("your_shader.sound", path, [](const std::string& file) {
+        auto sound = std::make_shared<render::Sound>(render::readSound(file));
+        const std::uint64_t bytes = sound->samples.size() * sizeof(float);
+        return render::AssetStore::Made<render::Sound>{std::move(sound), bytes};
+    });
+    if (!read.failure.empty())
+        part.unreadable.push_back(
+            {"your_shader/sounds", unreadableFile(row, title, read.failure), message("The shader hears silence.")});
+    return {nullptr, read.id, read.value};
 }
 
 /// Returns the parameters of the first shader, which is only read here: its translation takes a process of its own.
@@ -202,12 +219,13 @@ std::shared_ptr<const PreparedPart> YourShader::prepare(const PrepareContext& co
     render::Hash id;
     id.addValue(table.work->id);
     for (std::size_t i = 0; i < table.ofInputs.size(); ++i) {
-        const bool isFile = table.work->shader->inputs[i].type == guest::InputType::image && !table.ofInputs[i].empty();
         part->ofInputs.emplace_back();
-        if (!isFile) continue;
+        if (table.ofInputs[i].empty()) continue;
         const std::size_t at = table.ofInputs[i].front();
+        if (table.rows()[at].kind != Kind::file) continue;
+        const auto read = table.work->shader->inputs[i].type == guest::InputType::image ? &pictureFrom : &soundFrom;
         part->ofInputs.back() =
-            pictureFrom(std::get<std::string>(part->values.row(at)), table.rows()[at], title(), context.assets, *part);
+            read(std::get<std::string>(part->values.row(at)), table.rows()[at], title(), context.assets, *part);
         id.addValue(part->ofInputs.back().id);
     }
     for (const std::filesystem::path& file : table.work->files) {

@@ -3,6 +3,7 @@
 #include "exhibits/your_shader/guest_work.h"
 #include "render/image/picture_formats.h"
 #include "render/image/srgb.h"
+#include "render/video/sound_file.h"
 
 #include <algorithm>
 #include <cctype>
@@ -17,18 +18,39 @@ namespace {
 using guest::Input;
 using guest::InputType;
 
-/// Returns the name without underscores: "line_width" is "lineWidth".
+/// Returns a word whose first letters are small: "Steps" is "steps", "STEPS" too, and "HTMLName" is "htmlName".
+std::string smallAtFront(std::string word)
+{
+    const auto isUpper = [&](std::size_t i) {
+        return i < word.size() && std::isupper(static_cast<unsigned char>(word[i]));
+    };
+    const auto isLower = [&](std::size_t i) {
+        return i < word.size() && std::islower(static_cast<unsigned char>(word[i]));
+    };
+    const bool hasSmall = std::any_of(word.begin(), word.end(), [](unsigned char c) { return std::islower(c); });
+    for (std::size_t i = 0; i < word.size() && (isUpper(i) || !hasSmall); ++i) {
+        if (hasSmall && i > 0 && isLower(i + 1)) break;  // The capital begins the next word.
+        word[i] = static_cast<char>(std::tolower(static_cast<unsigned char>(word[i])));
+    }
+    return word;
+}
+
+/// Returns the name without underscores: "line_width" is "lineWidth", and "MAX_STEPS" is "maxSteps".
 std::string rowName(const std::string& name)
 {
     std::string row;
-    bool isUpper = false;
-    for (const char c : name) {
-        const auto letter = static_cast<unsigned char>(c);
-        if (std::isalnum(letter)) row += isUpper && !row.empty() ? static_cast<char>(std::toupper(letter)) : c;
-        isUpper = !std::isalnum(letter);
+    for (std::size_t at = 0; at < name.size();) {
+        std::size_t end = at;
+        while (end < name.size() && std::isalnum(static_cast<unsigned char>(name[end]))) ++end;
+        std::string word = name.substr(at, end - at);
+        const bool hasSmall = std::any_of(word.begin(), word.end(), [](unsigned char c) { return std::islower(c); });
+        if (row.empty() || !hasSmall) word = smallAtFront(std::move(word));
+        if (!row.empty() && !word.empty())
+            word.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(word.front())));
+        row += word;
+        at = end + 1;
     }
     if (row.empty() || !std::isalpha(static_cast<unsigned char>(row.front()))) row.insert(0, "input");
-    row.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(row.front())));
     return row.substr(0, 48);
 }
 
@@ -124,35 +146,44 @@ std::vector<std::size_t> YourShaderTable::addInput(const Input& input)
     const auto label = labeled(named);
     switch (input.type) {
     case InputType::toggle:
-        return {
-            toggle(name, !input.initial.empty() && input.initial[0] != 0, "Switch that the shader reads.", label).row};
+        return {toggle(name, !input.initial.empty() && input.initial[0] != 0, "Switch that the shader reads.", label,
+                       essential())
+                    .row};
     case InputType::choice: {
         const auto isInitial = [&](const guest::InputChoice& choice) { return choice.value == input.initial[0]; };
         const auto initial = std::find_if(input.choices.begin(), input.choices.end(), isInitial);
-        return {choice(name, static_cast<int>(initial - input.choices.begin()), labelsOf(input),
-                       "Choice that the shader reads.", label)
-                    .row};
+        const auto isExact = [&](const guest::InputChoice& choice) { return choice.value == input.exact; };
+        const auto exact = std::find_if(input.choices.begin(), input.choices.end(), isExact);
+        const auto index = [&](auto found) { return static_cast<int>(found - input.choices.begin()); };
+        const std::string_view help = "Choice that the shader reads.";
+        if (exact == input.choices.end())
+            return {choice(name, index(initial), labelsOf(input), help, label, essential()).row};
+        return {choice(name, index(initial), labelsOf(input), help, label, essential(), quality(index(exact))).row};
     }
     case InputType::event:
         return {real(name + "At", -1, Unit::second, Range{-1, 1e6}.soft(-1, 60),
-                     "Time at which the button of this event is pressed, for one step.", label, reads(-1, "never"))
+                     "Time at which the button of this event is pressed, for one step.", label, reads(-1, "never"),
+                     essential())
                     .row};
     case InputType::color: {
         std::vector<std::size_t> rows{
-            color(name, linearColor(input.initial), "Color that the shader reads.", label).row};
+            color(name, linearColor(input.initial), "Color that the shader reads.", label, essential()).row};
         if (input.glslType == "vec4")
             rows.push_back(real(name + "Alpha", std::clamp(input.initial.back(), 0.0, 1.0), Unit::none, {0, 1},
-                                "Opacity of the color.", labeled(named + " alpha"))
+                                "Opacity of the color.", labeled(named + " alpha"), essential())
                                .row);
         return rows;
     }
     case InputType::image:
-        if (input.source == "buffer") return {};
+        if (input.source == "buffer" || input.glslType != "sampler2D") return {};
         return {this->Parameters::file(name, "Picture that the shader reads; empty: a test picture.",
-                                       extensions(render::readEndings()), label)
+                                       extensions(render::readEndings()), label, essential())
                     .row};
     case InputType::audio:
-    case InputType::spectrum: return {};
+    case InputType::spectrum:
+        return {this->Parameters::file(name, "Sound that the shader reads, WAV or FLAC; empty: silence.",
+                                       extensions(render::soundEndings), label, essential())
+                    .row};
     default: return addNumbers(input, name, named);
     }
 }
@@ -172,12 +203,14 @@ std::vector<std::size_t> YourShaderTable::addNumbers(const Input& input, const s
         if (input.exact && endings.size() == 1) exact = quality(stored(*input.exact, unit));
         if (isWhole) {
             const auto initial = static_cast<int>(std::lround(std::clamp(input.initial[i], -1e9, 1e9)));
-            rows.push_back(exact ? count(name + endings[i], initial, range, help, labeled(shownAs), *exact).row
-                                 : count(name + endings[i], initial, range, help, labeled(shownAs)).row);
+            rows.push_back(
+                exact ? count(name + endings[i], initial, range, help, labeled(shownAs), essential(), *exact).row
+                      : count(name + endings[i], initial, range, help, labeled(shownAs), essential()).row);
         } else {
             const double initial = stored(input.initial[i], unit);
-            rows.push_back(exact ? real(name + endings[i], initial, unit, range, help, labeled(shownAs), *exact).row
-                                 : real(name + endings[i], initial, unit, range, help, labeled(shownAs)).row);
+            rows.push_back(
+                exact ? real(name + endings[i], initial, unit, range, help, labeled(shownAs), essential(), *exact).row
+                      : real(name + endings[i], initial, unit, range, help, labeled(shownAs), essential()).row);
         }
     }
     return rows;

@@ -55,6 +55,18 @@ struct YourShaderTable final : Parameters {
              essential());
     Toggle mouseDown = toggle("mouseDown", false, "Whether the button of the mouse is held, for Shadertoy's iMouse.");
 
+    Real pressX = real("pressX", -1, none, {-1, 1},
+                       "Position at which the button of the mouse was pressed last, for Shadertoy's iMouse: 0 is the "
+                       "left edge of the picture, 1 the right.",
+                       reads(-1, "never"));
+    Real pressY = real("pressY", -1, none, {-1, 1},
+                       "Position at which the button of the mouse was pressed last, for Shadertoy's iMouse: 0 is the "
+                       "lower edge of the picture, 1 the upper.",
+                       reads(-1, "never"));
+    Text keys =
+        text("keys", "Keys that are pressed, for shaders that read the keyboard: code@from-to in seconds, separated by "
+                     "blanks. 65@1-2.5 holds the key A for 1.5 s; codes are those of browsers.");
+
     Group steps = group("Steps");
     Real rate = real("rate", 60, hertz, {1, 240},
                      "Number of steps per second of shaders that continue from their last picture; frame counters "

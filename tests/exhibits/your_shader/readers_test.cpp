@@ -1,7 +1,9 @@
 // Readers of visitors' shaders: forms, inputs, passes, and the place of every error.
 
 #include "exhibits/your_shader/glsl_lexer.h"
+#include "exhibits/your_shader/guest_keys.h"
 #include "exhibits/your_shader/size_expression.h"
+#include "exhibits/your_shader/your_shader_table.h"
 #include "tests/exhibits/your_shader/shaders.h"
 #include "tests/support/temporary_folder.h"
 
@@ -76,6 +78,41 @@ TEST(IsfReader, ReadsEveryKindOfInput)
     EXPECT_EQ(shader.inputs[2].choices[1].label, "Seven");
     EXPECT_EQ(shader.inputs[4].initial, (std::vector{1.0, 0.5, 0.0, 1.0}));
     EXPECT_EQ(shader.inputs[5].low, (std::vector{-1.0, -1.0}));
+}
+
+TEST(IsfReader, TakesTheExactValueOfAChoice)
+{
+    const guest::CheckedShader read = checked(isf(
+        R"("INPUTS": [{"NAME": "mode", "TYPE": "long", "VALUES": [8, 32, 16], "DEFAULT": 8, "EXACT": 32},
+ {"NAME": "steps", "TYPE": "long", "MIN": 1, "MAX": 9, "DEFAULT": 4, "EXACT": 9}])",
+        "gl_FragColor = vec4(float(mode), float(steps), 0, 1);"));
+    ASSERT_EQ(errorsOf(read), "");
+    const YourShaderTable table(*read.shader);
+    EXPECT_EQ(table.rows()[table.ofInputs[0][0]].qualityReference, 1.0) << "the second choice";
+    EXPECT_EQ(table.rows()[table.ofInputs[1][0]].qualityReference, 9.0);
+    EXPECT_EQ(errorsOf(checked(isf(R"("INPUTS": [{"NAME": "m", "TYPE": "long", "VALUES": [1, 2], "EXACT": 3}])"))),
+              "own.fs:1:25: EXACT of the input “m” is none of its VALUES; write one of them.\n");
+}
+
+TEST(ShaderTable, GivesInputsPlainNamesAndShowsThemAtFirst)
+{
+    std::string inputs = "\"INPUTS\": [";
+    const std::vector<std::pair<const char*, const char*>> names{
+        {"STEPS", "steps"},       {"MAX_STEPS", "maxSteps"}, {"line_width", "lineWidth"},
+        {"HTMLName", "htmlName"}, {"uColor", "uColor"},      {"A", "a"},
+        {"pos_X", "posX"},        {"Size", "size"},          {"u_Kd", "uKd"},
+        {"_fade", "fade"},        {"FILE", "ownFile"},       {"N2", "n2"}};
+    for (const auto& [written, row] : names)
+        inputs += std::string(inputs.back() == '[' ? "" : ",") + "{\"NAME\": \"" + written + "\", \"TYPE\": \"bool\"}";
+    const guest::CheckedShader read = checked(isf(inputs + ']'));
+    ASSERT_EQ(errorsOf(read), "");
+    const YourShaderTable table(*read.shader);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const ParameterInfo& row = table.rows()[table.ofInputs[i][0]];
+        EXPECT_EQ(row.name, names[i].second);
+        EXPECT_TRUE(row.essential) << row.name;
+        EXPECT_EQ(row.label, names[i].first);
+    }
 }
 
 TEST(IsfReader, ReadsPassesBuffersAndImports)
@@ -166,17 +203,20 @@ TEST(ShadertoyReader, MakesSlidersOfDirectives)
         checked("#iUniform float strength = 0.25 in { 0.0, 2.0 } step 0.1\n"
                 "#iUniform color3 tint = color3(1.0, .5, 0.)\n"
                 "#iUniform int count = 3 in { 1, 9 }\n"
+                "#iUniform bool on = true\n"
                 "#iChannel0 \"file://sand.png\"\n"
                 "#iChannel0::MinFilter \"Nearest\"\n"
                 "#iChannel1 \"self\"\n"
                 "void mainImage(out vec4 fragColor, in vec2 fragCoord)\n"
                 "{\n"
-                "    fragColor = vec4(tint * strength, float(count)) + texture(iChannel0, fragCoord)\n"
+                "    fragColor = vec4(tint * strength, on ? float(count) : 0.0) + texture(iChannel0, fragCoord)\n"
                 "        + texelFetch(iChannel1, ivec2(fragCoord), 0) + iMouse + iChannelResolution[1].x;\n"
                 "}\n");
     ASSERT_EQ(errorsOf(read), "");
     const guest::Shader& shader = *read.shader;
-    ASSERT_EQ(shader.inputs.size(), 3U);
+    ASSERT_EQ(shader.inputs.size(), 4U);
+    EXPECT_EQ(shader.inputs[3].type, InputType::toggle);
+    EXPECT_EQ(shader.inputs[3].initial, std::vector{1.0});
     EXPECT_EQ(shader.inputs[0].initial, std::vector{0.25});
     EXPECT_EQ(shader.inputs[0].high, std::vector{2.0});
     EXPECT_EQ(shader.inputs[1].type, InputType::color);
@@ -261,15 +301,17 @@ TEST(PlainReader, MakesSlidersOfComments)
                 "uniform vec3 u_tint; // color\n"
                 "uniform vec2 u_shift; // -1 .. 1, default 0.5 -0.5\n"
                 "#define STEPS 64 // 8 .. 512, default 64, exact 512\n"
-                "const float GAIN = 2.0; // 0 .. 4, default 2\n"
+                "const float GAIN = 2.0; // 0 .. 4, default 3\n"
                 "const float PLAIN = 3.0; // no range\n"
+                "uniform vec4 u_glow; // color, default 1 0.5 0, \"Glow\"\n"
+                "#define BIAS -1.5 // -2 .. 2, \"Bias\"\n"
                 "void main() {\n"
                 "    float sum = 0.0;\n"
-                "    for (int i = 0; i < STEPS; ++i) sum += GAIN * PLAIN;\n"
-                "    gl_FragColor = vec4(u_tint * u_size * sum, u_shift.x);\n}\n");
+                "    for (int i = 0; i < STEPS; ++i) sum += GAIN * PLAIN + BIAS;\n"
+                "    gl_FragColor = u_glow + vec4(u_tint * u_size * sum, u_shift.x);\n}\n");
     ASSERT_EQ(errorsOf(read), "");
     const auto& inputs = read.shader->inputs;
-    ASSERT_EQ(inputs.size(), 5U);
+    ASSERT_EQ(inputs.size(), 7U);
     EXPECT_EQ(inputs[0].label, "Size, outer");
     EXPECT_EQ(inputs[0].unit, "m");
     EXPECT_EQ(inputs[0].exact, 1.0);
@@ -279,6 +321,13 @@ TEST(PlainReader, MakesSlidersOfComments)
     EXPECT_EQ(inputs[3].name, "STEPS");
     EXPECT_EQ(inputs[3].type, InputType::integer);
     EXPECT_EQ(inputs[4].name, "GAIN");
+    EXPECT_EQ(inputs[4].initial, std::vector{3.0});
+    EXPECT_EQ(inputs[5].type, InputType::color);
+    EXPECT_EQ(inputs[5].initial, (std::vector{1.0, 0.5, 0.0, 1.0}));
+    EXPECT_EQ(inputs[5].label, "Glow");
+    EXPECT_EQ(inputs[6].initial, std::vector{-1.5}) << "the number that stands there";
+    EXPECT_EQ(errorsOf(checked("uniform vec3 a; // color, pink\nvoid main() {}")), "");
+    EXPECT_EQ(errorsOf(checked("uniform vec3 a; // color, dark red\nvoid main() {}")).substr(0, 12), "own.fs:1:27:");
     EXPECT_EQ(errorsOf(checked("uniform float a; // 0 .. 1, usually 0.5\nvoid main() {}")),
               "own.fs:1:29: “usually 0.5” is unknown here; after the range of “a” follow default, exact, a unit or a "
               "label in "
@@ -349,6 +398,40 @@ TEST(SizeExpressions, GivePixels)
               "“$WIDTH * 100” gives more than 8192 pixels; choose a smaller size");
     EXPECT_FALSE(sizeOf("1 / 0").problem.empty());
     EXPECT_FALSE(sizeOf(std::string(100'000, '(')).problem.empty());
+}
+
+TEST(CheckOfAShader, FindsPicturesThatAreNotInItsFolder)
+{
+    const test::TemporaryFolder folder;
+    std::filesystem::create_directories(folder / "in");
+    test::writeBytes(folder / "in/a.glsl",
+                     "#iChannel0 \"file://../sand.png\"\nvoid mainImage(out vec4 c, in vec2 p) { c = "
+                     "texture(iChannel0, p); }\n");
+    guest::ShaderCompiler compiler;
+    const guest::CheckedShader read = guest::checkShaderFile(folder / "in/a.glsl", compiler);
+    ASSERT_EQ(read.errors.size(), 1U);
+    EXPECT_EQ(read.errors[0].sentence.english(),
+              "The picture “../sand.png” is not in the shader's folder; copy it there.");
+}
+
+TEST(KeysOfAShader, AreWrittenAsTheyArePressed)
+{
+    std::string keys = guest::withKey("", 65, true, 0.5);
+    EXPECT_EQ(keys, "65@0.5");
+    EXPECT_EQ(guest::withKey(keys, 65, true, 0.75), keys) << "it is held already";
+    keys = guest::withKey(guest::withKey(keys, 32, true, 1), 65, false, 2.25);
+    EXPECT_EQ(keys, "65@0.5-2.25 32@1");
+    const guest::KeyPresses read = guest::readKeys(keys);
+    ASSERT_EQ(read.presses.size(), 2U);
+    EXPECT_TRUE(read.problem.empty());
+    EXPECT_EQ(read.presses[0].to, 2.25);
+    EXPECT_EQ(guest::readKeys("65@-2--1.5").presses[0].from, -2);
+    for (const char* wrong : {"65", "65@", "256@1", "65@2-1", "6.5@1", "65@nan", "65@1-"})
+        EXPECT_FALSE(guest::readKeys(wrong).problem.empty()) << wrong;
+    std::string many;
+    for (int i = 0; i < 300; ++i) many = guest::withKey(guest::withKey(many, 65, true, i), 65, false, i + 0.5);
+    EXPECT_LE(guest::readKeys(many).presses.size(), guest::mostPresses);
+    EXPECT_EQ(guest::readKeys(many).presses.size() % 2, 0U) << "what is switched on stays so";
 }
 
 TEST(GlslLexer, SkipsCommentsAndKeepsLines)

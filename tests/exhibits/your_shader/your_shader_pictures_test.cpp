@@ -3,6 +3,7 @@
 
 #include "exhibits/your_shader/your_shader_table.h"
 #include "render/failure.h"
+#include "render/glsl/cpu.h"
 #include "render/image/image_io.h"
 #include "render/image/srgb.h"
 #include "tests/exhibits/your_shader/shaders.h"
@@ -12,8 +13,11 @@
 #include "tests/support/temporary_folder.h"
 
 #include <array>
+#include <cmath>
 #include <filesystem>
+#include <functional>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -155,6 +159,33 @@ TEST_F(YourShaderPictures, OfShadertoyCodeAreItsFormula)
     EXPECT_EQ(own.codeAt(5, 9), (Codes{12, 8, 63}));
 }
 
+TEST_F(YourShaderPictures, KnowWhereTheMouseWasPressedAndThatItIsUp)
+{
+    ShaderShot own;
+    ASSERT_EQ(own.show("void mainImage(out vec4 c, in vec2 p) { vec4 m = p.x < 8.0 ? iMouse : -iMouse; if (p.y > 8.0) "
+                       "m.xy = m.zw; c = vec4(m.xy, 0, 255) / 255.0; }",
+                       "own.glsl"),
+              "");
+    const auto seen = [&] {
+        const Picture picture = own.shot.take();
+        std::array<int, 4> mouse{};
+        for (const int i : {0, 1}) {
+            mouse[static_cast<std::size_t>(i)] = ShaderShot::code(picture, 2, 2)[static_cast<std::size_t>(i)];
+            const int above = ShaderShot::code(picture, 2, 12)[static_cast<std::size_t>(i)];
+            const int below = ShaderShot::code(picture, 12, 12)[static_cast<std::size_t>(i)];
+            mouse[static_cast<std::size_t>(i + 2)] = above - below;
+        }
+        return mouse;
+    };
+    EXPECT_EQ(seen(), (std::array{0, 0, 0, 0})) << "never pressed";
+    for (const auto& [name, value] : {std::pair("mouseX", 0.75), std::pair("mouseY", 0.5), std::pair("pressX", 0.25),
+                                      std::pair("pressY", 0.125), std::pair("mouseDown", 1.0)})
+        own.set(name, value);
+    EXPECT_EQ(seen(), (std::array{18, 8, 6, -2})) << "held";
+    own.set("mouseDown", 0.0);
+    EXPECT_EQ(seen(), (std::array{18, 8, -6, -2})) << "let go";
+}
+
 TEST_F(YourShaderPictures, OfEachFeatureOfShadertoyAreItsFormula)
 {
     struct Expected {
@@ -178,6 +209,7 @@ TEST_F(YourShaderPictures, OfEachFeatureOfShadertoyAreItsFormula)
         {"common.json", {}, {40 + 2 * 5, 40 + 2 * 9, 0}},
         {"earlier_buffer.json", {{"moment", 5 / 60.0}}, {2 * 4, 2 * 5, 0}},
         {"keyboard.json", {}, {0, 0, 9}},
+        {"cube_buffer.json", {}, {94, 139, 250}},
     };
     for (const Expected& expected : all) {
         SCOPED_TRACE(expected.file);
@@ -188,16 +220,163 @@ TEST_F(YourShaderPictures, OfEachFeatureOfShadertoyAreItsFormula)
     }
 }
 
-TEST_F(YourShaderPictures, NameWhatOfShadertoyIsNotDrawn)
+/// Shadertoy's JSON of one pass that reads a channel 0 of this type.
+std::string reading(const std::string& type, const std::string& source, const std::string& body)
 {
-    for (const auto& [file, word] : {std::pair("cube_map.json", "“iChannel0” is a samplerCube"),
-                                     std::pair("cube_buffer.json", "“iChannel1” is a samplerCube"),
-                                     std::pair("volume.json", "“iChannel2” is a sampler3D")}) {
-        ShaderShot own;
-        EXPECT_NE(own.showOurs(file).find(std::string(word) + "; cube maps and volumes are not drawn yet"),
-                  std::string::npos)
-            << file;
+    return R"({"renderpass": [{"type": "image", "name": "Image", "inputs": [{"channel": 0, "ctype": ")" + type +
+           R"(", "id": "x", "src": ")" + source + R"("}], "code": "void mainImage(out vec4 c, in vec2 p) { )" + body +
+           "}\"}]}";
+}
+
+TEST_F(YourShaderPictures, OfABuiltInCubeMapShowSkySunAndTiles)
+{
+    ShaderShot own;
+    ASSERT_EQ(own.show(reading("cubemap", "/media/a/1.jpg",
+                               "vec3 way = p.x < 6.0 ? vec3(0, 1, 0) : p.x < 12.0 ? vec3(0.48, 0.6, 0.64) : p.x < 18.0 "
+                               "? vec3(0.5, -1, 0.5) : vec3(-0.5, -1, 0.5); c = textureLod(iChannel0, way, 0.0); if "
+                               "(p.y > 8.0) c = vec4(iChannelResolution[0], 255) / 512.0;"),
+                       "own.json"),
+              "");
+    const Picture picture = own.shot.take();
+    const Codes zenith = ShaderShot::code(picture, 2, 2);
+    EXPECT_NEAR(zenith[0], 51, 2);
+    EXPECT_NEAR(zenith[1], 102, 2);
+    EXPECT_NEAR(zenith[2], 204, 2);
+    EXPECT_EQ(ShaderShot::code(picture, 8, 2), (Codes{255, 247, 224}));
+    EXPECT_EQ(ShaderShot::code(picture, 14, 2), (Codes{140, 128, 112}));
+    const Codes dark = ShaderShot::code(picture, 20, 2);  // 0.3, 0.28, 0.26
+    EXPECT_NEAR(dark[0], 76.5, 1);
+    EXPECT_NEAR(dark[1], 71.4, 1);
+    EXPECT_NEAR(dark[2], 66.3, 1);
+    EXPECT_EQ(ShaderShot::code(picture, 2, 12), (Codes{128, 128, 0})) << "256 pixels";
+    ASSERT_EQ(
+        own.show("uniform samplerCube u_sky; void main() { gl_FragColor = textureCube(u_sky, vec3(0.5, -1, 0.5)); }",
+                 "own.frag"),
+        "");
+    EXPECT_EQ(own.codeAt(2, 2), (Codes{140, 128, 112})) << "a uniform of a plain shader";
+}
+
+TEST_F(YourShaderPictures, OfABuiltInVolumeAreTheHashOfTheTexel)
+{
+    ShaderShot own;
+    const glm::uvec4 bits = glsl::pcg4d(glm::uvec4(3, 5, 7, 42)) >> 24U;
+    const auto show = [&](const char* source, const char* at) {
+        ASSERT_EQ(own.show(reading("volume", source, "c = texture(iChannel0, " + std::string(at) + ");"), "own.json"),
+                  "");
+    };
+    const Codes expected{static_cast<int>(bits.x), static_cast<int>(bits.y), static_cast<int>(bits.z)};
+    show("/media/a/rgba.bin", "vec3(3.5, 5.5, 7.5) / 32.0");
+    EXPECT_EQ(own.codeAt(2, 2), expected);
+    show("/media/a/rgba.bin", "vec3(3.5, 5.5, 7.5) / 32.0 + vec3(1, -2, 3)");
+    EXPECT_EQ(own.codeAt(2, 2), expected) << "it repeats";
+    show("/media/a/27012b4eadd0c3ce12498b867058e4f717ce79e10a99568cca461682d84a4b04.bin", "vec3(3.5, 5.5, 7.5) / 32.0");
+    EXPECT_EQ(own.codeAt(2, 2), (Codes{expected[0], 0, 0})) << "gray noise";
+}
+
+TEST_F(YourShaderPictures, OfCubeAAreTheDirectionsOfItsFaces)
+{
+    ShaderShot own;
+    ASSERT_EQ(own.show(R"({"renderpass": [
+      {"type": "cubemap", "name": "Cube A", "inputs": [{"channel": 0, "ctype": "cubemap", "id": "q"}], "outputs": [{"channel": 0, "id": "q"}],
+       "code": "void mainCubemap(out vec4 c, in vec2 p, in vec3 from, in vec3 way) { float before = texture(iChannel0, way).a; c = vec4(way, before + 1.0); if (iResolution.x != 1024.0) c = vec4(0); }"},
+      {"type": "image", "name": "Image", "inputs": [{"channel": 1, "ctype": "cubemap", "id": "q"}],
+       "code": "void mainImage(out vec4 c, in vec2 p) { int f = int(p.x) / 4; float s = f % 2 == 0 ? 1.0 : -1.0; vec3 way = vec3(0.3, -0.6, 0.45); way[f / 2] = s; way = normalize(way); vec4 t = textureLod(iChannel1, way, 0.0); c = vec4(dot(t.xyz, way), 200.0 * distance(t.xyz, way), t.a / 255.0, 1.0); }"}]})",
+                       "own.json"),
+              "");
+    own.set("moment", 4 / 60.0);
+    const Picture picture = own.shot.take();
+    for (int face = 0; face < 6; ++face) {
+        const Codes code = ShaderShot::code(picture, 4 * face + 1, 3);
+        EXPECT_GE(code[0], 254) << face;
+        EXPECT_LE(code[1], 60) << face << ": more than a thousandth beside the direction";
+        EXPECT_EQ(code[2], 5) << "five steps have counted";
     }
+}
+
+TEST_F(YourShaderPictures, FollowTheKeysThatAreNamedWithTheirTimes)
+{
+    ShaderShot own;
+    ASSERT_EQ(own.showOurs("keyboard.json"), "");
+    own.set("keys", std::string("32@1-2 65@0.5-0.6 65@3-3.5"));
+    const auto codeAt = [&](double moment) {
+        own.set("moment", moment);
+        return own.codeAt(5, 9);
+    };
+    EXPECT_EQ(codeAt(0.25), (Codes{0, 0, 9}));
+    EXPECT_EQ(codeAt(0.75), (Codes{0, 255, 9})) << "A was switched on";
+    EXPECT_EQ(codeAt(1.5), (Codes{255, 255, 9})) << "the blank is held";
+    EXPECT_EQ(codeAt(2.5), (Codes{0, 255, 9}));
+    EXPECT_EQ(codeAt(3.75), (Codes{0, 0, 9})) << "A was switched off";
+    own.set("keys", std::string("A"));
+    const render::FramePlan plan = planned(gallery().museum, own.shot.sceneState, own.shot.request.frame);
+    ASSERT_TRUE(plan.findSkipped("your_shader/keys"));
+    EXPECT_EQ(plan.findSkipped("your_shader/keys")->reason,
+              "“A” is no press of a key; write code@from-to, such as 65@1-2.5.");
+}
+
+std::string littleEndian(std::uint32_t number, int bytes)
+{
+    std::string text;
+    for (int i = 0; i < bytes; ++i) text += static_cast<char>(number >> (8 * i) & 0xFFU);
+    return text;
+}
+
+/// A WAV file of 8000 samples a second with 16 bits; `sample` gives a channel at an index.
+std::string wav(int channels, int length, const std::function<int(int channel, int i)>& sample)
+{
+    std::string data;
+    for (int i = 0; i < length; ++i)
+        for (int c = 0; c < channels; ++c) data += littleEndian(static_cast<std::uint32_t>(sample(c, i)), 2);
+    const auto count = static_cast<std::uint32_t>(channels), size = static_cast<std::uint32_t>(data.size());
+    return "RIFF" + littleEndian(36 + size, 4) + "WAVEfmt " + littleEndian(16, 4) + littleEndian(1, 2) +
+           littleEndian(count, 2) + littleEndian(8000, 4) + littleEndian(16000 * count, 4) +
+           littleEndian(2 * count, 2) + littleEndian(16, 2) + "data" + littleEndian(size, 4) + data;
+}
+
+TEST_F(YourShaderPictures, ShowTheSamplesOfASoundBeforeATime)
+{
+    ShaderShot own;
+    ASSERT_EQ(own.show(isf(R"("INPUTS": [{"NAME": "sound", "TYPE": "audio", "MAX": 8}])",
+                           "gl_FragColor = gl_FragCoord.y < 2.0 ? vec4(IMG_SIZE(sound), 0, 255) / 255.0 : "
+                           "IMG_PIXEL(sound, vec2(floor(gl_FragCoord.x) + 0.5, gl_FragCoord.y < 8.0 ? 0.5 : 1.5));")),
+              "");
+    Picture picture = own.shot.take();
+    EXPECT_EQ(ShaderShot::code(picture, 3, 0), (Codes{8, 1, 0})) << "silence";
+    EXPECT_EQ(ShaderShot::code(picture, 3, 4), (Codes{128, 128, 128}));
+    // Channel 0 rises by one code of 8 bits a sample, channel 1 falls.
+    writeBytes(own.folder / "ramp.wav", wav(2, 100, [](int channel, int i) { return (channel == 0 ? i : -i) * 256; }));
+    own.set("sound", (own.folder / "ramp.wav").string());
+    own.set("moment", 60 / 8000.0);
+    picture = own.shot.take();
+    EXPECT_EQ(ShaderShot::code(picture, 3, 0), (Codes{8, 2, 0}));
+    for (const int x : {0, 3, 7}) {
+        EXPECT_NEAR(ShaderShot::code(picture, x, 4)[0], 127.5 + 127.5 * (52 + x) / 128.0, 0.6) << x;
+        EXPECT_NEAR(ShaderShot::code(picture, x, 12)[0], 127.5 - 127.5 * (52 + x) / 128.0, 0.6) << x;
+    }
+    own.set("moment", 104 / 8000.0);
+    EXPECT_NEAR(own.codeAt(7, 4)[0], 127.5 + 127.5 * 3 / 128.0, 0.6) << "it repeats after 100 samples";
+    own.set("sound", (own.folder / "none.wav").string());
+    own.shot.request.frame.needsFiles = true;
+    EXPECT_THROW((void)own.shot.take(), Failure);
+}
+
+TEST_F(YourShaderPictures, ShowTheFrequenciesOfASoundBeforeATime)
+{
+    ShaderShot own;
+    ASSERT_EQ(own.show(isf(R"("INPUTS": [{"NAME": "tones", "TYPE": "audioFFT", "MAX": 16}])",
+                           "gl_FragColor = IMG_PIXEL(tones, vec2(min(floor(gl_FragCoord.x), 15.0) + 0.5, 0.5));")),
+              "");
+    // 1375 Hz is the 176th of 1024 frequencies up to 8 kHz, in the band from 1250 to 1500 Hz; its amplitude is a half.
+    writeBytes(own.folder / "tone.wav", wav(1, 8000, [](int, int i) {
+                   return static_cast<int>(std::lround(16384 * std::sin(2 * std::numbers::pi * 1375 * i / 8000.0)));
+               }));
+    own.set("tones", (own.folder / "tone.wav").string());
+    own.set("moment", 0.5);
+    const Picture picture = own.shot.take();
+    for (int x = 0; x < 16; ++x)
+        EXPECT_NEAR(ShaderShot::code(picture, x, 4)[0], x == 5 ? 127.5 : 0, x == 5 ? 1.5 : 1) << x;
+    own.set("moment", 0.0);
+    EXPECT_EQ(own.codeAt(5, 4)[0], 0) << "nothing was heard yet";
 }
 
 TEST_F(YourShaderPictures, OfTheFirstShaderFollowItsInputsThoughNoFileWasChosen)
