@@ -236,6 +236,7 @@ std::uint64_t WorkPlan::identity(double rate) const
 {
     render::Hash hash;
     hash.addValue(work_.id).addValue(rate).addValue(shot_.values[shot_.table.loopRounds]);
+    hash.addValue(shot_.values[shot_.table.restarts]);
     for (const glm::ivec2& size : sizes_) hash.addValue(size);
     for (const auto* pictures : {&shot_.ofInputs, &shot_.files})
         for (const LoadedPicture& picture : *pictures) hash.addValue(picture.id);
@@ -419,11 +420,15 @@ void WorkPlan::markStep(std::int64_t step, std::uint64_t identity, bool isOnly)
 
 WorkPicture WorkPlan::picture(std::int64_t step) const
 {
-    WorkPicture picture{imageOf(work_.passes.back().target, step), {}};
+    WorkPicture picture{imageOf(work_.passes.back().target, step), {}, {}};
     if (!work_.isKept) return picture;
     picture.reads = {stateOf(0), stateOf(1)};
-    for (std::size_t i = 0; i < work_.targets.size(); ++i)
-        if (work_.targets[i].isKept) picture.reads.push_back(imageOf(i, step));
+    for (std::size_t i = 0; i < work_.targets.size(); ++i) {
+        if (!work_.targets[i].isKept) continue;
+        picture.reads.push_back(imageOf(i, step));
+        if (work_.targets[i].isFloat && !work_.targets[i].isCube && picture.floats.size() < mostMarkedImages)
+            picture.floats.push_back(imageOf(i, step));
+    }
     return picture;
 }
 

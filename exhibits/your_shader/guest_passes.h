@@ -41,8 +41,11 @@ struct WorkPicture {
     std::string image;
     /// Images and states that the pass which shows the picture must read, so that they are kept for the next step.
     std::vector<std::string> reads;
+    std::vector<std::string> floats;  ///< Float images that are kept, the first ones.
 };
 
+/// Largest number of `WorkPicture::floats`.
+inline constexpr std::size_t mostMarkedImages = 2;
 /// Largest number of a step that is computed.
 inline constexpr std::int64_t lastStep = 36'000;
 /// Largest number of steps in one frame of the window while time runs.

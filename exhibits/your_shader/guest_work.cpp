@@ -161,7 +161,7 @@ private:
     static PassPicture::From builtIn(const std::string& glslType, const std::string& name)
     {
         if (glslType == "samplerCube") return PassPicture::From::environment;
-        const bool isGray = name.find("gray") != std::string::npos || name.find("grey") != std::string::npos ||
+        const bool isGray = name.find("gray") != std::string::npos ||
                             name.find("27012b4eadd0c3ce12498b867058e4f7") != std::string::npos;
         return isGray ? PassPicture::From::grayNoise : PassPicture::From::colorNoise;
     }

@@ -3,6 +3,8 @@
 #include "exhibits/framework/files/file_path.h"
 #include "exhibits/framework/files/table_change.h"
 #include "exhibits/kit/portal.h"
+#include "exhibits/your_shader/crash_guard.h"
+#include "exhibits/your_shader/guest_input.h"
 #include "exhibits/your_shader/guest_passes.h"
 #include "exhibits/your_shader/guest_pictures.h"
 #include "exhibits/your_shader/guest_reader.h"
@@ -11,6 +13,7 @@
 #include "render/files/assets.h"
 #include "render/files/read_file.h"
 #include "render/hash.h"
+#include "render/plan/render_backend.h"
 #include "render/video/sound_file.h"
 #include "shaders/lib/bindings.glsl"
 
@@ -30,11 +33,22 @@ Portal screenPortal()
     return portal;
 }
 
+/// Returns the place on the screen under a ray from the front, from 0 to 1, also beside the screen.
+std::optional<glm::dvec2> placeUnder(const render::Ray& ray)
+{
+    const Portal portal = screenPortal();
+    const double z = -portal.behind;
+    if (!(ray.direction.z < 0) || !(ray.origin.z > z)) return std::nullopt;
+    const glm::dvec3 hit = ray.at((z - ray.origin.z) / ray.direction.z);
+    return 0.5 + 0.5 * glm::dvec2(hit) / portal.halfSize;
+}
+
 struct PreparedShader final : PreparedPart {
     explicit PreparedShader(ParameterValues with) : values(std::move(with)) {}
 
     ParameterValues values;  ///< With the inputs of the shader that is shown.
     std::vector<guest::LoadedPicture> ofInputs, files;
+    bool isLeftOff = false;  ///< The program ended while it first drew the shader.
 
     [[nodiscard]] const YourShaderTable& table() const { return static_cast<const YourShaderTable&>(values.table()); }
 };
@@ -216,6 +230,20 @@ std::shared_ptr<const PreparedPart> YourShader::prepare(const PrepareContext& co
         part->values = underTable(context.values, first->table, notes);
     }
     const YourShaderTable& table = part->table();
+    guest::CrashGuard& guard = guest::CrashGuard::ofProcess();
+    part->isLeftOff = guard.leavesOff(*table.work);
+    if (part->isLeftOff) {
+        part->unreadable.push_back(
+            {"your_shader/file",
+             unreadableFile(
+                 row, title(),
+                 message("The program ended while it drew {1} for the first time, so it is left off; save it "
+                         "again to try it again.",
+                         table.work->path)),
+             message("The screen stays dark.")});
+        return part;
+    }
+    guard.begin(*table.work);
     render::Hash id;
     id.addValue(table.work->id);
     for (std::size_t i = 0; i < table.ofInputs.size(); ++i) {
@@ -245,10 +273,10 @@ void YourShader::planFrom(const PlanContext& context, const render::PersistentSt
                           render::FramePlan& plan) const
 {
     const auto* prepared = static_cast<const PreparedShader*>(context.prepared);
-    if (!prepared || !prepared->table().work) return plan.skip("your_shader/screen", "it is not loaded");
+    if (!prepared || !prepared->table().work || prepared->isLeftOff)
+        return plan.skip("your_shader/screen", "it is not loaded");
     const ParameterValues& values = prepared->values;
     const int width = values[table_.screenWidth];
-    const double clock = values[table_.animate] && std::isfinite(context.time) ? context.time : 0;
     const guest::WorkShot shot{*prepared->table().work,
                                prepared->table(),
                                values,
@@ -256,7 +284,7 @@ void YourShader::planFrom(const PlanContext& context, const render::PersistentSt
                                prepared->files,
                                context.alone ? glm::max(plan.view.raster.size, glm::ivec2(1))
                                              : glm::ivec2(width, std::max(width * 2 / 3, 1)),
-                               std::clamp(values[table_.moment] + clock, -1e7, 1e7),
+                               shaderTime({values, context.time}),
                                !context.alone};
     const std::optional<guest::WorkPicture> picture = guest::planWork(shot, kept, plan);
     if (!picture) return;
@@ -265,8 +293,55 @@ void YourShader::planFrom(const PlanContext& context, const render::PersistentSt
     render::Pass pass =
         portalPass("your_shader/screen", "in view", common, "your_shader/screen.frag", screenPortal(), context);
     pass.inputs.push_back({UNIT_EXHIBIT_A, picture->image});
+    if (values[table_.markInvalid]) {
+        pass.shader.defines.push_back("MARKED_IMAGES " + std::to_string(picture->floats.size()));
+        for (std::size_t i = 0; i < picture->floats.size(); ++i)
+            pass.inputs.push_back({i == 0 ? UNIT_EXHIBIT_B : UNIT_EXHIBIT_C, picture->floats[i]});
+    }
     pass.reads = picture->reads;
     plan.add(std::move(pass));
+}
+
+void YourShader::wasDrawn(const render::FrameReport& report) const
+{
+    const bool ranPasses = std::any_of(report.ran.begin(), report.ran.end(), [](const render::StepReport& step) {
+        return step.name.starts_with("your_shader/") && step.name != "your_shader/screen";
+    });
+    if (ranPasses) guest::CrashGuard::ofProcess().drawn();
+}
+
+double YourShader::shaderTime(const ExhibitState& state) const
+{
+    const double clock = state.values[table_.animate] && std::isfinite(state.time) ? state.time : 0;
+    return std::clamp(state.values[table_.moment] + clock, -1e7, 1e7);
+}
+
+std::optional<std::size_t> YourShader::gripUnder(const ExhibitState& state, const render::Ray& ray, double reach) const
+{
+    const std::optional<glm::dvec2> place = placeUnder(ray);
+    if (!place || *place != glm::clamp(*place, 0.0, 1.0)) return std::nullopt;
+    return guest::gripAt(static_cast<const Table&>(state.values.table()), state.values, *place,
+                         reach / (2.0 * screenPortal().halfSize));
+}
+
+RowChanges YourShader::pointed(const ExhibitState& state, std::size_t grip, PointerEvent event,
+                               const render::Ray& ray) const
+{
+    const std::optional<glm::dvec2> place = placeUnder(ray);
+    if (!place) return {};
+    return guest::pointedAt(static_cast<const Table&>(state.values.table()), grip, event, glm::clamp(*place, 0.0, 1.0));
+}
+
+bool YourShader::takesKeys(const ExhibitState& state) const
+{
+    const auto& table = static_cast<const Table&>(state.values.table());
+    return table.work && table.work->readsKeys;
+}
+
+RowChanges YourShader::keyed(const ExhibitState& state, int code, bool isDown) const
+{
+    return guest::keyedAt(static_cast<const Table&>(state.values.table()), state.values, code, isDown,
+                          shaderTime(state));
 }
 
 }  // namespace vitrine

@@ -2,6 +2,7 @@
 
 #include "exhibits/framework/scene/continues_state.h"
 #include "exhibits/framework/scene/exhibit.h"
+#include "exhibits/framework/scene/takes_input.h"
 #include "exhibits/framework/scene/text_document.h"
 #include "exhibits/your_shader/your_shader_table.h"
 
@@ -18,7 +19,8 @@ class YourShader final : public Exhibit,
                          public HasSurroundings,
                          public TableFromFiles,
                          public ContinuesState,
-                         public HasText {
+                         public HasText,
+                         public TakesInput {
 public:
     using Table = YourShaderTable;
 
@@ -54,6 +56,15 @@ public:
     [[nodiscard]] std::vector<TextTemplate> templates() const override;
 
 private:
+    void wasDrawn(const render::FrameReport&) const override;
+    [[nodiscard]] std::optional<std::size_t> gripUnder(const ExhibitState&, const render::Ray&,
+                                                       double reach) const override;
+    [[nodiscard]] RowChanges pointed(const ExhibitState&, std::size_t grip, PointerEvent,
+                                     const render::Ray&) const override;
+    [[nodiscard]] bool takesKeys(const ExhibitState&) const override;
+    [[nodiscard]] RowChanges keyed(const ExhibitState&, int code, bool isDown) const override;
+    /// Returns the time that the shader shows, in seconds.
+    [[nodiscard]] double shaderTime(const ExhibitState&) const;
     /// Returns the path of the shader that the values name, or of the first one.
     [[nodiscard]] std::filesystem::path pathOf(const ParameterValues&) const;
 

@@ -76,6 +76,14 @@ struct YourShaderTable final : Parameters {
                "Behavior of persistent buffers when an input changes: the shader continues from their content, or "
                "begins again. Pictures for files always begin again.");
 
+    Count restarts =
+        count("restarts", 0, {0, 1000},
+              "Number of times that the buffers were emptied: with another number, the steps begin again.");
+    Toggle markInvalid =
+        toggle("markInvalid", false,
+               "Marks pixels in magenta where the picture or a float buffer that is kept holds infinity "
+               "or no number.");
+
     Group accuracy = group("Accuracy");
     Count loopRounds = count("loopRounds", 65536, {16, 262144, logarithmic},
                              "Largest number of loop iterations per pixel, in all loops together: low cuts long loops "

@@ -3,6 +3,7 @@
 #include "ui/window/job_scene.h"
 
 #include "exhibits/framework/scene/capabilities.h"
+#include "exhibits/framework/scene/continues_state.h"
 #include "render/files/assets.h"
 #include "ui/charts/charts_dock.h"
 #include "ui/compare/compare_actions.h"
@@ -27,6 +28,7 @@
 #include "ui/report/frame_report_dock.h"
 #include "ui/report/log_view.h"
 #include "ui/study/study_dock.h"
+#include "ui/viewport/picture_input.h"
 #include "ui/viewport/pixel_inspector.h"
 #include "ui/viewport/row_drag.h"
 #include "ui/viewport/viewport.h"
@@ -88,6 +90,8 @@ MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* pare
     again_ = new ExportAgain(
         *this, [this](const jobs::Job& job) { return jobSceneOf(*this, job); }, *this);
     new RowDrag(
+        museum_, history_, *viewport_, [this] { return chosen_; }, this);
+    new PictureInput(
         museum_, history_, *viewport_, [this] { return chosen_; }, this);
     new PixelInspector(museum_, history_, renderers, *viewport_, this);
     // After all others that take the picture's events: side by side, they get them as of the whole picture.
@@ -198,7 +202,9 @@ void MainWindow::connectViewport()
     connect(&viewport_->renderThread(), &RenderThread::failed, this,
             [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
     new FrameReporter(*this, *docks_, *status_, this);
-    connect(viewport_, &Viewport::drawn, this, [this] {
+    connect(viewport_, &Viewport::drawn, this, [this](const render::FrameReport& report) {
+        for (std::size_t i = 0; i < history_.sceneState().values.size(); ++i)
+            if (const auto* continues = capability<ContinuesState>(museum_.subject(i))) continues->wasDrawn(report);
         if (viewport_->schedule().still())
             QMetaObject::invokeMethod(presetController_, &PresetController::keepMissingThumbnail, Qt::QueuedConnection);
     });

@@ -6,6 +6,7 @@
 #include "ui/export/picture_export.h"
 #include "ui/jobs/export_again.h"
 #include "ui/jobs/job_dialog.h"
+#include "ui/kit/language.h"
 #include "ui/kit/text.h"
 #include "ui/lessons/lesson_controller.h"
 #include "ui/lessons/page_dialog.h"

@@ -7,7 +7,8 @@ namespace vitrine {
 struct PlanContext;
 namespace render {
 class FramePlan;
-}
+struct FrameReport;
+}  // namespace render
 
 /// Capability: draws from the state of the frame before, and plans only the steps that are missing.
 class ContinuesState {
@@ -16,6 +17,8 @@ public:
     /// Does what `Exhibit::plan` does, and is called in its place for the main view. `kept`: content of the renderer's
     /// persistent images. The picture must not depend on it, unless a parameter says so.
     virtual void planFrom(const PlanContext&, const render::PersistentState& kept, render::FramePlan&) const = 0;
+    /// Called in the window after a frame was drawn.
+    virtual void wasDrawn(const render::FrameReport&) const {}
 };
 
 }  // namespace vitrine

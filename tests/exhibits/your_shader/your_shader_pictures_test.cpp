@@ -595,6 +595,33 @@ TEST_F(YourShaderPictures, CatchUpInTheWindowAndContinueWithOtherValues)
     EXPECT_EQ(drawn(), 71) << "the buffer continues from what it holds";
     own.set("afterChange", 1.0);
     EXPECT_EQ(drawn(), 40) << "the steps begin again";
+    EXPECT_EQ(drawn(), 80);
+    own.set("restarts", 1.0);
+    EXPECT_EQ(drawn(), 40) << "the buffers were emptied";
+}
+
+TEST_F(YourShaderPictures, MarkWhatIsNoNumberInABufferUntilItIsEmptied)
+{
+    ShaderShot own;
+    ASSERT_EQ(own.show(isf(R"("INPUTS": [{"NAME": "zero", "TYPE": "float"}],
+        "PASSES": [{"TARGET": "sum", "PERSISTENT": true, "FLOAT": true}, {}])",
+                           "if (PASSINDEX == 1) gl_FragColor = vec4(0.2, 0.4, 0.6, 1.0);\n"
+                           "else gl_FragColor = IMG_THIS_PIXEL(sum) + (gl_FragCoord.x < 8.0 ? zero / zero : "
+                           "gl_FragCoord.x < 16.0 && FRAMEINDEX == 2 ? 1.0 / zero : 1.0);")),
+              "");
+    const auto codesAt = [&](double moment) {
+        own.set("moment", moment);
+        const Picture picture = own.shot.take();
+        return std::vector{ShaderShot::code(picture, 3, 3), ShaderShot::code(picture, 12, 3),
+                           ShaderShot::code(picture, 20, 3)};
+    };
+    const Codes shown{51, 102, 153}, magenta{255, 0, 255};
+    EXPECT_EQ(codesAt(4 / 60.0), (std::vector{shown, shown, shown}));
+    own.set("markInvalid", 1.0);
+    EXPECT_EQ(codesAt(1 / 60.0), (std::vector{magenta, shown, shown}));
+    EXPECT_EQ(codesAt(4 / 60.0), (std::vector{magenta, magenta, shown})) << "infinity stays in the buffer";
+    own.set("zero", 1.0);
+    EXPECT_EQ(codesAt(4 / 60.0), (std::vector{shown, shown, shown}));
 }
 
 TEST_F(YourShaderPictures, HaveTheShadersOwnColorsInTheHall)

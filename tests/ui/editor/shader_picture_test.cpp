@@ -3,10 +3,14 @@
 #include "tests/ui/ui_main.h"
 
 #include "exhibits/museum/museum.h"
+#include "exhibits/your_shader/guest_work.h"
 #include "exhibits/your_shader/your_shader.h"
+#include "ui/compare/compare_controller.h"
+#include "ui/compare/picture_b.h"
 #include "ui/editor/live_text.h"
 #include "ui/editor/shader_panel.h"
 #include "ui/kit/theme.h"
+#include "ui/model/settings_b.h"
 #include "ui/viewport/gl_probe.h"
 #include "ui/viewport/museum_renderers.h"
 #include "ui/viewport/viewport.h"
@@ -16,11 +20,15 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QElapsedTimer>
+#include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <clocale>
+#include <cmath>
 #include <memory>
+#include <set>
+#include <string>
 
 using namespace vitrine;
 using namespace vitrine::ui;
@@ -42,6 +50,38 @@ class ShaderPictureTest : public QObject {
     void set(const char* row, const Value& value)
     {
         window_->history().set(shader, values().table().find(row).value(), value, 0);
+    }
+    [[nodiscard]] double number(const char* row)
+    {
+        return std::get<double>(values().row(values().table().find(row).value()));
+    }
+    [[nodiscard]] std::string text(const char* row)
+    {
+        return std::get<std::string>(values().row(values().table().find(row).value()));
+    }
+    /// Writes a shader, names it and waits for its picture.
+    void show(const QString& name, const char* text)
+    {
+        const QString path = home_->filePath(name);
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(text);
+        file.close();
+        set("file", path.toStdString());
+        QTRY_VERIFY(static_cast<const YourShaderTable&>(values().table()).work);
+        QTRY_COMPARE(QString::fromStdString(
+                         static_cast<const YourShaderTable&>(values().table()).work->path.filename().string()),
+                     name);
+        settle();
+    }
+    /// Returns the pixel of a place on the screen, from 0 to 1; the origin is at the lower left.
+    [[nodiscard]] QPoint at(double x, double y)
+    {
+        const glm::dvec4 own((2 * x - 1) * 1.2, (2 * y - 1) * 0.8, 0.02, 1);
+        const glm::dvec4 clip = viewport().view().clipFromWorld * museum_->worldFromExhibit(shader) * own;
+        return QPointF((0.5 + 0.5 * clip.x / clip.w) * viewport().width(),
+                       (0.5 - 0.5 * clip.y / clip.w) * viewport().height())
+            .toPoint();
     }
     void settle() { QTRY_VERIFY(viewport().schedule().still()); }
     /// Types in place of the first occurrence of some words.
@@ -146,6 +186,111 @@ private slots:
             settle();
             QTRY_VERIFY(std::abs(brightness(viewport().shown()) - before) < 1);
         }
+    }
+
+    void thePointerInThePictureIsTheMouseOfTheShader()
+    {
+        show("mouse.glsl",
+             "void mainImage(out vec4 c, in vec2 p) { c = iMouse.z > 0.0 ? vec4(1) : vec4(0, 0, 0, 1); }");
+        const render::Camera camera = window_->history().sceneState().camera;
+        const int steps = window_->history().stack().count();
+        QTest::mousePress(&viewport(), Qt::LeftButton, {}, at(0.25, 0.75));
+        QVERIFY(std::abs(number("mouseX") - 0.25) < 0.01 && std::abs(number("mouseY") - 0.75) < 0.01);
+        QCOMPARE(number("mouseDown"), 1.0);
+        QTRY_VERIFY(brightness(viewport().shown()) > 250);
+        QTest::mouseMove(&viewport(), at(0.5, 0.5));
+        QVERIFY(std::abs(number("mouseX") - 0.5) < 0.01 && std::abs(number("pressX") - 0.25) < 0.01);
+        QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, at(0.6, 0.5));
+        QCOMPARE(number("mouseDown"), 0.0);
+        QVERIFY(std::abs(number("mouseX") - 0.6) < 0.01);
+        QTRY_VERIFY(brightness(viewport().shown()) < 5);
+        QCOMPARE(window_->history().stack().count(), steps + 1);
+        QVERIFY(window_->history().sceneState().camera == camera);
+        // For a shader that reads no mouse, dragging turns the view.
+        show("still.glsl", "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.5); }");
+        QTest::mousePress(&viewport(), Qt::LeftButton, {}, at(0.75, 0.75));
+        for (const double x : {0.7, 0.6, 0.5}) QTest::mouseMove(&viewport(), at(x, 0.75));
+        QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, at(0.5, 0.75));
+        QVERIFY(std::abs(number("pressX") - 0.25) < 0.01);
+        QVERIFY(!(window_->history().sceneState().camera == camera));
+    }
+
+    void aPointOfAnIsfIsDragged()
+    {
+        show("point.fs",
+             "/*{\"INPUTS\": [{\"NAME\": \"center\", \"TYPE\": \"point2D\", \"MIN\": [-1, -1], \"MAX\": [1, "
+             "1], \"DEFAULT\": [0, 0]}]}*/\nvoid main() { gl_FragColor = vec4(center.x); }");
+        QTest::mousePress(&viewport(), Qt::LeftButton, {}, at(0.5, 0.5));
+        QTest::mouseMove(&viewport(), at(0.7, 0.6));
+        QTest::mouseMove(&viewport(), at(0.75, 0.25));
+        QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, at(0.75, 0.25));
+        QVERIFY2(std::abs(number("centerX") - 0.5) < 0.02, qPrintable(QString::number(number("centerX"))));
+        QVERIFY(std::abs(number("centerY") + 0.5) < 0.02);
+    }
+
+    void keysInThePictureAreThoseOfTheShader()
+    {
+        show("keys.glsl", "#iChannel0::Type \"Keyboard\"\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(texelFetch("
+                          "iChannel0, ivec2(87, 0), 0).x); }");
+        set("moment", 2.0);
+        const render::Camera camera = window_->history().sceneState().camera;
+        const int steps = window_->history().stack().count();
+        viewport().setFocus();
+        QTRY_VERIFY(viewport().hasFocus());
+        QTest::keyPress(&viewport(), Qt::Key_W);
+        QCOMPARE(text("keys"), std::string("87@2"));
+        QTRY_VERIFY(brightness(viewport().shown()) > 250);
+        QTest::keyPress(&viewport(), Qt::Key_Space);
+        QTest::keyRelease(&viewport(), Qt::Key_Space);
+        QTest::keyRelease(&viewport(), Qt::Key_W);
+        QCOMPARE(text("keys"), std::string("87@2-2 32@2-2"));
+        QTRY_VERIFY(brightness(viewport().shown()) < 5);
+        QCOMPARE(window_->history().stack().count(), steps + 1);
+        QVERIFY(window_->history().sceneState().camera == camera);
+        QTest::keyPress(&viewport(), Qt::Key_A);
+        panel().view()->widget().setFocus();
+        QTRY_VERIFY(!viewport().hasFocus());
+        QCOMPARE(text("keys"), std::string("87@2-2 32@2-2 65@2-2"));
+    }
+
+    void twoFilesStandSideBySideWithTheirCosts()
+    {
+        CompareController& compared = window_->comparison();
+        show("dark.glsl",
+             "#iUniform float gain = 0.25 in {0, 1}\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(gain); }");
+        compared.setToCurrent();
+        show("bright.fs", "/*{\"INPUTS\": [{\"NAME\": \"level\", \"TYPE\": \"float\", \"DEFAULT\": 0.75}], \"PASSES\": "
+                          "[{\"TARGET\": \"raw\"}, {}]}*/\nvoid main() { gl_FragColor = PASSINDEX == 0 ? vec4(level) : "
+                          "IMG_THIS_PIXEL(raw); }");
+        compared.setMode(CompareMode::sideBySide);
+        QTRY_VERIFY(compared.picture().finished() && compared.picture().upToDate());
+        settle();
+        QVERIFY(std::abs(brightness(compared.picture().image()) - 63.75) < 3);
+        QTRY_VERIFY(std::abs(brightness(viewport().shown()) - 191.25) < 3);
+        const auto passes = [](const render::FrameReport& report) {
+            std::set<std::string> names;
+            for (const render::StepReport& step : report.ran)
+                if (step.name.starts_with("your_shader/")) names.insert(step.name);
+            for (const render::CulledPass& pass : report.skipped)
+                if (pass.name.starts_with("your_shader/")) names.insert(pass.name);
+            return names;
+        };
+        QVERIFY(passes(compared.picture().report()).contains("your_shader/1 Image"));
+        QVERIFY(compared.picture().report().milliseconds > 0);
+        // An input of B alone is not lost, and neither has those of the other.
+        const ParameterValues& b = compared.other().sceneState().values[shader];
+        QVERIFY(b.table().find("gain") && !b.table().find("level"));
+        QVERIFY(values().table().find("level") && !values().table().find("gain"));
+        set("level", 0.5);
+        settle();
+        QTRY_VERIFY(std::abs(brightness(viewport().shown()) - 127.5) < 3);
+        QVERIFY(std::abs(brightness(compared.picture().image()) - 63.75) < 3);
+        compared.other().swap();
+        QTRY_VERIFY(values().table().find("gain"));
+        settle();
+        QTRY_VERIFY(std::abs(brightness(viewport().shown()) - 63.75) < 3);
+        QTRY_VERIFY(std::abs(brightness(compared.picture().image()) - 127.5) < 3);
+        compared.letGo();
     }
 
     void anErrorLeavesThePictureAsItIs()
