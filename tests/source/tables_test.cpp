@@ -59,7 +59,7 @@ std::string tableText(const std::string& exhibit)
 std::vector<DeclaredRow> declaredRows(const std::string& text)
 {
     static const std::regex row(
-        R"re((\w+)\s*=\s*(?:this->Parameters::)?(?:real|count|toggle|choice|color|direction|file|document)\(\s*"(\w+)")re");
+        R"re((\w+)\s*=\s*(?:this->Parameters::)?(?:real|count|toggle|choice|color|direction|file|text|document)\(\s*"(\w+)")re");
     std::vector<DeclaredRow> rows;
     for (auto match = std::sregex_iterator(text.begin(), text.end(), row); match != std::sregex_iterator(); ++match)
         rows.push_back({(*match)[1], (*match)[2]});
