@@ -99,7 +99,7 @@ const std::vector<std::string>& studyMetrics()
     static const std::vector<std::string> names = [] {
         std::vector<std::string> all;
         for (const render::MetricInfo& metric : render::allMetrics())
-            if (!metric.falls) all.emplace_back(metric.name);
+            if (!metric.falls && !metric.ofHighRange) all.emplace_back(metric.name);
         return all;
     }();
     return names;

@@ -1,5 +1,7 @@
 #include "render/measure/distance.h"
 
+#include "render/measure/color_at.h"
+#include "render/measure/hdr_flip.h"
 #include "render/measure/structure.h"
 
 #include <algorithm>
@@ -81,6 +83,25 @@ std::optional<Image> mapOfFlip(const Pictures& p)
     return flipMap(p.reference(), p.test(), p.pixelsPerDegree());
 }
 
+std::optional<double> hdrFlipOf(const Pictures& p)
+{
+    return hdrFlip(p.reference(), p.test(), p.pixelsPerDegree());
+}
+std::optional<Image> mapOfHdrFlip(const Pictures& p)
+{
+    return hdrFlipMap(p.reference(), p.test(), p.pixelsPerDegree());
+}
+
+bool hasHighRange(const Image& image)
+{
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            const glm::dvec3 color = colorAt(image, x, y);
+            if (std::max({color.x, color.y, color.z}) > 1) return true;
+        }
+    return false;
+}
+
 /// Applies `errorOf` to each pixel of `count` channels from the one of that name.
 template <typename Of>
 std::optional<Image> mapOfChannels(const Pictures& p, std::string_view name, int count, const Of& errorOf)
@@ -149,6 +170,13 @@ const std::vector<MetricInfo>& allMetrics()
         {Metric::dssim, "dssim", "structural dissimilarity, (1 − SSIM) / 2", dissimilarityOf, mapOfDissimilarity,
          P::mean, 1.0},
         {Metric::flip, "flip", "mean FLIP", flipOf, mapOfFlip, P::mean, 1.0},
+        {.metric = Metric::hdrflip,
+         .name = "hdrflip",
+         .title = "mean HDR-FLIP",
+         .distance = hdrFlipOf,
+         .map = mapOfHdrFlip,
+         .fullScale = 1.0,
+         .ofHighRange = true},
         {.metric = Metric::normal,
          .name = "normal",
          .title = "mean angle between normals, degrees",
@@ -201,8 +229,11 @@ std::optional<double> distance(Metric metric, const Image& reference, const Imag
 std::map<Metric, double> distances(const ComparedPictures& pictures)
 {
     std::map<Metric, double> found;
-    for (const MetricInfo& metric : allMetrics())
+    const bool high = hasHighRange(pictures.reference()) || hasHighRange(pictures.test());
+    for (const MetricInfo& metric : allMetrics()) {
+        if (metric.ofHighRange && !high) continue;
         if (const std::optional<double> distance = metric.distance(pictures)) found[metric.metric] = *distance;
+    }
     return found;
 }
 

@@ -44,7 +44,10 @@ struct MetricInfo {
     ViewPooling pooling = ViewPooling::mean;
     std::optional<double> fullScale = {};  ///< Error that a heat map shows white. Unset: the largest one.
     bool ofColor = true;                   ///< Compares colors, not another channel.
-    bool falls = false;                    ///< Falls with the difference, from infinity for equal pictures.
+    /// Made for light beyond 1: `distances` computes it only if a picture has such light. It takes some ten times as
+    /// long as the others together.
+    bool ofHighRange = false;
+    bool falls = false;  ///< Falls with the difference, from infinity for equal pictures.
 };
 
 /// All metrics, in the order of the enumerators.
@@ -55,7 +58,7 @@ struct MetricInfo {
 /// compares.
 [[nodiscard]] std::optional<double> distance(Metric, const Image& reference, const Image& test,
                                              double pixelsPerDegree = flipPixelsPerDegree);
-/// Returns the distance by every metric whose channels the pictures have.
+/// Returns the distance by every metric whose channels, and range of light, the pictures have.
 [[nodiscard]] std::map<Metric, double> distances(const ComparedPictures&);
 
 /// Returns the error of each pixel, one channel. Returns nothing as `distance` does.

@@ -10,7 +10,7 @@ namespace vitrine::render {
 
 /// Metric for the distance of a picture from its reference. All are 0 for equal pictures and grow with the difference,
 /// except `psnr`, which falls and is infinite for equal pictures. `allMetrics` (distance.h) declares them.
-enum class Metric : std::uint8_t { rmse, psnr, max, beyond, mape, relmse, dssim, flip, normal, depth };
+enum class Metric : std::uint8_t { rmse, psnr, max, beyond, mape, relmse, dssim, flip, hdrflip, normal, depth };
 
 /// Returns the name in options and files: "rmse", "psnr", ...
 [[nodiscard]] std::string_view toString(Metric);

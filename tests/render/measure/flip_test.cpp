@@ -1,6 +1,7 @@
 // Statements of the FLIP paper, and their consequences.
 
 #include "render/measure/flip.h"
+#include "render/measure/hdr_flip.h"
 #include "tests/support/made_image.h"
 
 #include <gtest/gtest.h>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <vector>
 
 namespace vitrine {
 namespace {
@@ -119,6 +121,82 @@ TEST(Flip, MirroringBothPicturesMirrorsTheMap)
     const Image turned = flipMap(mirrored(a), mirrored(b));
     for (int y = 0; y < map.height; ++y)
         for (int x = 0; x < map.width; ++x) EXPECT_NEAR(map.at(x, y), turned.at(map.width - 1 - x, y), 1e-6);
+}
+
+/// Returns a row of `n` gray pixels, each brighter than the one before by a number of stops.
+Image stops(int n, double first, double step = 1)
+{
+    return made(n, 1, [=](int x, int, int) { return static_cast<float>(std::exp2(first + step * x)); });
+}
+
+TEST(HdrFlip, ShowsTheBrightestAndTheMedianAtTheSameValueOfTheCurve)
+{
+    const std::vector<double> exposures = hdrFlipExposures(stops(17, -3, 0.9));
+    // From the brightest pixel to the median, the ninth, there are 7.2 stops.
+    ASSERT_EQ(exposures.size(), 8U);
+    EXPECT_NEAR(exposures.back() - exposures.front(), 7.2, 1e-6);
+    EXPECT_NEAR(hdrFlipToneCurve(std::exp2(exposures.front() - 3 + 16 * 0.9)), 0.85, 1e-6);
+    EXPECT_NEAR(hdrFlipToneCurve(std::exp2(exposures.back() - 3 + 8 * 0.9)), 0.85, 1e-6);
+    for (std::size_t i = 1; i < exposures.size(); ++i)
+        EXPECT_NEAR(exposures[i] - exposures[i - 1], 7.2 / 7, 1e-6) << "at equal steps";
+    // An even number of pixels: the median is between two.
+    EXPECT_NEAR(hdrFlipToneCurve(1.5 * std::exp2(hdrFlipExposures(stops(2, 0)).back())), 0.85, 1e-6);
+    EXPECT_EQ(hdrFlipExposures(Image(4, 4, 3, 0.5F)).size(), 2U) << "at least two";
+}
+
+TEST(HdrFlip, TheCurveIsThePublishedOne)
+{
+    // Narkowicz 2016: (x (2.51 x + 0.03)) / (x (2.43 x + 0.59) + 0.14), of light times 0.6.
+    for (const double light : {0.0, 0.01, 0.18, 1.0, 4.0}) {
+        const double x = 0.6 * light;
+        EXPECT_NEAR(hdrFlipToneCurve(light), std::min(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 1.0),
+                    1e-12);
+    }
+    EXPECT_EQ(hdrFlipToneCurve(1e6), 1);
+}
+
+TEST(HdrFlip, IsTheLargestErrorOfAllExposures)
+{
+    const Image reference = stops(24, -12);
+    Image test = reference;
+    for (const int x : {1, 12, 22})
+        for (int c = 0; c < 3; ++c) test.at(x, 0, c) *= 1.5F;
+    const Image map = hdrFlipMap(reference, test);
+    std::vector<float> largest(24, 0);
+    for (const double exposure : hdrFlipExposures(reference)) {
+        const auto shown = [&](const Image& image) {
+            return made(24, 1, [&](int x, int, int) {
+                const double light = std::exp2(exposure) * static_cast<double>(image.at(x, 0));
+                return static_cast<float>(hdrFlipToneCurve(light));
+            });
+        };
+        const Image one = flipMap(shown(reference), shown(test));
+        for (std::size_t x = 0; x < 24; ++x) largest[x] = std::max(largest[x], one.pixels[x]);
+    }
+    for (std::size_t x = 0; x < 24; ++x) EXPECT_NEAR(map.pixels[x], largest[x], 1e-5) << x;
+    // LDR-FLIP sees nothing beyond 1; this does.
+    EXPECT_LT(flipMap(reference, test).at(22, 0), 1e-6);
+    EXPECT_GT(map.at(22, 0), 0.05);
+}
+
+TEST(HdrFlip, DoesNotDependOnTheUnitOfLight)
+{
+    const Image reference = stops(24, -12);
+    Image test = reference;
+    for (int c = 0; c < 3; ++c) test.at(12, 0, c) *= 2;
+    const auto scaled = [](Image image) {
+        for (float& x : image.pixels) x *= 1024;
+        return image;
+    };
+    EXPECT_NEAR(hdrFlip(reference, test), hdrFlip(scaled(reference), scaled(test)), 1e-6);
+    EXPECT_EQ(hdrFlip(reference, reference), 0);
+    EXPECT_EQ(hdrFlip(Image(4, 4, 3), Image(4, 4, 3)), 0) << "black";
+    Image broken(4, 4, 3, 0.5F);
+    broken.at(0, 0, 0) = NAN;
+    broken.at(1, 0, 1) = INFINITY;
+    broken.at(2, 0, 2) = -1;
+    const double error = hdrFlip(broken, Image(4, 4, 3, 0.5F));
+    EXPECT_TRUE(error > 0 && error <= 1) << error;
 }
 
 }  // namespace

@@ -243,7 +243,8 @@ TEST(Metrics, ErrorsOfViewsBecomeOneAsTheirMetricSays)
     const std::vector<double> errors{0.1, 0.2, 0.4};
     EXPECT_NEAR(pooledError(Metric::rmse, errors), std::sqrt((0.01 + 0.04 + 0.16) / 3), 1e-15);
     EXPECT_EQ(pooledError(Metric::max, errors), 0.4);
-    for (const Metric mean : {Metric::beyond, Metric::mape, Metric::dssim, Metric::flip, Metric::normal, Metric::depth})
+    for (const Metric mean :
+         {Metric::beyond, Metric::mape, Metric::dssim, Metric::flip, Metric::hdrflip, Metric::normal, Metric::depth})
         EXPECT_NEAR(pooledError(mean, errors), 0.7 / 3, 1e-15);
     for (const MetricInfo& m : allMetrics()) EXPECT_EQ(pooledError(m.metric, {}), 0) << m.name;
 }
@@ -254,11 +255,14 @@ TEST(Metrics, DistancesHaveEveryMetricWhoseChannelsThereAre)
     const std::map<Metric, double> found = distances({a, b, flipPixelsPerDegree});
     EXPECT_EQ(found.size(), 8U);
     for (const MetricInfo& m : allMetrics()) {
-        EXPECT_EQ(found.contains(m.metric), m.ofColor) << m.name;
-        if (!m.ofColor) continue;
+        EXPECT_EQ(found.contains(m.metric), m.ofColor && !m.ofHighRange) << m.name;
+        if (!found.contains(m.metric)) continue;
         EXPECT_EQ(found.at(m.metric), distance(m.metric, a, b)) << m.name;
     }
     EXPECT_NEAR(found.at(Metric::rmse), 0.125, 1e-7);
+    const Image bright(8, 8, 3, 1.5F);
+    EXPECT_EQ(distances({bright, b, flipPixelsPerDegree}).at(Metric::hdrflip), distance(Metric::hdrflip, bright, b));
+    EXPECT_TRUE(distances({b, bright, flipPixelsPerDegree}).contains(Metric::hdrflip));
 }
 
 }  // namespace
