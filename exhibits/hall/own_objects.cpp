@@ -132,6 +132,8 @@ void planOwnObject(const HallScene& scene, const OwnObject& object, const SceneL
         channels,
         {"BASE_COLOR_MAP", "VERTEX_COLOR", "NORMAL_MAP", "ORM_MAP", "OCCLUSION_MAP", "EMISSIVE_MAP", "ALPHA_MASK"});
     pass.state.cull = render::Cull::none;
+    for (const MeshInstance& part : object.model->parts)
+        if (part.material) addMaterialDefines(*part.material, pass.shader.defines);
     pass.depthOnly.reset();  // Alpha-masked textures cut holes into its depth.
     Pass blended = pass;
     blended.name += "/blended";

@@ -48,7 +48,9 @@ SurfaceObject surfaceObject(const glm::dmat4& worldFromModel, const render::Mate
     object.worldFromModel = glm::mat4(worldFromModel);
     object.worldFromModelNormals = glm::mat4(glm::dmat4(normalMatrix(glm::dmat3(worldFromModel))));
     object.baseColor = material.baseColor;
-    const bool packedOcclusion = material.occlusionMap && material.occlusionMap == material.metallicRoughnessMap;
+    const auto& onExtra = material.onExtra;
+    const bool packedOcclusion = material.occlusionMap && material.occlusionMap == material.metallicRoughnessMap &&
+                                 onExtra.occlusion == onExtra.metallicRoughness;
     object.occlusionStrength = packedOcclusion ? material.occlusionStrength : 0.0F;
     object.ownOcclusionStrength = material.occlusionMap && !packedOcclusion ? material.occlusionStrength : 0.0F;
     object.metalness = material.metalness;
@@ -58,7 +60,19 @@ SurfaceObject surfaceObject(const glm::dmat4& worldFromModel, const render::Mate
     object.emissive = material.emissive;
     object.alphaCutoff = material.alphaMode == render::AlphaMode::mask ? material.alphaCutoff : -1.0F;
     object.textureRepeats = static_cast<float>(1 / textureTile);
+    object.secondUv = (onExtra.baseColor ? mapBaseColor : 0) | (onExtra.metallicRoughness ? mapRoughness : 0) |
+                      (onExtra.occlusion ? mapOcclusion : 0) | (onExtra.emissive ? mapEmissive : 0);
+    object.unlit = material.unlit;
     return object;
+}
+
+void addMaterialDefines(const render::Material& material, std::vector<std::string>& defines)
+{
+    const auto add = [&](bool wanted, const char* define) {
+        if (wanted && std::find(defines.begin(), defines.end(), define) == defines.end()) defines.emplace_back(define);
+    };
+    add(material.onExtra.any(), "SECOND_UV");
+    add(material.unlit, "UNLIT");
 }
 
 render::Draw surfaceDraw(std::shared_ptr<const render::Mesh> mesh, const glm::dmat4& worldFromModel,

@@ -6,6 +6,7 @@
 
 #include <glm/glm.hpp>
 
+#include <string>
 #include <vector>
 
 namespace vitrine {
@@ -24,6 +25,9 @@ namespace vitrine {
 /// right.
 [[nodiscard]] SurfaceObject surfaceObject(const glm::dmat4& worldFromModel, const render::Material&,
                                           double textureTile = 1);
+
+/// Adds the permutations that a material needs besides its maps: SECOND_UV and UNLIT.
+void addMaterialDefines(const render::Material&, std::vector<std::string>& defines);
 
 /// Returns a draw with every map of the surface shaders bound; missing ones are replaced by a neutral pixel.
 [[nodiscard]] render::Draw surfaceDraw(std::shared_ptr<const render::Mesh>, const glm::dmat4& worldFromModel,

@@ -31,9 +31,12 @@ constexpr const char* storedDepthImage = "pixel_art.stored_depth";
 constexpr const char* facetsImage = "pixel_art.facets";
 constexpr const char* emissionImage = "pixel_art.emission";
 
-std::vector<std::string> materialDefines()
+std::vector<std::string> materialDefines(const std::vector<WorldPart>& parts)
 {
-    return {"BASE_COLOR_MAP", "VERTEX_COLOR", "EMISSIVE_MAP"};
+    std::vector<std::string> defines{"BASE_COLOR_MAP", "VERTEX_COLOR", "EMISSIVE_MAP"};
+    for (const WorldPart& part : parts)
+        if (part.material) addMaterialDefines(*part.material, defines);
+    return defines;
 }
 
 glm::dvec3 towardsSun(const PixelArtTable& t, const ParameterValues& values)
@@ -183,7 +186,8 @@ std::vector<render::Draw> Picture::translucentDraws() const
 bool Picture::emits() const
 {
     return std::any_of(shot_.parts.begin(), shot_.parts.end(), [](const WorldPart& part) {
-        return part.material && !isTranslucent(part) && part.material->emissive != glm::vec3(0);
+        return part.material && !isTranslucent(part) &&
+               (part.material->unlit || part.material->emissive != glm::vec3(0));
     });
 }
 
@@ -212,7 +216,11 @@ void Picture::planShadow()
         return part.material && part.material->alphaMode != render::AlphaMode::opaque;
     });
     pass.shader = {.vertex = "pixel_art/shadow.vert", .fragment = masked ? "pixel_art/shadow.frag" : "kit/depth.frag"};
-    if (masked) pass.shader.defines = {"MASKED", "BASE_COLOR_MAP", "VERTEX_COLOR"};
+    if (masked) {
+        pass.shader.defines = materialDefines(shot_.parts);
+        std::erase(pass.shader.defines, "UNLIT");
+        pass.shader.defines.emplace_back("MASKED");
+    }
     pass.view = sunView_;
     pass.contentHash = shadowKey_;
     pass.depth = Attachment::cleared(shadowImage);
@@ -233,7 +241,8 @@ void Picture::planWorld()
     pass.name = "pixel_art/world";
     pass.reason = "the camera, time or world has changed";
     pass.phase = render::PassPhase::prepare;
-    pass.shader = {.vertex = "pixel_art/world.vert", .fragment = "pixel_art/world.frag", .defines = materialDefines()};
+    pass.shader = {
+        .vertex = "pixel_art/world.vert", .fragment = "pixel_art/world.frag", .defines = materialDefines(shot_.parts)};
     pass.view = eye_.view;
     pass.contentHash = worldKey_;
     pass.blocks[BLOCK_EXHIBIT] = render::std140Bytes(eye_.block);
@@ -259,7 +268,7 @@ void Picture::planTranslucent()
     render::Pass pass =
         over("pixel_art/translucent", "parts of the model are translucent", "pixel_art/translucent.frag");
     pass.shader.vertex = "pixel_art/world.vert";
-    for (std::string& define : materialDefines()) pass.shader.defines.push_back(std::move(define));
+    for (std::string& define : materialDefines(shot_.parts)) pass.shader.defines.push_back(std::move(define));
     if (shadowed_) pass.shader.defines.emplace_back("SHADOWS");
     pass.view = eye_.view;
     for (const char* name : {pixelTranslucentImage, pixelTranslucentNormalImage}) {

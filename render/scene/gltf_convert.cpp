@@ -1,6 +1,7 @@
 #include "render/scene/gltf_convert.h"
 
 #include "render/scene/gltf_accessor.h"
+#include "render/scene/gltf_guard.h"
 #include "render/scene/gltf_materials.h"
 #include "render/scene/gltf_pose.h"
 #include "render/scene/mesh_shading.h"
@@ -143,7 +144,7 @@ private:
         std::set<std::string> extensions(gltf_.extensionsUsed.begin(), gltf_.extensionsUsed.end());
         addExtensions(document_.root(), extensions);
         for (const std::string& name : extensions) {
-            if (name == "KHR_materials_emissive_strength" || name == "KHR_mesh_quantization") continue;
+            if (isDrawnExtension(name)) continue;
             warnings_.add(message("The extension {1} is not supported and was ignored.", name));
         }
     }
@@ -209,10 +210,12 @@ private:
         mesh->vertices.resize(gltf_.accessors[static_cast<std::size_t>(position->second)].count);
         const bool hasNormals = primitive.attributes.contains("NORMAL");
         const bool hasTangents = primitive.attributes.contains("TANGENT");
-        const bool hasUv = primitive.attributes.contains("TEXCOORD_0");
+        const MapPlaces& places = materials_.places(primitive.material);
+        const bool hasUv = primitive.attributes.contains("TEXCOORD_" + std::to_string(places.front().set));
         for (const auto& [attribute, accessor] : primitive.attributes) {
             readAttribute(*mesh, attribute, accessor, path + ".attributes." + attribute);
         }
+        placeCoordinates(*mesh, places);
         if (deformedBy >= 0) pose_->deform(*mesh, gltf_, primitive, deformedBy);
         if (primitive.indices >= 0) {
             mesh->indices = readIndices(gltf_, primitive.indices);
@@ -229,6 +232,17 @@ private:
         if (material.normalMap && hasUv && (!hasTangents || !hasNormals)) makeTangents(*mesh);
         for (const Vertex& vertex : mesh->vertices) mesh->bounds.include(glm::dvec3(vertex.position));
         return mesh;
+    }
+
+    /// Replaces the two sets of texture coordinates of the file by those of the material's maps.
+    static void placeCoordinates(Mesh& mesh, const MapPlaces& places)
+    {
+        if (places[0] == MapPlace{0} && places[1] == MapPlace{1}) return;
+        for (Vertex& vertex : mesh.vertices) {
+            const std::array<glm::vec2, 2> sets{vertex.uv, vertex.extra};
+            vertex.uv = places[0].at(sets.at(static_cast<std::size_t>(places[0].set)));
+            vertex.extra = places[1].at(sets.at(static_cast<std::size_t>(places[1].set)));
+        }
     }
 
     void readAttribute(Mesh& mesh, const std::string& attribute, int accessor, const std::string& path)

@@ -164,12 +164,10 @@ void checkReferences(const JsonDocument& document, const char* array)
 
 void checkExtensions(const JsonDocument& document)
 {
-    // Quantized vertices use only component types that the reader supports anyway.
-    constexpr std::array<std::string_view, 2> known = {"KHR_materials_emissive_strength", "KHR_mesh_quantization"};
     const Json& required = arrayAt(document, "extensionsRequired");
     for (std::size_t i = 0; i < required.size(); ++i) {
         const auto name = required[i].get<std::string>();
-        if (std::find(known.begin(), known.end(), name) == known.end()) {
+        if (!isDrawnExtension(name)) {
             throw document.failure(
                 elementPath("extensionsRequired", i, ""),
                 message("the file cannot be shown without {1}, which is not supported; export it without that.", name));
@@ -213,6 +211,14 @@ bool beginsAsGltf(const std::string& bytes)
 }
 
 }  // namespace
+
+bool isDrawnExtension(std::string_view name)
+{
+    // Quantized vertices use only component types that the reader supports anyway.
+    constexpr std::array<std::string_view, 4> drawn{"KHR_materials_emissive_strength", "KHR_materials_unlit",
+                                                    "KHR_mesh_quantization", "KHR_texture_transform"};
+    return std::find(drawn.begin(), drawn.end(), name) != drawn.end();
+}
 
 bool isGlb(const std::string& bytes)
 {

@@ -19,6 +19,9 @@ namespace vitrine::render {
 /// Throws Failure naming `name`, line and key.
 [[nodiscard]] JsonDocument guardGltf(const std::string& bytes, const std::string& name, const GltfLimits&);
 
+/// Returns whether the effect of an extension is shown, so that a file may require it.
+[[nodiscard]] bool isDrawnExtension(std::string_view name);
+
 /// Returns the BIN chunk of a container; empty if there is none.
 [[nodiscard]] std::string_view binOf(const std::string& bytes, const std::string& name);
 

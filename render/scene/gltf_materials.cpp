@@ -29,12 +29,41 @@ double emissiveStrength(const tinygltf::Material& m)
     return std::isfinite(strength) ? std::clamp(strength, 0.0, 1e6) : 1;
 }
 
+/// Coordinates of the file's first and second set, unchanged.
+constexpr MapPlaces plainPlaces{MapPlace{0}, MapPlace{1}};
+
+/// Returns a member that is a finite number, else `otherwise`.
+double numberIn(const tinygltf::Value& object, const char* key, double otherwise)
+{
+    const tinygltf::Value& value = object.Get(key);
+    const double number = value.IsNumber() ? value.GetNumberAsDouble() : otherwise;
+    return std::isfinite(number) ? number : otherwise;
+}
+
+glm::dvec2 pairIn(const tinygltf::Value& object, const char* key, const glm::dvec2& otherwise)
+{
+    const tinygltf::Value& value = object.Get(key);
+    if (!value.IsArray() || value.ArrayLen() != 2 || !value.Get(0).IsNumber() || !value.Get(1).IsNumber())
+        return otherwise;
+    const glm::dvec2 pair(value.Get(0).GetNumberAsDouble(), value.Get(1).GetNumberAsDouble());
+    return std::isfinite(pair.x) && std::isfinite(pair.y) ? pair : otherwise;
+}
+
 std::string named(const std::string& name, std::size_t i)
 {
     return name.empty() ? std::to_string(i) : name;
 }
 
 }  // namespace
+
+glm::vec2 MapPlace::at(const glm::vec2& uv) const
+{
+    if (isPlain()) return uv;
+    // Rotates counter-clockwise in coordinates whose v points down, as the examples of the extension do.
+    const glm::dvec2 scaled = scale * glm::dvec2(uv);
+    const double c = std::cos(rotation), s = std::sin(rotation);
+    return glm::vec2(offset + glm::dvec2(c * scaled.x + s * scaled.y, c * scaled.y - s * scaled.x));
+}
 
 void Warnings::add(const Message& sentence)
 {
@@ -54,12 +83,13 @@ std::shared_ptr<const Material> GltfMaterials::material(int i)
     std::shared_ptr<const Material>& material = materials_[i];
     if (!material) {
         const auto index = static_cast<std::size_t>(std::max(i, 0));
-        material = std::make_shared<const Material>(i < 0 ? Material{} : convert(model_.materials[index]));
+        MapPlaces& places = places_[i] = plainPlaces;
+        material = std::make_shared<const Material>(i < 0 ? Material{} : convert(model_.materials[index], places));
     }
     return material;
 }
 
-Material GltfMaterials::convert(const tinygltf::Material& m)
+Material GltfMaterials::convert(const tinygltf::Material& m, MapPlaces& places)
 {
     const auto& pbr = m.pbrMetallicRoughness;
     Material out;
@@ -80,14 +110,60 @@ Material GltfMaterials::convert(const tinygltf::Material& m)
     out.alphaMode = alphaModeOf(m.alphaMode);
     out.alphaCutoff = unit(m.alphaCutoff);
     out.doubleSided = m.doubleSided;
+    out.unlit = m.extensions.contains("KHR_materials_unlit");
     const Message user = m.name.empty() ? message("material without a name") : message("material {1}", m.name);
-    out.baseColorMap = texture(pbr.baseColorTexture.index, pbr.baseColorTexture.texCoord, Content::color, user);
-    out.metallicRoughnessMap =
-        texture(pbr.metallicRoughnessTexture.index, pbr.metallicRoughnessTexture.texCoord, Content::data, user);
-    out.normalMap = texture(m.normalTexture.index, m.normalTexture.texCoord, Content::data, user);
-    out.occlusionMap = texture(m.occlusionTexture.index, m.occlusionTexture.texCoord, Content::data, user);
-    out.emissiveMap = texture(m.emissiveTexture.index, m.emissiveTexture.texCoord, Content::color, user);
+    out.baseColorMap = texture(pbr.baseColorTexture.index, Content::color, user);
+    out.metallicRoughnessMap = texture(pbr.metallicRoughnessTexture.index, Content::data, user);
+    out.normalMap = texture(m.normalTexture.index, Content::data, user);
+    out.occlusionMap = texture(m.occlusionTexture.index, Content::data, user);
+    out.emissiveMap = texture(m.emissiveTexture.index, Content::color, user);
+    place(m, user, out, places);
     return out;
+}
+
+MapPlace GltfMaterials::placeOf(int texCoord, const tinygltf::ExtensionMap& extensions, const Message& user)
+{
+    MapPlace place{texCoord};
+    const auto extension = extensions.find("KHR_texture_transform");
+    if (extension != extensions.end() && extension->second.IsObject()) {
+        const tinygltf::Value& transform = extension->second;
+        place.offset = pairIn(transform, "offset", place.offset);
+        place.scale = pairIn(transform, "scale", place.scale);
+        place.rotation = numberIn(transform, "rotation", 0);
+        place.set = static_cast<int>(std::clamp(numberIn(transform, "texCoord", texCoord), 0.0, 1e6));
+    }
+    if (place.set > 1) {
+        warnings_.add(
+            message("A picture of {1} uses texture coordinates beyond the second ones; the first are used.", user));
+        place.set = 0;
+    }
+    return place;
+}
+
+/// Assigns the maps to at most two places, that of the normal map first, because tangents belong to it.
+void GltfMaterials::place(const tinygltf::Material& m, const Message& user, Material& out, MapPlaces& places)
+{
+    bool normalOnExtra = false;
+    std::size_t count = 0;
+    const auto assign = [&](const auto& info, const std::shared_ptr<const Texture>& map, bool& onExtra) {
+        if (!map) return;
+        const MapPlace place = placeOf(info.texCoord, info.extensions, user);
+        const auto* const end = places.begin() + count;
+        const auto* found = std::find(static_cast<const MapPlace*>(places.begin()), end, place);
+        if (found == end && count == places.size()) {
+            warnings_.add(message("The pictures of {1} lie in more than two ways; the third lies as the first.", user));
+            found = places.begin();
+        } else if (found == end) {
+            places.at(count++) = place;
+        }
+        onExtra = found != places.begin();
+    };
+    const auto& pbr = m.pbrMetallicRoughness;
+    assign(m.normalTexture, out.normalMap, normalOnExtra);
+    assign(pbr.baseColorTexture, out.baseColorMap, out.onExtra.baseColor);
+    assign(pbr.metallicRoughnessTexture, out.metallicRoughnessMap, out.onExtra.metallicRoughness);
+    assign(m.occlusionTexture, out.occlusionMap, out.onExtra.occlusion);
+    assign(m.emissiveTexture, out.emissiveMap, out.onExtra.emissive);
 }
 
 GltfMaterials::Sampling GltfMaterials::samplingOf(const tinygltf::Texture& t, const Message& user)
@@ -111,11 +187,9 @@ GltfMaterials::Sampling GltfMaterials::samplingOf(const tinygltf::Texture& t, co
     return sampling;
 }
 
-std::shared_ptr<const Texture> GltfMaterials::texture(int index, int texCoord, Content content, const Message& user)
+std::shared_ptr<const Texture> GltfMaterials::texture(int index, Content content, const Message& user)
 {
     if (index < 0) return nullptr;
-    if (texCoord != 0)
-        warnings_.add(message("A picture of {1} uses the second texture coordinates; the first are used.", user));
     const tinygltf::Texture& t = model_.textures[static_cast<std::size_t>(index)];
     if (t.source < 0) {
         warnings_.add(message("A texture of {1} has no picture of a known kind and is left out.", user));

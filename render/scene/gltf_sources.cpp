@@ -10,7 +10,7 @@
 namespace vitrine::render {
 namespace {
 
-using Bytes = std::vector<unsigned char>;
+using FileBytes = std::vector<unsigned char>;
 
 std::string textAt(const Json& object, const char* key)
 {
@@ -36,11 +36,11 @@ int base64Digit(char c)
 }
 
 /// Decodes base64; returns nothing if `text` is invalid. Padding may be missing.
-std::optional<Bytes> base64Decoded(std::string_view text)
+std::optional<FileBytes> base64Decoded(std::string_view text)
 {
     for (int i = 0; i < 2 && text.ends_with('='); ++i) text.remove_suffix(1);
     if (text.size() % 4 == 1) return std::nullopt;
-    Bytes out;
+    FileBytes out;
     out.reserve(text.size() / 4 * 3 + 2);
     std::uint32_t bits = 0;
     int held = 0;
@@ -54,7 +54,7 @@ std::optional<Bytes> base64Decoded(std::string_view text)
 }
 
 /// Returns the content of a data: URI (RFC 2397) of any media type.
-Bytes dataOf(const JsonDocument& document, const std::string& path, const std::string& uri)
+FileBytes dataOf(const JsonDocument& document, const std::string& path, const std::string& uri)
 {
     const std::size_t comma = uri.find(',');
     if (comma == std::string::npos)
@@ -65,19 +65,19 @@ Bytes dataOf(const JsonDocument& document, const std::string& path, const std::s
     const std::string plain = encoded ? percentDecoded(data) : std::string();
     const std::string_view text = encoded ? std::string_view(plain) : data;
     if (!head.ends_with(";base64")) return {text.begin(), text.end()};
-    std::optional<Bytes> bytes = base64Decoded(text);
+    std::optional<FileBytes> bytes = base64Decoded(text);
     if (!bytes) throw document.failure(path, message("this data: URI is not base 64; export the file again."));
     return std::move(*bytes);
 }
 
-Bytes fileOf(const std::string& uri, const std::filesystem::path& folder, const GltfLimits& limits)
+FileBytes fileOf(const std::string& uri, const std::filesystem::path& folder, const GltfLimits& limits)
 {
     const std::string bytes = readFileBeneath(folder, gltfReference(uri), limits.fileBytes, Reach::parent);
     return {bytes.begin(), bytes.end()};
 }
 
 /// Truncates the bytes to `length`. Throws if there are fewer.
-Bytes ofLength(const JsonDocument& document, const std::string& path, Bytes bytes, std::size_t length)
+FileBytes ofLength(const JsonDocument& document, const std::string& path, FileBytes bytes, std::size_t length)
 {
     if (bytes.size() < length) {
         throw document.failure(
@@ -124,7 +124,7 @@ std::vector<tinygltf::Buffer> readBuffers(const JsonDocument& document, std::str
         const auto length = rows[i].at("byteLength").get<std::size_t>();
         const std::string uri = textAt(rows[i], "uri");
         const std::string path = elementPath("buffers", i, uri.empty() ? "byteLength" : "uri");
-        Bytes& data = buffers[i].data;
+        FileBytes& data = buffers[i].data;
         if (uri.starts_with("data:")) {
             data = ofLength(document, path, dataOf(document, path, uri), length);
         } else if (!uri.empty()) {
@@ -135,7 +135,7 @@ std::vector<tinygltf::Buffer> readBuffers(const JsonDocument& document, std::str
             }
             data = ofLength(document, path, std::move(data), length);
         } else if (i == 0 && !bin.empty()) {
-            data = ofLength(document, path, Bytes(bin.begin(), bin.end()), length);
+            data = ofLength(document, path, FileBytes(bin.begin(), bin.end()), length);
         } else {
             if ((zeros += length) > limits.zeroBytes) {
                 throw document.failure(

@@ -38,8 +38,8 @@ struct Vertex {
     glm::vec3 normal{0, 1, 0};
     glm::vec4 tangent{1, 0, 0, 1};  ///< w is the sign of the bitangent.
     glm::vec2 uv{0};                ///< TEXCOORD_0.
-    /// Two numbers whose meaning depends on the mesh's shader. For glTF: TEXCOORD_1, the coordinates of a lightmap. For
-    /// a skin under fur: its curvature and a height.
+    /// Two numbers whose meaning depends on the mesh's shader. For glTF: TEXCOORD_1, the coordinates of a lightmap, or
+    /// those of the maps of `Material::onExtra`. For a skin under fur: its curvature and a height.
     glm::vec2 extra{0};
 };
 
@@ -68,6 +68,13 @@ struct Material {
     AlphaMode alphaMode = AlphaMode::opaque;
     float alphaCutoff = 0.5F;
     bool doubleSided = false;
+    bool unlit = false;  ///< KHR_materials_unlit: shows its base color without any light.
+    /// Maps that are read at `Vertex::extra` instead of `Vertex::uv`. The normal map is always read at `uv`.
+    struct {
+        bool baseColor = false, metallicRoughness = false, occlusion = false, emissive = false;
+
+        [[nodiscard]] bool any() const { return baseColor || metallicRoughness || occlusion || emissive; }
+    } onExtra;
     std::shared_ptr<const Texture> baseColorMap, metallicRoughnessMap, normalMap, occlusionMap, emissiveMap;
 };
 

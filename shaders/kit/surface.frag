@@ -1,6 +1,6 @@
 // Shades a mesh with a material. Permutations: those of kit/material.glsl, NORMAL_MAP, ORM_MAP, OCCLUSION_MAP,
 // ALPHA_MASK, BLENDED (opacity in alpha), LIGHTMAP, BOUNCED_LIGHT (of the sun, with LIGHTMAP), LAMP_LIGHT (of the
-// vault, with LIGHTMAP), FLAT_PROBE (for the probe's own capture: no reflections), WRITE_NORMAL, WRITE_EVALUATIONS, and
+// vault, with LIGHTMAP), UNLIT (some objects are), FLAT_PROBE (for the probe's own capture: no reflections), WRITE_NORMAL, WRITE_EVALUATIONS, and
 // POLISHED_FLOOR with those of kit/polished_floor.glsl.
 #include "lib/frame.glsl"
 #include "lib/surface.glsl"
@@ -75,13 +75,13 @@ void main()
     s.specular = object.specular;
     s.occlusion = 1.0;
 #ifdef ORM_MAP
-    vec3 orm = texture(ormMap, tileUv).rgb;
+    vec3 orm = texture(ormMap, mapUv(mapRoughness, tileUv)).rgb;
     s.occlusion = mix(1.0, orm.r, object.occlusionStrength);
     s.roughness *= orm.g;
     s.metalness *= orm.b;
 #endif
 #ifdef OCCLUSION_MAP
-    s.occlusion *= mix(1.0, texture(occlusionMap, tileUv).r, object.ownOcclusionStrength);
+    s.occlusion *= mix(1.0, texture(occlusionMap, mapUv(mapOcclusion, tileUv)).r, object.ownOcclusionStrength);
 #endif
     s.roughness = clamp(s.roughness, 0.045, 1.0);
 #ifdef LIGHTMAP
@@ -113,8 +113,12 @@ void main()
 #else
     float opacity = 1.0;
 #endif
+    color += materialEmission(tileUv);
+#ifdef UNLIT
+    if (object.unlit) color = base.rgb;
+#endif
     // Half floats end at 65504, and infinity would become NaN in every average.
-    radiance = vec4(min(color + materialEmission(tileUv), vec3(6e4)), opacity);
+    radiance = vec4(min(color, vec3(6e4)), opacity);
 #ifdef WRITE_NORMAL
     normalOut = vec4(n, 1.0);
 #endif

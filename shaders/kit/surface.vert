@@ -1,4 +1,4 @@
-// Transforms a mesh with a material. Permutations: VERTEX_COLOR, LIGHTMAP, POLISHED_FLOOR.
+// Transforms a mesh with a material. Permutations: VERTEX_COLOR, SECOND_UV, LIGHTMAP, POLISHED_FLOOR.
 #include "lib/frame.glsl"
 #if defined(LIGHTMAP) || defined(POLISHED_FLOOR)
 #define ROOM_AMBIENT
@@ -21,6 +21,9 @@ out vec3 worldNormal;
 out vec4 worldTangent;
 out vec2 tileUv;
 out vec2 atlasUv;
+#ifdef SECOND_UV
+out vec2 secondUv;
+#endif
 #ifdef ROOM_AMBIENT
 out vec3 roomAmbient;  // Irradiance over pi of the probe for this normal.
 #endif
@@ -33,6 +36,9 @@ void main()
     worldTangent = vec4(mat3(object.worldFromModel) * tangent.xyz, tangent.w);
     tileUv = uv * object.textureRepeats;
     atlasUv = lightmapUv;
+#ifdef SECOND_UV
+    secondUv = lightmapUv;
+#endif
 #ifdef VERTEX_COLOR
     vertexColor = color;
 #endif

@@ -1,5 +1,5 @@
 // Draws translucent parts of a user's model, lit and blended from back to front. Permutations: those of
-// pixel_art/picture.glsl, pixel_art/light.glsl and kit/material.glsl.
+// pixel_art/picture.glsl, pixel_art/light.glsl and kit/material.glsl, and UNLIT (some parts are).
 #include "pixel_art/picture.glsl"
 #include "pixel_art/object.glsl"
 #include "kit/material.glsl"
@@ -24,6 +24,9 @@ void main()
     float wide = pixel.orthographic ? 1.0 : -place.z;
     float width = 2.0 * pixel.halfExtent.y * wide / float(pixel.size.y);
     vec3 lit = shaded(base.rgb, n, sunOn(place, n, width)) + materialEmission(uvAt);
+#ifdef UNLIT
+    if (object.unlit) lit = base.rgb;
+#endif
     colorOut = vec4(clamp(lit, 0.0, 1.0) * base.a, base.a);
     // Blended with an opacity of 1, so that these two replace the values behind.
     normalOut = vec4(n, 1.0);

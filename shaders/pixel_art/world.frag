@@ -1,5 +1,5 @@
 // Writes the surfaces of the small world: color with glow, exact normal with the object's number, and emission.
-// Permutations: those of kit/material.glsl, EMISSION.
+// Permutations: those of kit/material.glsl, EMISSION, UNLIT (some parts are; with EMISSION).
 #include "lib/hash.glsl"
 #include "pixel_art/object.glsl"
 #include "pixel_art/pixel_block.glsl"
@@ -41,6 +41,12 @@ void main()
         color = base.rgb;
         emitted = materialEmission(uvAt);
         if (!gl_FrontFacing) n = -n;
+#ifdef UNLIT
+        if (object.unlit) {
+            emitted = base.rgb;
+            color = vec3(0.0);
+        }
+#endif
     }
     colorOut = vec4(color, 1.0 + glow);
     normalOut = vec4(n, id);

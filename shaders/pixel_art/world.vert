@@ -1,4 +1,4 @@
-// Transforms a part of the small world. Normals in view space. Permutation: VERTEX_COLOR.
+// Transforms a part of the small world. Normals in view space. Permutations: VERTEX_COLOR, SECOND_UV.
 #include "lib/frame.glsl"
 #include "pixel_art/object.glsl"
 #include "pixel_art/pixel_block.glsl"
@@ -20,6 +20,9 @@ out vec4 vertexColor;
 out vec3 modelPosition;
 out vec3 viewNormal;
 out vec2 uvAt;
+#ifdef SECOND_UV
+out vec2 secondUv;
+#endif
 flat out vec4 paintColor;
 flat out vec2 paintExtra;
 
@@ -28,6 +31,9 @@ void main()
     modelPosition = position;
     viewNormal = mat3(object.worldFromModelNormals) * normal * mat3(pixel.worldFromView);
     uvAt = uv;
+#ifdef SECOND_UV
+    secondUv = extra;
+#endif
     paintColor = tangent;
     paintExtra = extra;
 #ifdef VERTEX_COLOR

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <numbers>
 
 namespace vitrine {
 namespace {
@@ -75,11 +76,13 @@ private:
                                                   {"metallicFactor", 0.0},
                                                   {"roughnessFactor", 1.0}}}};
     }
+    /// The second texture coordinates are the first ones, moved by half of the picture.
     void square(float x, float y, float z, std::size_t material, const std::vector<float>& color)
     {
         Json attributes;
         attributes["POSITION"] = builder_.floats({x, y, z, x + 1, y, z, x + 1, y + 1, z, x, y + 1, z}, "VEC3");
         attributes["TEXCOORD_0"] = builder_.floats({0, 1, 1, 1, 1, 0, 0, 0}, "VEC2");
+        attributes["TEXCOORD_1"] = builder_.floats({0.5F, 1, 1.5F, 1, 1.5F, 0, 0.5F, 0}, "VEC2");
         if (!color.empty()) attributes["COLOR_0"] = builder_.floats(color, "VEC4");
         const Json primitive{
             {"attributes", attributes}, {"indices", builder_.indices({0, 1, 2, 0, 2, 3})}, {"material", material}};
@@ -182,6 +185,76 @@ protected:
         }
     }
 };
+
+TEST_F(OneMaterial, ReadsItsPicturesWhereTheFileSays)
+{
+    constexpr int nearest = 9728;
+    const glm::vec4 red(0.6, 0.05, 0.05, 1), blue(0.05, 0.05, 0.6, 1), white(1, 1, 1, 1), black(0, 0, 0, 1);
+    Squares squares;
+    // Pictures of two columns. The second set of coordinates swaps them, and a transform turns them into rows.
+    const unsigned columns = squares.texture({red, blue, red, blue}, 2, nearest);
+    const unsigned glow = squares.texture({black, white, black, white}, 2, nearest);
+    const Json second{{"index", columns}, {"texCoord", 1}};
+    const Json turned{{"index", columns},
+                      {"extensions", Json{{"KHR_texture_transform", Json{{"rotation", std::numbers::pi / 2}}}}}};
+    squares.add(white)["pbrMetallicRoughness"]["baseColorTexture"] = second;
+    squares.add(white)["pbrMetallicRoughness"]["baseColorTexture"] = turned;
+    // Two places in one material: its color by the first coordinates, its glow by the second.
+    Json& two = squares.add(white);
+    two["pbrMetallicRoughness"]["baseColorTexture"] = Json{{"index", columns}};
+    two["emissiveFactor"] = Json::array({0.25, 0.25, 0.25});
+    two["emissiveTexture"] = Json{{"index", glow}, {"texCoord", 1}};
+    // A mask that is read by the second coordinates, with the color behind it in its hole.
+    Json& mask = squares.add(white);
+    mask["alphaMode"] = "MASK";
+    // A flat normal map takes the first coordinates. Its code is 128, 128, 255.
+    mask["normalTexture"] = Json{{"index", squares.texture({{0.21586, 0.21586, 1, 1}}, 1, nearest)}};
+    mask["pbrMetallicRoughness"]["baseColorTexture"] =
+        Json{{"index", squares.texture({red, {0, 0, 0, 0}, red, {0, 0, 0, 0}}, 2, nearest)}, {"texCoord", 1}};
+    squares.behind(blue);
+
+    const test::TemporaryFolder folder;
+    const std::string file = folder / "squares.glb";
+    test::writeBytes(file, squares.glb());
+    const std::array<LightAt, 2> light{inTheHall(file, squares.count()), asSprite(file, squares.count())};
+    expectColor(light, 0, blue, {0.25, 0.5});
+    expectColor(light, 0, red, {0.75, 0.5});
+    // The column of the picture is chosen by v, which is 0 at the upper edge of a square.
+    expectColor(light, 1, red, {0.5, 0.75});
+    expectColor(light, 1, blue, {0.5, 0.25});
+    for (const LightAt& at : light) {
+        const glm::dvec3 glowing = at({2.25, 0.5, 0}), plain = at({2.25, 1.5, 0});
+        EXPECT_GT(glowing.z, 1.5 * static_cast<double>(red.z) / static_cast<double>(gray) * plain.z);
+    }
+    expectColor(light, 2, blue, {0.75, 0.5});
+    expectColor(light, 3, blue, {0.25, 0.5});
+    expectColor(light, 3, red, {0.75, 0.5});
+}
+
+TEST_F(OneMaterial, IsAsBrightAsItsColorWithoutLightIfItIsUnlit)
+{
+    const std::vector<float> half(16, 0.5F);
+    Squares squares;
+    squares.add({0.6, 0.2, 0.1, 1})["extensions"]["KHR_materials_unlit"] = Json::object();
+    Json& dark = squares.add({0.3, 0.1, 0.05, 1});
+    dark["extensions"]["KHR_materials_unlit"] = Json::object();
+    dark["emissiveFactor"] = Json::array({1, 1, 1});  // Ignored, as the extension says.
+    squares.add({0.6, 0.2, 0.1, 1}, half)["extensions"]["KHR_materials_unlit"] = Json::object();
+    const test::TemporaryFolder folder;
+    const std::string file = folder / "squares.glb";
+    test::writeBytes(file, squares.glb());
+    const LightAt hall = inTheHall(file, squares.count()), sprite = asSprite(file, squares.count());
+    for (int c = 0; c < 3; ++c) {
+        const double color = glm::dvec3(0.6, 0.2, 0.1)[c];
+        // The shot averages radiance, without a tone curve.
+        EXPECT_NEAR(hall({0.5, 0.5, 0})[c], color, 0.002);
+        EXPECT_NEAR(hall({1.5, 0.5, 0})[c], 0.5 * color, 0.002);
+        EXPECT_NEAR(hall({2.5, 0.5, 0})[c], 0.5 * color, 0.002);
+        EXPECT_NEAR(sprite({0.5, 0.5, 0})[c], color, 0.01);
+        EXPECT_NEAR(sprite({1.5, 0.5, 0})[c], 0.5 * color, 0.01);
+        EXPECT_NEAR(sprite({2.5, 0.5, 0})[c], 0.5 * color, 0.01);
+    }
+}
 
 TEST_F(OneMaterial, HasItsColorsInTheHallAndAsASprite)
 {

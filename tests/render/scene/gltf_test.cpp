@@ -113,12 +113,14 @@ TEST(Gltf, ReadsMaterials)
     builder.json["meshes"][0]["primitives"][0]["material"] = 0;
     builder.json["materials"] =
         Json::parse(R"([{"name": "glow", "alphaMode": "MASK", "alphaCutoff": 0.25, "doubleSided": true,
-        "emissiveFactor": [1, 0.5, 0], "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 4}},
+        "emissiveFactor": [1, 0.5, 0], "extensions": {"KHR_materials_unlit": {}, "KHR_materials_emissive_strength": {"emissiveStrength": 4}},
         "pbrMetallicRoughness": {"baseColorFactor": [0.1, 0.2, 0.3, 0.4], "metallicFactor": 0.5, "roughnessFactor": 0.75}}])");
     builder.json["extensionsUsed"] = Json::array({"KHR_materials_emissive_strength", "KHR_materials_clearcoat"});
-    builder.json["extensionsRequired"] = Json::array({"KHR_materials_emissive_strength"});
+    builder.json["extensionsRequired"] =
+        Json::array({"KHR_materials_emissive_strength", "KHR_materials_unlit", "KHR_texture_transform"});
     const Model model = modelOf(builder);
     const Material& material = *model.parts.at(0).material;
+    EXPECT_TRUE(material.unlit);
     EXPECT_EQ(material.baseColor, glm::vec4(0.1F, 0.2F, 0.3F, 0.4F));
     EXPECT_EQ(material.metalness, 0.5F);
     EXPECT_EQ(material.roughness, 0.75F);
@@ -137,14 +139,14 @@ TEST(Gltf, NamesExtensionsThatItsListLeavesOut)
     const int node = builder.node({{"mesh", builder.triangle()}});
     builder.json["meshes"][0]["primitives"][0]["material"] = 0;
     builder.json["materials"] = Json::parse(
-        R"([{"extensions": {"KHR_materials_unlit": {}}, "extras": {"extensions": {"EXT_of_others": {}}},
-             "emissiveTexture": {"index": 0, "extensions": {"KHR_texture_transform": {"scale": [2, 2]}}}}])");
+        R"([{"extensions": {"KHR_materials_sheen": {}}, "extras": {"extensions": {"EXT_of_others": {}}},
+             "emissiveTexture": {"index": 0, "extensions": {"EXT_texture_of_others": {"scale": [2, 2]}}}}])");
     builder.json["textures"] = Json::parse(R"([{"extensions": {"EXT_texture_webp": {"source": 0}}}])");
     builder.json["nodes"][static_cast<std::size_t>(node)]["extensions"] =
         Json{{"EXT_mesh_gpu_instancing", Json::object()}};
     const Model model = modelOf(builder);
     for (const char* name :
-         {"KHR_materials_unlit", "KHR_texture_transform", "EXT_texture_webp", "EXT_mesh_gpu_instancing"})
+         {"KHR_materials_sheen", "EXT_texture_of_others", "EXT_texture_webp", "EXT_mesh_gpu_instancing"})
         EXPECT_TRUE(warnsOf(model, "The extension " + std::string(name) + " is not supported and was ignored."))
             << name;
     EXPECT_FALSE(warnsOf(model, "EXT_of_others"));
