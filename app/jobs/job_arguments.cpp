@@ -75,6 +75,8 @@ jobs::JobScene sceneOf(const CLI::App& command, const jobs::Job& job, const JobA
         scene.usual.size = picture.taken->size;
         scene.usual.channels = picture.taken->channels;
         scene.usual.depth = picture.taken->depth;
+        scene.usual.position = picture.taken->position;
+        scene.usual.objects = picture.taken->objects;
         // Plaques are in the language of the picture.
         if (picture.taken->language != language() && !ui::languageAsked())
             ui::setLanguage(QString::fromStdString(picture.taken->language));
@@ -116,10 +118,14 @@ void addJobArguments(CLI::App& command, const jobs::Job& job, JobArguments& type
             ->allow_extra_args(true);
     }
     typed.parameters.addTo(command, job.parameters());
-    command.add_option("--out", typed.out,
-                       needs.extensions.empty() ? "Output folder; an older output in it is replaced"
-                                                : "Output file (" + extensionsText(job) +
-                                                      "); further files have the same name and other endings");
+    command.add_option(
+        "--out", typed.out,
+        needs.extensions.empty()
+            ? "Output folder; an older output in it is replaced"
+            : "Output file (" + extensionsText(job) + "); further files have the same name and other endings" +
+                  (needs.carriesSettings ? ". - is standard output, as " + std::string(needs.extensions.front()) +
+                                               "; -.exr names another kind"
+                                         : std::string()));
     if (!needs.carriesSettings)
         command.add_option("--like", typed.like,
                            "File whose settings are the initial ones: a settings document (.vitrine-job.json), or an "

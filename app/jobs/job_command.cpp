@@ -2,6 +2,7 @@
 
 #include "app/jobs/job_arguments.h"
 #include "app/jobs/run_job.h"
+#include "app/jobs/standard_output.h"
 #include "app/kit/say.h"
 #include "app/queue/shard.h"
 #include "exhibits/exhibits.h"
@@ -19,6 +20,17 @@ struct TypedJob {
     bool asJson = false;
 };
 
+/// Makes the job and writes it to standard output, which then has nothing else.
+int runToStandardOutput(const jobs::Job& job, OrderedJob ordered, const TypedJob& typed, const StandardOutput& to)
+{
+    if (typed.asJson)
+        throw Failure(ErrorKind::usage, "--json: standard output already takes the file of --out " +
+                                            typed.arguments.out + "; leave one of the two out.");
+    const int code = runJob(job, std::move(ordered.order), ordered.plan, typed.part, Outcome::nothing);
+    if (code == 0) to.send();
+    return code;
+}
+
 int runTyped(const CLI::App& command, const jobs::Job& job, const TypedJob& typed)
 {
     std::unique_ptr<Museum> museum;
@@ -26,10 +38,18 @@ int runTyped(const CLI::App& command, const jobs::Job& job, const TypedJob& type
         if (!museum) museum = std::make_unique<Museum>(allExhibits());
         return *museum;
     }};
-    OrderedJob ordered = orderedJob(command, job, typed.arguments, start);
+    JobArguments arguments = typed.arguments;
+    std::unique_ptr<StandardOutput> standard;
+    // A file that carries its settings stands alone; others have a document beside them.
+    if (job.needs().carriesSettings && !arguments.dryRun)
+        standard = StandardOutput::named(arguments.out, std::string(job.needs().extensions.front()));
+    if (standard) arguments.out = standard->file();
+    OrderedJob ordered = orderedJob(command, job, arguments, start);
     for (const std::string& note : ordered.notes) say(note);
+    if (standard) return runToStandardOutput(job, std::move(ordered), typed, *standard);
     const jobs::JobPlan& plan = ordered.plan;
-    if (!typed.arguments.dryRun) return runJob(job, std::move(ordered.order), plan, typed.part, typed.asJson);
+    if (!typed.arguments.dryRun)
+        return runJob(job, std::move(ordered.order), plan, typed.part, typed.asJson ? Outcome::json : Outcome::text);
     if (!plan.refusal.empty() && !typed.asJson) throw Failure(ErrorKind::usage, plan.refusal);
     printPlan(job, plan, typed.asJson);
     return plan.refusal.empty() ? 0 : static_cast<int>(ErrorKind::usage);

@@ -153,7 +153,8 @@ std::unique_ptr<render::RenderBackend> sharedBackend(std::shared_ptr<render::gl:
     return std::make_unique<SharedBackend>(std::move(renderer));
 }
 
-int runJob(const jobs::Job& job, jobs::JobOrder order, const jobs::JobPlan& plan, const PartOptions& part, bool asJson)
+int runJob(const jobs::Job& job, jobs::JobOrder order, const jobs::JobPlan& plan, const PartOptions& part,
+           Outcome printed)
 {
     if (!plan.refusal.empty()) throw Failure(ErrorKind::usage, plan.refusal);
     for (const std::string& warning : plan.warnings) say(warning);
@@ -194,11 +195,11 @@ int runJob(const jobs::Job& job, jobs::JobOrder order, const jobs::JobPlan& plan
         if (!folder || file.path != out) const render::PartFile writable(file.path);
     const std::unique_ptr<jobs::JobRun> run = finishedRun(job, std::move(order), plan);
     if (!run) return StopSignal::exitCode;
-    if (asJson)
+    if (printed == Outcome::json)
         print(reportJson(job, run->report()));
-    else if (!folder)
+    else if (!folder && printed == Outcome::text)
         std::printf("%s: %s\n", out.c_str(), factsText(run->report().facts).c_str());
-    return folder ? folder->tell(out, *run, asJson) : 0;
+    return folder ? folder->tell(out, *run, printed == Outcome::json) : 0;
 }
 
 Json reportJson(const jobs::Job& job, const jobs::JobReport& report)

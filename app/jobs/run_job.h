@@ -16,10 +16,13 @@ namespace vitrine::app {
 /// Creates a backend that draws with this renderer.
 [[nodiscard]] std::unique_ptr<render::RenderBackend> sharedBackend(std::shared_ptr<render::gl::Renderer>);
 
-/// Runs a job, or the part of it that the options name, to its end on this thread. Prints the outcome as text or JSON.
+/// Form in which the outcome of a job is printed.
+enum class Outcome : unsigned char { text, json, nothing };
+
+/// Runs a job, or the part of it that the options name, to its end on this thread. Prints the outcome in that form.
 /// A stop signal stops it in an orderly way. Returns the exit code. Throws Failure (ErrorKind::usage) if the plan has a
 /// refusal, and the failures of the run.
-int runJob(const jobs::Job&, jobs::JobOrder, const jobs::JobPlan&, const PartOptions&, bool asJson);
+int runJob(const jobs::Job&, jobs::JobOrder, const jobs::JobPlan&, const PartOptions&, Outcome);
 
 /// Returns the outcome of the job.
 [[nodiscard]] render::Json reportJson(const jobs::Job&, const jobs::JobReport&);

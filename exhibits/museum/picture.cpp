@@ -1,6 +1,7 @@
 #include "exhibits/museum/picture.h"
 
 #include "exhibits/framework/scene/glare.h"
+#include "exhibits/museum/exr_metadata.h"
 #include "render/failure.h"
 
 #include <unistd.h>
@@ -51,6 +52,10 @@ PictureMaker::PictureMaker(const Museum& museum, render::RenderBackend& backend,
     if (request_.depth) names.emplace_back("depth.Z");
     if (request_.frame.channels.normal) names.insert(names.end(), {"normal.X", "normal.Y", "normal.Z"});
     if (request_.frame.channels.evaluations) names.emplace_back("evaluations");
+    if (request_.position) names.insert(names.end(), {"position.X", "position.Y", "position.Z"});
+    request_.objects = request_.objects && request_.motion.empty();
+    for (const char* channel : {"R", "G", "B", "A"})
+        if (request_.objects) names.push_back(cryptomatteLayer + std::string("00.") + channel);
     requireMemory(size, names.size());
     request_.samples = request_.motion.empty() ? std::max(request_.samples, 1) : 1;
     int side = std::max(std::min(request_.largestTile, backend_.largestSide()), 1);
@@ -79,12 +84,12 @@ std::size_t PictureMaker::stepsOfTile() const
 
 double PictureMaker::progress() const
 {
-    return static_cast<double>(stepsDone_) / static_cast<double>(tiles_.size() * stepsOfTile());
+    return static_cast<double>(stepsDone_) / static_cast<double>(allSteps());
 }
 
 bool PictureMaker::finished() const
 {
-    return stepsDone_ == tiles_.size() * stepsOfTile();
+    return stepsDone_ == allSteps();
 }
 
 FrameRequest PictureMaker::frameOf(const Tile& tile, int step) const
@@ -135,6 +140,17 @@ void PictureMaker::drawHalos()
 bool PictureMaker::step()
 {
     if (finished()) return false;
+    if (stepsDone_ < drawingSteps())
+        drawStep();
+    else
+        takeObjects(tiles_[stepsDone_ - drawingSteps()]);
+    ++stepsDone_;
+    if (finished()) finish();
+    return true;
+}
+
+void PictureMaker::drawStep()
+{
     if (stepsDone_ == 0) drawHalos();
     const auto steps = stepsOfTile();
     const Tile& tile = tiles_[stepsDone_ / steps];
@@ -150,26 +166,72 @@ bool PictureMaker::step()
     if (takesChannels && stepsDone_ < steps) report_ = std::move(report);
     if (takesChannels) takeChannels(tile);
     if (done + 1 == steps) takeColor(tile);
-    ++stepsDone_;
-    if (finished()) finish();
-    return true;
 }
 
 void PictureMaker::takeChannels(const Tile& tile)
 {
     int next = 4;
-    if (request_.depth) {
-        render::Image depth = backend_.read(depthImage);
+    render::Image depth;
+    if (request_.depth || request_.position) {
+        depth = backend_.read(depthImage);
         const double nearPlane = render::View{}.nearPlane;
         for (float& d : depth.pixels)
             d = d > 0 ? static_cast<float>(nearPlane / d) : std::numeric_limits<float>::infinity();
-        copyChannels(depth, tile, 0, 1, next++);
     }
+    if (request_.depth) copyChannels(depth, tile, 0, 1, next++);
     if (request_.frame.channels.normal) {
         copyChannels(backend_.read(normalImage), tile, 0, 3, next);
         next += 3;
     }
-    if (request_.frame.channels.evaluations) copyChannels(backend_.read(evaluationsImage), tile, 0, 1, next);
+    if (request_.frame.channels.evaluations) copyChannels(backend_.read(evaluationsImage), tile, 0, 1, next++);
+    if (request_.position) takePosition(tile, depth, next);
+}
+
+void PictureMaker::takePosition(const Tile& tile, const render::Image& depth, int to)
+{
+    const glm::ivec2 size = request_.frame.raster.size;
+    const render::View view = render::makeView(request_.frame.camera, {size});
+    render::Image positions(depth.width, depth.height, 3);
+    for (int y = 0; y < depth.height; ++y)
+        for (int x = 0; x < depth.width; ++x) {
+            const double far = depth.at(x, y);
+            if (!std::isfinite(far)) continue;
+            const glm::dvec2 pixel(tile.drawnOffset.x + x + 0.5, tile.drawnOffset.y + tile.drawnSize.y - y - 0.5);
+            const glm::dvec3 at = view.eye + far * view.direction(2.0 * pixel / glm::dvec2(size) - 1.0);
+            for (int c = 0; c < 3; ++c) positions.at(x, y, c) = static_cast<float>(at[c]);
+        }
+    copyChannels(positions, tile, 0, 3, to);
+}
+
+/// Draws the tile, then each exhibit without anything else. An exhibit is seen where it is as near as what was drawn.
+void PictureMaker::takeObjects(const Tile& tile)
+{
+    FrameRequest frame = frameOf(tile, 0);
+    frame.channels = {};
+    const auto depthOf = [&](const FrameRequest& request) {
+        (void)backend_.draw(museum_.plan(*prepared_, request, backend_.persistentState()));
+        return backend_.read(depthImage);
+    };
+    const auto idOf = [&](std::size_t i) { return cryptomatteId(museum_.subject(i).name()); };
+    const render::Image all = depthOf(frame);
+    const std::optional<std::size_t> only = frame.alone ? frame.alone : frame.cutOut;
+    const float rest = idOf(only.value_or(hallIndex));
+    render::Image objects(all.width, all.height, 4);
+    const auto mark = [&](const render::Image& depth, float id) {
+        constexpr float rounding = 1e-4F;  // Relative difference of a surface's depth between two shaders.
+        for (std::size_t i = 0; i < all.pixels.size(); ++i) {
+            if (!(depth.pixels[i] > 0) || depth.pixels[i] < all.pixels[i] * (1 - rounding)) continue;
+            objects.pixels[4 * i] = id;
+            objects.pixels[4 * i + 1] = 1;  // Coverage.
+        }
+    };
+    mark(all, rest);
+    for (const MuseumExhibit& each : museum_.exhibits()) {
+        if (only || !museum_.isInHall(each.index) || capability<OverFrame>(each.exhibit)) continue;
+        frame.cutOut = each.index;
+        mark(depthOf(frame), idOf(each.index));
+    }
+    copyChannels(objects, tile, 0, 4, picture_.channels - 4);
 }
 
 void PictureMaker::takeColor(const Tile& tile)

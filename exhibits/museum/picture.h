@@ -27,6 +27,12 @@ struct PictureRequest {
     std::vector<MotionSample> motion = {};
     /// Adds the channel "depth.Z". Channels other than color hold the value at the pixel's center.
     bool depth = false;
+    /// Adds "position.X" to "position.Z": world-space meters, 0 where nothing was hit.
+    bool position = false;
+    /// Adds the channels "CryptoObject00.R" to "CryptoObject00.A" of Cryptomatte: which exhibit is at the pixel's
+    /// center
+    /// (`exrMetadata`). Not for a picture in motion.
+    bool objects = false;
     /// Largest side of a tile in pixels, rounded down to a multiple of 8 and limited to RenderBackend::largestSide().
     int largestTile = 2048;
 };
@@ -48,7 +54,8 @@ public:
 
     /// The finished picture: R, G, B, A, row 0 at the top, alpha not premultiplied. Color is display-referred linear
     /// light or radiance, by `frame.averageIn`. Further channels, if requested: "depth.Z" (meters along the view axis,
-    /// infinity where nothing was hit), "normal.X" "normal.Y" "normal.Z" (world space) and "evaluations".
+    /// infinity where nothing was hit), "normal.X" "normal.Y" "normal.Z" (world space), "evaluations", "position" and
+    /// "CryptoObject00" (as in the request).
     [[nodiscard]] const render::Image& picture() const { return picture_; }
     /// Report of the first sample of the first tile; of a picture in motion, that of its last frame.
     [[nodiscard]] const render::FrameReport& report() const { return report_; }
@@ -60,9 +67,15 @@ private:
     };
     /// Returns the number of samples of a tile, or of frames of a motion.
     [[nodiscard]] std::size_t stepsOfTile() const;
+    /// Returns the number of steps in which all tiles are drawn. Steps after them find their objects.
+    [[nodiscard]] std::size_t drawingSteps() const { return tiles_.size() * stepsOfTile(); }
+    [[nodiscard]] std::size_t allSteps() const { return drawingSteps() + (request_.objects ? tiles_.size() : 0); }
     [[nodiscard]] FrameRequest frameOf(const Tile&, int step) const;
     void drawHalos();
+    void drawStep();
     void takeChannels(const Tile&);
+    void takePosition(const Tile&, const render::Image& depth, int to);
+    void takeObjects(const Tile&);
     void takeColor(const Tile&);
     void copyChannels(const render::Image&, const Tile&, int from, int count, int to);
     void finish();

@@ -19,6 +19,8 @@ PictureRecord pictureRecord(const PictureRequest& request, const render::Camera&
     record.alone = frame.alone.has_value();
     record.transparent = frame.transparent;
     record.depth = request.depth;
+    record.position = request.position;
+    record.objects = request.objects;
     record.channels = frame.channels;
     record.exhibitTransform = frame.exhibitTransform;
     if (!(frame.camera == ofExhibition)) record.camera = frame.camera;

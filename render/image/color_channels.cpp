@@ -29,8 +29,10 @@ struct Layer {
         return -1;
     }
     [[nodiscard]] bool isLuminanceChroma() const { return channels.contains("ry") && channels.contains("by"); }
+    /// Returns whether its red, green and blue are a color, and not the numbers of Cryptomatte.
     [[nodiscard]] bool hasColors() const
     {
+        if (lowered(name.substr(name.rfind('.') + 1)).starts_with("crypto")) return false;
         return at("r", "red") >= 0 && at("g", "green") >= 0 && at("b", "blue") >= 0;
     }
     [[nodiscard]] bool hasGray() const

@@ -6,12 +6,14 @@
 #include "render/image/picture_formats.h"
 #include "render/image/texture.h"
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace vitrine::render {
@@ -45,10 +47,18 @@ struct ReadOptions {
 [[nodiscard]] Image readColor(const std::filesystem::path&, const ReadOptions& = {},
                               std::vector<std::string>* warnings = nullptr);
 
+/// Camera of a picture as OpenEXR stores it ("Standard Attributes"): matrices for row vectors, row by row. Camera space
+/// is left-handed: x to the right, y up, z along the view. The picture spans 0 to 1, from its upper left corner.
+struct ExrCamera {
+    std::array<float, 16> worldToCamera{}, worldToNdc{};
+};
+
 struct PictureMetadata {
-    std::string preset{};       ///< JSON text that restores the settings of the picture; empty: none.
-    std::string description{};  ///< Text for people; empty: none.
-    double pixelsPerInch = 0;   ///< Resolution of a print; 0: none.
+    std::string preset{};               ///< JSON text that restores the settings of the picture; empty: none.
+    std::string description{};          ///< Text for people; empty: none.
+    double pixelsPerInch = 0;           ///< Resolution of a print; 0: none.
+    std::optional<ExrCamera> camera{};  ///< Only OpenEXR stores it.
+    std::vector<std::pair<std::string, std::string>> texts{};  ///< Further attributes of an OpenEXR file.
 };
 
 /// Writes a picture of linear light. Afterwards the file is either complete and verified, or does not exist: it checks
@@ -56,7 +66,7 @@ struct PictureMetadata {
 ///
 /// PNG and TIFF take 1 to 4 channels, sRGB-encoded and rounded to the nearest code (alpha linear, NaN 0); alpha is not
 /// premultiplied. OpenEXR takes up to 16 channels, named by `channelNames` (by default Y, YA, RGB or RGBA), with color
-/// premultiplied by A as the format demands.
+/// premultiplied by A as the format demands, the chromaticities of Rec. 709 and the name of this program.
 ///
 /// The preset goes into an iTXt chunk or attribute "vitrine:preset", in TIFF into ImageDescription, in JPEG into the
 /// comment. A JPEG comment holds 65,532 bytes; a longer preset is a Failure. `ops` is used for all formats that do not
@@ -78,6 +88,10 @@ void writePicture(const std::filesystem::path&, const Image&, PictureFormat, con
 /// or that of the views of a lenticular print. Returns nothing if there is none. The text is untrusted. Throws Failure
 /// if the file cannot be read.
 [[nodiscard]] std::optional<std::string> embeddedPreset(const std::filesystem::path&);
+
+/// Returns the description inside a PNG or OpenEXR file that `writePicture` wrote; empty if there is none. Throws
+/// Failure if the file cannot be read.
+[[nodiscard]] std::string embeddedDescription(const std::filesystem::path&);
 
 /// Returns the preset text in a picture's description: the description itself, or the scene in the settings document of
 /// a job. Returns nothing if another program wrote the text.

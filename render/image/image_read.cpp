@@ -338,6 +338,17 @@ std::optional<std::string> embeddedPreset(const std::filesystem::path& path)
     return text;
 }
 
+std::string embeddedDescription(const std::filesystem::path& path)
+{
+    ImageFormat format{};
+    const std::string bytes = readChecked(path, ImageLimits{}, format);
+    if (format == ImageFormat::png) return textInPng(bytes, "Description", path.string()).value_or("");
+    std::string text;
+    if (const std::string why = oiioCodec().readText(bytes, format, "ImageDescription", text); !why.empty())
+        fail(path.string(), why);
+    return text;
+}
+
 std::optional<std::string> settingsInDescription(const std::string& text)
 {
     if (!text.starts_with('{')) return std::nullopt;

@@ -5,6 +5,7 @@
 #include "render/image/oiio_codec.h"
 #include "render/image/png_file.h"
 #include "render/image/srgb.h"
+#include "render/version.h"
 
 #include <algorithm>
 #include <array>
@@ -155,6 +156,11 @@ std::unique_ptr<PartFile> stagedPicture(const std::filesystem::path& path, const
     target.halfColor = format == PictureFormat::exrHalf;
     target.pixelsPerInch = metadata.pixelsPerInch;
     if (isExr(format)) {
+        target.texts = metadata.texts;
+        target.texts.emplace_back("software", std::string("Vitrine ").append(programVersion()));
+        if (metadata.camera)
+            target.matrices = {{"worldToCamera", metadata.camera->worldToCamera},
+                               {"worldToNDC", metadata.camera->worldToNdc}};
         if (!metadata.preset.empty()) target.texts.emplace_back("vitrine:preset", metadata.preset);
         if (!metadata.description.empty()) target.texts.emplace_back("ImageDescription", metadata.description);
     } else if (!metadata.preset.empty()) {

@@ -3,6 +3,7 @@
 #include "render/image/image_limits.h"
 #include "render/image/stored_picture.h"
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <string>
@@ -18,7 +19,9 @@ struct OiioTarget {
     ImageFormat format = ImageFormat::exr;                   ///< exr, tiff or jpeg.
     bool halfColor = false;                                  ///< EXR: R, G, B and A as 16-bit float.
     std::vector<std::pair<std::string, std::string>> texts;  ///< Attributes.
-    double pixelsPerInch = 0;                                ///< 0: not stored.
+    /// Attributes of an EXR that are matrices of 4 x 4, row by row.
+    std::vector<std::pair<std::string, std::array<float, 16>>> matrices;
+    double pixelsPerInch = 0;  ///< 0: not stored.
 };
 
 /// Options of a TIFF that is written a few rows at a time: RGB, 8 or 16 bits, sRGB-encoded.
@@ -122,5 +125,5 @@ public:
 }  // namespace vitrine::render
 
 /// The module's only exported symbol. Returns null unless `version` is `vitrineOiioVersion`.
-inline constexpr int vitrineOiioVersion = 4;
+inline constexpr int vitrineOiioVersion = 5;
 extern "C" vitrine::render::OiioCodec* vitrineOiio(int version);

@@ -20,7 +20,7 @@ struct VideoSpec {
     VideoFormat format = VideoFormat::mp4;
     int width = 0, height = 0;
     double framesPerSecond = 30;
-    bool transparent = false;  ///< RGBA; only `webp` and `apng`. Otherwise RGB.
+    bool transparent = false;  ///< RGBA; only `webm`, `webp` and `apng`. Otherwise RGB.
     std::string comment{};     ///< Text stored in the file, UTF-8; empty: none.
 };
 

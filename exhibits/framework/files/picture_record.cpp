@@ -1,5 +1,7 @@
 #include "exhibits/framework/files/picture_record.h"
 
+#include "render/text/joined.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,13 +19,15 @@ constexpr double mostSamplesPerPixel = 4096;
 
 /// A channel beyond color, with its name in files.
 struct NamedChannel {
-    const char* name;
+    std::string_view name;
     bool& (*of)(PictureRecord&);
 };
-constexpr std::array<NamedChannel, 3> namedChannels{
+constexpr std::array<NamedChannel, 5> namedChannels{
     {{"depth", [](PictureRecord& r) -> bool& { return r.depth; }},
      {"normal", [](PictureRecord& r) -> bool& { return r.channels.normal; }},
-     {"evaluations", [](PictureRecord& r) -> bool& { return r.channels.evaluations; }}}};
+     {"evaluations", [](PictureRecord& r) -> bool& { return r.channels.evaluations; }},
+     {"position", [](PictureRecord& r) -> bool& { return r.position; }},
+     {"object", [](PictureRecord& r) -> bool& { return r.objects; }}}};
 
 double wholeNumber(const Json& json, const JsonPlace& place, double low, double high)
 {
@@ -79,15 +83,27 @@ void readChannels(const Json& json, const JsonPlace& place, PictureRecord& recor
 {
     if (!json.is_array()) throw place.failure(message("this must be an array of names; correct it there."));
     for (const Json& name : json) {
-        const auto* known = std::find_if(namedChannels.begin(), namedChannels.end(),
-                                         [&](const NamedChannel& channel) { return name == channel.name; });
-        if (known == namedChannels.end())
-            throw place.failure(message("give depth, normal or evaluations; correct it there."));
-        known->of(record) = true;
+        bool* known = name.is_string() ? channelOf(record, name.get<std::string>()) : nullptr;
+        if (!known) throw place.failure(message("give {1}; correct it there.", alternatives(channelNames())));
+        *known = true;
     }
 }
 
 }  // namespace
+
+std::vector<std::string_view> channelNames()
+{
+    std::vector<std::string_view> names;
+    for (const NamedChannel& channel : namedChannels) names.push_back(channel.name);
+    return names;
+}
+
+bool* channelOf(PictureRecord& record, std::string_view name)
+{
+    for (const NamedChannel& channel : namedChannels)
+        if (channel.name == name) return &channel.of(record);
+    return nullptr;
+}
 
 bool PictureRecord::isOfTheHall() const
 {

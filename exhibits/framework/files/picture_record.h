@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace vitrine {
@@ -14,8 +15,8 @@ namespace vitrine {
 ///
 ///     {"size": [640, 360], "samples": 4, "time": 0.0, "seed": 1}
 ///
-/// Optional keys: "alone": true, "transparent": true, "channels" beyond color (["depth", "normal", "evaluations"]),
-/// "transform" (rows of the 3 x 3 matrix of scale and rotation), "camera" if it was not the exhibition's, and
+/// Optional keys: "alone": true, "transparent": true, "channels" beyond color (["depth", "normal", "evaluations",
+/// ...]), "transform" (rows of the 3 x 3 matrix of scale and rotation), "camera" if it was not the exhibition's, and
 /// "language" of the plaques if it was not English.
 struct PictureRecord {
     glm::ivec2 size{640, 360};  ///< Pixels.
@@ -25,6 +26,8 @@ struct PictureRecord {
     bool alone = false;        ///< Only the selected exhibit; `camera` is then in its own space.
     bool transparent = false;  ///< No background; in the hall, the selected exhibit is cut out.
     bool depth = false;        ///< The channel "depth.Z" was added.
+    bool position = false;     ///< The channels "position.X" to "position.Z" were added.
+    bool objects = false;      ///< The channels of Cryptomatte were added.
     Channels channels{};
     glm::dmat4 exhibitTransform{1};  ///< Scale and rotation of the selected exhibit around its own origin.
     std::optional<render::Camera> camera{};
@@ -33,6 +36,11 @@ struct PictureRecord {
     /// Returns whether the same picture can be taken of the hall, without naming the exhibit.
     [[nodiscard]] bool isOfTheHall() const;
 };
+
+/// Names of all channels beyond color, as options and files have them: "depth".
+[[nodiscard]] std::vector<std::string_view> channelNames();
+/// Returns whether the record has the channel of this name, to read or to set; null for an unknown name.
+[[nodiscard]] bool* channelOf(PictureRecord&, std::string_view name);
 
 [[nodiscard]] render::Json jsonFromPictureRecord(const PictureRecord&);
 

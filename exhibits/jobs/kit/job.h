@@ -36,7 +36,7 @@ struct UsualPicture {
     int samples = 0;      ///< Samples per pixel of the picture whose settings were taken; 0: unknown.
     glm::ivec2 size{0};   ///< Pixels of that picture, or of the view in the window; 0: unknown.
     Channels channels{};  ///< Further channels of that picture.
-    bool depth = false;   ///< Whether it had a channel of depths.
+    bool depth = false, position = false, objects = false;  ///< Whether it had these channels.
     /// Whether the field of view grows for a narrow picture, as in the window (`widened`).
     bool widens = false;
     double secondsPerSample = 0;  ///< Time in which the window drew a sample of a pixel; 0: unknown.

@@ -1,12 +1,15 @@
 #include "exhibits/jobs/picture/picture_job.h"
 
 #include "exhibits/jobs/picture/picture_table.h"
+#include "exhibits/museum/exr_metadata.h"
 #include "exhibits/museum/picture_settings.h"
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
 #include "render/files/number_text.h"
 #include "render/plan/diagnostics.h"
+#include "render/text/joined.h"
 #include "render/text/nearest_word.h"
+#include "render/video/video_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,36 +47,72 @@ int samplesOf(const ParameterValues& values, const JobScene& scene)
     return scene.museum ? usualSamples(scene.state.hall()) : 1;
 }
 
-/// Channels that a text names. Throws Failure (ErrorKind::usage).
-struct NamedChannels {
-    Channels channels;
-    bool depth = false, beyondColor = false;
-};
-NamedChannels channelsNamed(const std::string& text)
+/// Channels that a text names, beyond color. Throws Failure (ErrorKind::usage).
+PictureRecord channelsNamed(const std::string& text)
 {
-    NamedChannels named;
+    PictureRecord named;
     std::istringstream parts(text);
     for (std::string name; std::getline(parts, name, ',');) {
         std::erase(name, ' ');
-        if (name == "depth")
-            named.depth = true;
-        else if (name == "normal")
-            named.channels.normal = true;
-        else if (name == "evaluations")
-            named.channels.evaluations = true;
-        else if (name != "color")
-            throw Failure(ErrorKind::usage, "--channels: \"" + name + "\" is not a channel" +
-                                                didYouMean(name, {"color", "depth", "normal", "evaluations"}) +
-                                                " give color, depth, normal or evaluations, separated by commas.");
-        named.beyondColor = named.beyondColor || name != "color";
+        if (name == "color") continue;
+        bool* channel = channelOf(named, name);
+        if (!channel) {
+            const std::vector<std::string_view> names = channelNames();
+            std::vector<std::string> near = {"color"};
+            near.insert(near.end(), names.begin(), names.end());
+            throw Failure(ErrorKind::usage, "--channels: \"" + name + "\" is not a channel" + didYouMean(name, near) +
+                                                " give color, " + alternatives(names) + ", separated by commas.");
+        }
+        *channel = true;
     }
     return named;
+}
+
+bool isBeyondColor(const PictureRecord& named)
+{
+    PictureRecord record = named;
+    const std::vector<std::string_view> names = channelNames();
+    return std::any_of(names.begin(), names.end(), [&](std::string_view name) { return *channelOf(record, name); });
+}
+
+/// A still picture in WebP, which the encoder of videos writes: lossless, with its settings.
+std::unique_ptr<render::PartFile> stagedWebp(const std::filesystem::path& out, const render::Image& picture,
+                                             bool transparent, std::string settings)
+{
+    render::VideoFile file(
+        out, {render::VideoFormat::webp, picture.width, picture.height, 1, transparent, std::move(settings)});
+    file.add(picture);
+    return file.staged();
+}
+
+bool isWebp(const std::filesystem::path& out)
+{
+    return render::videoFormatOf(out) == render::VideoFormat::webp;
 }
 
 bool isLinear(const std::filesystem::path& out)
 {
     const auto format = render::writtenFormat(out);
     return format && render::fileFormat(*format).isLinear;
+}
+
+std::vector<std::string_view> pictureEndings()
+{
+    std::vector<std::string_view> endings = render::writtenEndings();
+    endings.push_back("webp");
+    return endings;
+}
+
+/// Returns why no WebP can be written, as a full sentence; empty if it can.
+std::string whyNoWebp(const ParameterValues& values, const PictureRequest& request)
+{
+    if (values[pictureTable().sixteenBit])
+        return "--sixteen-bit: WebP holds no 16 bits; give --out a name that ends in " + render::writtenExtensions(16) +
+               ", or leave the option out.";
+    const glm::ivec2 size = request.frame.raster.size;
+    constexpr int longest = 16383;
+    if (std::max(size.x, size.y) <= longest) return {};
+    return "WebP has sides of at most 16383 pixels; give another --size, or --out a name that ends in .png.";
 }
 
 std::vector<Fact> factsOf(const PictureRequest& request)
@@ -99,15 +138,19 @@ PictureRequest pictureRequest(const ParameterValues& values, const JobScene& sce
     request.samples = samplesOf(values, scene);
     const bool linear = isLinear(out);
     request.frame.averageIn = linear ? AverageIn::radiance : AverageIn::display;
-    const NamedChannels named = channelsNamed(values[t.channels]);
+    const PictureRecord named = channelsNamed(values[t.channels]);
     if (!values[t.channels].empty()) {
         request.frame.channels = named.channels;
         request.depth = named.depth;
+        request.position = named.position;
+        request.objects = named.objects;
     } else if (linear) {
         request.frame.channels = scene.usual.channels;
         request.depth = scene.usual.depth;
+        request.position = scene.usual.position;
+        request.objects = scene.usual.objects;
     }
-    if (named.beyondColor && !linear && !out.empty())
+    if (isBeyondColor(named) && !linear && !out.empty())
         throw Failure(ErrorKind::usage,
                       "--channels: only OpenEXR carries more than color; give --out a name that ends in .exr.");
     return request;
@@ -160,9 +203,16 @@ void PictureRun::end()
     const JobScene& scene = order_.scene;
     if (!order_.out.empty()) {
         const render::Camera* view = scene.frame.alone ? nullptr : &scene.state.camera;
-        staged_.push_back(render::stagedPicture(
-            order_.out, maker_->picture(), pictureFormat(order_.values, order_.out),
-            {.preset = pictureSettings(*scene.museum, scene.subject, scene.state, request_, "Picture", view)}));
+        std::string settings = pictureSettings(*scene.museum, scene.subject, scene.state, request_, "Picture", view);
+        if (isWebp(order_.out)) {
+            staged_.push_back(
+                stagedWebp(order_.out, maker_->picture(), request_.frame.transparent, std::move(settings)));
+        } else {
+            render::PictureMetadata metadata = exrMetadata(*scene.museum, request_);
+            metadata.preset = std::move(settings);
+            staged_.push_back(render::stagedPicture(order_.out, maker_->picture(),
+                                                    pictureFormat(order_.values, order_.out), metadata));
+        }
         report_.files.push_back(order_.out);
     } else {
         picture_ = maker_->picture();
@@ -189,11 +239,8 @@ const Parameters& PictureJob::parameters() const
 
 JobNeeds PictureJob::needs() const
 {
-    return {.anyScene = true,
-            .extensions = render::writtenEndings(),
-            .inWindow = true,
-            .reports = true,
-            .carriesSettings = true};
+    return {
+        .anyScene = true, .extensions = pictureEndings(), .inWindow = true, .reports = true, .carriesSettings = true};
 }
 
 std::shared_ptr<const JobInputs> PictureJob::read(const ParameterValues&) const
@@ -205,11 +252,15 @@ JobPlan PictureJob::plan(const ParameterValues& values, const JobScene& scene, c
                          const std::filesystem::path& out) const
 {
     JobPlan plan;
-    plan.offers["channels"] = {"color", "color,depth", "color,normal", "color,depth,normal,evaluations"};
+    plan.offers["channels"] = {"color", "color,depth", "color,normal", "color,depth,normal,position,object",
+                               "color,depth,normal,evaluations"};
     try {
         const PictureRequest request = pictureRequest(values, scene, out);
         plan.facts = factsOf(request);
-        if (!out.empty()) static_cast<void>(pictureFormat(values, out));
+        if (isWebp(out))
+            plan.refusal = whyNoWebp(values, request);
+        else if (!out.empty())
+            static_cast<void>(pictureFormat(values, out));
         if (!values[pictureTable().transparent] || request.frame.alone || !scene.museum) {
         } else if (scene.subject == hallIndex) {
             plan.refusal = "The hall has nothing around it that could be left out; visit an exhibit first.";

@@ -28,8 +28,9 @@ struct PictureTable final : Parameters {
                "Write 16 bits per channel: integers in PNG and TIFF, half floats for the color in OpenEXR.",
                labeled("16 bits per channel"));
     Text channels =
-        text("channels", "Channels of an OpenEXR file, separated by commas: color, depth, normal, evaluations. Empty: "
-                         "those of the picture whose settings are used, else color only.");
+        text("channels", "Channels of an OpenEXR file, separated by commas: color, depth, normal, evaluations, "
+                         "position, object (which exhibit, as Cryptomatte). Empty: those of the picture whose settings "
+                         "are used, else color only.");
 
 private:
     Count side(std::string_view name)

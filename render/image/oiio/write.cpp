@@ -6,6 +6,7 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -32,6 +33,9 @@ OIIO::ImageSpec specFor(const StoredPicture& picture, const OiioTarget& target)
     }
     if (target.format == ImageFormat::exr) {
         spec.attribute("compression", "zip");
+        constexpr std::array<float, 8> rec709{0.64F, 0.33F, 0.3F, 0.6F, 0.15F, 0.06F, 0.3127F, 0.329F};
+        spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), rec709.data());
+        for (const auto& [key, matrix] : target.matrices) spec.attribute(key, OIIO::TypeMatrix, matrix.data());
     } else if (target.format == ImageFormat::jpeg) {
         spec.attribute("compression", "jpeg:92");
         spec.attribute("jpeg:subsampling", "4:4:4");
