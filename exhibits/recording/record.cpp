@@ -1,11 +1,10 @@
 #include "exhibits/recording/record.h"
 
+#include "exhibits/museum/exr_metadata.h"
 #include "exhibits/museum/picture_settings.h"
 #include "render/failure.h"
 #include "render/files/extension.h"
-#include "render/files/read_file.h"
 #include "render/image/image_io.h"
-#include "render/image/png_file.h"
 #include "render/video/video_file.h"
 
 #include <optional>
@@ -14,8 +13,6 @@ namespace vitrine {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t largestFrame = std::size_t{1} << 30U;
 
 /// Position of "%04d" or "%d" in a name, and the least number of digits.
 struct NumberPlace {
@@ -43,15 +40,19 @@ render::VideoSpec specOf(const RecordingRequest& request, render::VideoFormat fo
     return {format, frame.raster.size.x, frame.raster.size.y, request.framesPerSecond, frame.transparent, {}};
 }
 
+/// Returns whether frames of this name hold linear light.
+bool isLinear(const fs::path& out)
+{
+    return render::lowerExtension(out) == ".exr";
+}
+
 /// Returns whether a frame with the same preset and description exists.
 bool isThere(const fs::path& path, const std::string& preset, const std::string& line)
 {
     std::error_code ignored;
     if (!fs::is_regular_file(path, ignored)) return false;
     try {
-        const std::string bytes = render::readFile(path, largestFrame);
-        return render::presetInPng(bytes, path.string()) == preset &&
-               render::textInPng(bytes, "Description", path.string()) == line;
+        return render::embeddedPreset(path) == preset && render::embeddedDescription(path) == line;
     } catch (const Failure&) {
         return false;  // Another program's file, or a broken one, is replaced.
     }
@@ -61,7 +62,7 @@ bool isThere(const fs::path& path, const std::string& preset, const std::string&
 
 bool isFramePattern(const fs::path& out)
 {
-    return numberPlace(out.filename().string()) && render::lowerExtension(out) == ".png";
+    return numberPlace(out.filename().string()) && (render::lowerExtension(out) == ".png" || isLinear(out));
 }
 
 std::string whyNotRecordable(const RecordingRequest& request, const fs::path& out)
@@ -70,7 +71,8 @@ std::string whyNotRecordable(const RecordingRequest& request, const fs::path& ou
     const std::optional<render::VideoFormat> format = render::videoFormatOf(out);
     if (format) return render::whyNoVideo(specOf(request, *format));
     return "\"" + out.string() +
-           "\" is no name of a recording; give one that ends in .mp4, .webm, .gif, .webp or .apng, or frames/%04d.png.";
+           "\" is no name of a recording; give one that ends in .mp4, .webm, .gif, .webp or .apng, or frames/%04d.png "
+           "or .exr.";
 }
 
 fs::path framePath(const fs::path& pattern, int k)
@@ -95,6 +97,7 @@ Recording::Recording(const Museum& museum, render::RenderBackend& backend, Scene
         video_ = std::make_unique<render::VideoFile>(out_, spec);
         return;
     }
+    if (isLinear(out_)) request_.picture.frame.averageIn = AverageIn::radiance;
     std::error_code error;
     if (out_.has_parent_path()) fs::create_directories(out_.parent_path(), error);
     if (error)
@@ -104,13 +107,18 @@ Recording::Recording(const Museum& museum, render::RenderBackend& backend, Scene
 
 Recording::~Recording() = default;
 
-std::string Recording::presetAt(int k) const
+PictureRequest Recording::pictureAt(int k) const
 {
     const MotionSample first = motionSamplesOf(request_, k).front();
     PictureRequest picture = request_.picture;
     picture.frame.camera = first.camera;
     picture.frame.time = first.time;
-    return pictureSettings(museum_, subject_, sceneState_, picture,
+    return picture;
+}
+
+std::string Recording::presetAt(int k) const
+{
+    return pictureSettings(museum_, subject_, sceneState_, pictureAt(k),
                            "Recording of " + std::string(museum_.subject(subject_).name()));
 }
 
@@ -125,13 +133,21 @@ void Recording::beginFrame()
         maker_ = std::make_unique<FrameMaker>(museum_, backend_, sceneState_, request_, next_);
 }
 
+void Recording::writeFrame()
+{
+    render::PictureMetadata metadata = exrMetadata(museum_, pictureAt(next_));
+    metadata.preset = presetAt(next_);
+    metadata.description = frameLine(request_, next_);
+    const render::PictureFormat format = isLinear(out_) ? render::PictureFormat::exr : render::PictureFormat::png8;
+    render::writePicture(framePath(out_, next_), maker_->picture(), format, metadata);
+}
+
 void Recording::endFrame()
 {
     if (video_)
         video_->add(maker_->picture());
     else
-        render::writePicture(framePath(out_, next_), maker_->picture(), render::PictureFormat::png8,
-                             {.preset = presetAt(next_), .description = frameLine(request_, next_)});
+        writeFrame();
     maker_.reset();
     ++next_;
     ++drawn_;

@@ -13,7 +13,7 @@ class VideoFile;
 
 namespace vitrine {
 
-/// Returns whether the name is that of frames: "folder/%04d.png".
+/// Returns whether the name is that of frames: "folder/%04d.png", or ".exr" for linear light.
 [[nodiscard]] bool isFramePattern(const std::filesystem::path& out);
 
 /// Returns why nothing can be recorded under this name, as a sentence with an alternative; empty if it can. `out` must
@@ -30,8 +30,8 @@ struct RecordingShare {
     std::filesystem::path from = {};      ///< Frames drawn earlier, "folder/%04d.png"; for a video only.
 };
 
-/// Draws all frames into a video, or into PNG files, step by step. Each file contains all settings as a preset; that of
-/// a frame includes its camera.
+/// Draws all frames into a video, or into PNG or OpenEXR files, step by step. Each file contains all settings as a
+/// preset; that of a frame includes its camera.
 ///
 /// An unfinished video leaves no file. Frames remain as far as they are drawn, each of them complete. Existing frames
 /// made with the same settings and the same program are kept.
@@ -58,7 +58,9 @@ public:
     [[nodiscard]] int kept() const { return kept_; }    ///< Frames that existed already.
 
 private:
+    [[nodiscard]] PictureRequest pictureAt(int k) const;
     [[nodiscard]] std::string presetAt(int k) const;
+    void writeFrame();
     void beginFrame();
     void endFrame();
     void takeFrame();

@@ -68,8 +68,8 @@ std::string whyNoVideo(const VideoSpec& spec)
     if (spec.format == VideoFormat::gif && spec.framesPerSecond > 50)
         return "A GIF counts in hundredths of a second, and programs show no more than 50 frames a second of it; give "
                "at most 50, or choose .webp or .apng.";
-    if (spec.transparent && spec.format != VideoFormat::webp && spec.format != VideoFormat::apng)
-        return "Only the videos .webp and .apng can be transparent; choose one of them, or PNG frames.";
+    if (spec.transparent && (spec.format == VideoFormat::mp4 || spec.format == VideoFormat::gif))
+        return "Only the videos .webm, .webp and .apng can be transparent; choose one of them, or frames.";
     return {};
 }
 

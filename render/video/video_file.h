@@ -18,7 +18,8 @@ namespace vitrine::render {
 [[nodiscard]] std::string videoEndings();
 
 /// Returns why such a video cannot be made, as a full sentence with an alternative; empty if it can. Videos in 4:2:0
-/// (.mp4, .webm) need even sizes, .gif allows at most 50 frames a second, and only .webp and .apng can be transparent.
+/// (.mp4, .webm) need even sizes, .gif allows at most 50 frames a second, and only .webm, .webp and .apng can be
+/// transparent.
 [[nodiscard]] std::string whyNoVideo(const VideoSpec&);
 
 class PartFile;

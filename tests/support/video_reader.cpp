@@ -87,7 +87,10 @@ ReadVideo readVideo(const std::filesystem::path& path)
     const AVDictionaryEntry* comment = av_dict_get(file->metadata, "comment", nullptr, 0);
     if (comment) video.comment = comment->value;
     const AVStream* stream = file->streams[0];
-    const AVCodec* codec = avcodec_find_decoder(stream->codecpar->codec_id);
+    // FFmpeg's own decoder of VP9 leaves the opacity out.
+    const bool hasOpacity = av_dict_get(stream->metadata, "alpha_mode", nullptr, 0) != nullptr;
+    const AVCodec* codec =
+        hasOpacity ? avcodec_find_decoder_by_name("libvpx-vp9") : avcodec_find_decoder(stream->codecpar->codec_id);
     if (!codec) throw std::runtime_error("no decoder");
     video.codec = codec->name;
     AVCodecContext* decoder = avcodec_alloc_context3(codec);

@@ -193,7 +193,7 @@ const Parameters& RecordJob::parameters() const
 JobNeeds RecordJob::needs() const
 {
     return {.anyScene = true,
-            .extensions = {"mp4", "webm", "gif", "webp", "apng", "png"},
+            .extensions = {"mp4", "webm", "gif", "webp", "apng", "png", "exr"},
             .inWindow = true,
             .inParts = true};
 }

@@ -38,6 +38,9 @@ struct Recipe {
 
 constexpr const char* toHalfChroma =
     "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+accurate_rnd+full_chroma_int,format=yuv420p";
+/// The same with opacity, which VP9 keeps as a second picture.
+constexpr const char* toHalfChromaAndAlpha =
+    "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+accurate_rnd+full_chroma_int,format=yuva420p";
 
 /// Smallest side in pixels of a frame that is encoded with x264's macroblock tree. With it, the x264 of Debian 13
 /// (0.164.3108) is not deterministic for frames of two by two macroblocks.
@@ -59,7 +62,7 @@ Recipe recipeOf(const VideoSpec& spec)
     case VideoFormat::webm:
         return {"webm",
                 {"libvpx-vp9", "libvpx"},
-                toHalfChroma,
+                spec.transparent ? toHalfChromaAndAlpha : toHalfChroma,
                 {{"crf", "24"}, {"b", "0"}, {"deadline", "good"}, {"cpu-used", "3"}, {"row-mt", "1"}},
                 {}};
     case VideoFormat::gif:

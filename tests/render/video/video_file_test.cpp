@@ -112,6 +112,21 @@ TEST(VideoFile, AWebmIsVp9AndKeepsItsComment)
     expectTimes(read, 50, 0.0011);  // Matroska stores milliseconds.
 }
 
+TEST(VideoFile, ATransparentWebmKeepsItsOpacity)
+{
+    const TemporaryFolder folder;
+    const test::ReadVideo read = test::readVideo(written(folder, "a.webm", {.transparent = true}));
+    EXPECT_EQ(read.codec, "libvpx-vp9");
+    EXPECT_EQ(read.comment, comment);
+    ASSERT_EQ(read.frames.size(), static_cast<std::size_t>(count));
+    for (const auto& frame : read.frames) {
+        const auto at = [&](std::size_t x, std::size_t c) { return frame[4 * (8 * wide + x) + c]; };
+        EXPECT_NEAR(at(4, 3), 128, 4);
+        EXPECT_NEAR(at(24, 3), 255, 4);
+        for (const std::size_t x : {4U, 24U}) EXPECT_NEAR(at(x, 0), 180, 4) << "not premultiplied";
+    }
+}
+
 TEST(VideoFile, AnApngHasThePixelsToTheBitAndThePresetOfAPicture)
 {
     const TemporaryFolder folder;
