@@ -1,3 +1,4 @@
+#include "exhibits/sdf_scenes/mesh_text.h"
 #include "exhibits/sdf_scenes/scene_mesh.h"
 #include "render/files/strict_json.h"
 #include "render/image/srgb.h"
@@ -221,10 +222,9 @@ std::optional<MeshFormat> meshFormat(const std::string& file)
     std::string end = dot == std::string::npos ? "" : file.substr(dot + 1);
     std::transform(end.begin(), end.end(), end.begin(),
                    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    if (end == "glb") return MeshFormat::glb;
-    if (end == "stl") return MeshFormat::stl;
-    if (end == "ply") return MeshFormat::ply;
-    return std::nullopt;
+    const auto* found = std::find(meshEndings.begin(), meshEndings.end(), end);
+    if (found == meshEndings.end()) return std::nullopt;
+    return static_cast<MeshFormat>(found - meshEndings.begin());
 }
 
 std::string meshFile(const SceneMesh& mesh, MeshFormat format, const std::string& name)
@@ -233,6 +233,8 @@ std::string meshFile(const SceneMesh& mesh, MeshFormat format, const std::string
     case MeshFormat::glb: return glbFile(mesh, name);
     case MeshFormat::stl: return stlFile(mesh, name);
     case MeshFormat::ply: return plyFile(mesh, name);
+    case MeshFormat::obj: return objFile(mesh, name);
+    case MeshFormat::threeMf: return threeMfFile(mesh, name);
     }
     return {};
 }

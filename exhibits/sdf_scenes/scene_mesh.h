@@ -2,10 +2,12 @@
 
 #include "exhibits/sdf_scenes/scene_field.h"
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace vitrine::scenes {
@@ -86,11 +88,29 @@ struct MeshCheck {
 };
 [[nodiscard]] MeshCheck checkMesh(const SceneMesh&);
 
-enum class MeshFormat : std::uint8_t { glb, stl, ply };
+/// Limits of a simplification; 0: none.
+struct Simplification {
+    int triangles = 0;     ///< Number of triangles to reach.
+    double deviation = 0;  ///< Largest distance between the two surfaces, meters, as far as it is estimated.
+};
+/// Simplified mesh, and the estimate of its largest deviation in meters.
+struct SimplifiedMesh {
+    SceneMesh mesh;
+    double deviation = 0;
+};
+/// Collapses edges in the order of their quadric errors until a limit is reached (meshoptimizer; Garland and Heckbert
+/// 1997, "Surface Simplification Using Quadric Error Metrics"). Vertices keep their places, normals and colors; some
+/// are left out. Check the result with `checkMesh`.
+[[nodiscard]] SimplifiedMesh simplified(const SceneMesh&, const Simplification&);
+
+enum class MeshFormat : std::uint8_t { glb, stl, ply, obj, threeMf };
+/// Extensions of all formats, in the order of the enumerators.
+inline constexpr std::array<std::string_view, 5> meshEndings{"glb", "stl", "ply", "obj", "3mf"};
 /// Returns the format for the extension of a file's name.
 [[nodiscard]] std::optional<MeshFormat> meshFormat(const std::string& file);
 /// Returns the bytes of a file: glTF 2.0 (meters, y up, a material for each color, linear vertex colors for triangles
-/// of several colors), binary STL (millimeters, without colors), binary PLY (meters, sRGB vertex colors).
+/// of several colors), binary STL (millimeters, without colors), binary PLY (meters, sRGB vertex colors), OBJ and 3MF
+/// (mesh_text.h).
 [[nodiscard]] std::string meshFile(const SceneMesh&, MeshFormat, const std::string& name);
 
 }  // namespace vitrine::scenes

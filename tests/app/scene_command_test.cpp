@@ -245,7 +245,8 @@ TEST(SceneMeshCommand, WhatCannotBeMeshedIsSaidAndLeavesTheOldFile)
         EXPECT_EQ(test::bytesOf(out), "old");
     };
     const std::string ball = ballIn(folder);
-    refused({ball, "--out", folder / "a.obj"}, 2, {".glb, .stl or .ply"});
+    refused({ball, "--out", folder / "a.dae"}, 2, {".glb, .stl, .ply, .obj or .3mf"});
+    refused({ball, "--cell", "0.1", "--triangles", "4", "--out", out}, 1, {"not closed", "--triangles"});
     refused({scenes + "unions.json", "--out", out}, 2, {"no end", "--low"});
     refused({ball, "--cell", "0.1mm", "--memory-mb", "100", "--out", out}, 2, {"GB", "give --cell"});
     refused({ball, "--out", folder / "no/a.glb"}, 5, {"a.glb"});

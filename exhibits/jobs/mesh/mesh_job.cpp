@@ -35,6 +35,14 @@ struct MeshTable final : Parameters {
                "Lower corner of the box that is meshed; the mesh is cut at its sides. Inf: the whole scene.");
     std::array<Real, 3> high =
         corner({"highX", "highY", "highZ"}, "high", endless, "inf", "Upper corner of the box that is meshed.");
+    Count triangles =
+        count("triangles", 0, Range{4, 100000000, logarithmic}.soft(100, 1e6),
+              "Number of triangles to which the mesh is simplified. All: as many as the cells give.", reads(0, "all"));
+    Real deviation =
+        real("deviation", 0, meter, Range{1e-7, 1000, logarithmic}.soft(1e-5, 0.1),
+             "Largest distance by which the simplified surface may be off, as far as it is estimated. None: "
+             "any distance, until the number of triangles is reached.",
+             reads(0, "none"));
     Real memory =
         real("memoryMb", 0, none, Range{1, 1e9, logarithmic}.soft(100, 1e5),
              "Largest amount of memory for meshing, in megabytes. Auto: half of the machine's.", reads(0, "auto"));
@@ -167,11 +175,13 @@ public:
             if (!watch(0)) throw Stopped();
             return;
         }
-        const std::optional<scenes::SceneMesh> mesh = mesher_->mesh(part);
+        std::optional<scenes::SceneMesh> mesh = mesher_->mesh(part);
         if (!mesh) throw Stopped();
-        const scenes::MeshCheck check = checked(*mesh, partOf(order_.values).has_value());
+        scenes::MeshCheck check = checked(*mesh, partOf(order_.values).has_value());
         if (!watch(1)) throw Stopped();
+        const std::optional<double> deviation = simplify(*mesh, check);
         tell(*mesh, check);
+        if (deviation) report_.facts.push_back({"Deviation at most", 1000 * *deviation, "mm"});
         stage(*mesh);
         isDone_ = true;
     }
@@ -181,6 +191,21 @@ public:
     void publish() override { render::publishAll(staged_); }
 
 private:
+    /// Simplifies the mesh and checks it again. Returns the deviation in meters; nothing if no limit is given. Throws
+    /// Failure (ErrorKind::check) if the result is not closed.
+    std::optional<double> simplify(scenes::SceneMesh& mesh, scenes::MeshCheck& check) const
+    {
+        const scenes::Simplification limits{order_.values[meshTable().triangles], order_.values[meshTable().deviation]};
+        if (limits.triangles == 0 && limits.deviation == 0) return std::nullopt;
+        scenes::SimplifiedMesh result = scenes::simplified(mesh, limits);
+        check = scenes::checkMesh(result.mesh);
+        if (!check.good() || result.mesh.indices.empty())
+            throw Failure(ErrorKind::check,
+                          "The mesh is not closed any more when it is simplified that far; nothing was written. Give "
+                          "more --triangles, or a smaller --deviation.");
+        mesh = std::move(result.mesh);
+        return result.deviation;
+    }
     void tell(const scenes::SceneMesh& mesh, const scenes::MeshCheck& check)
     {
         const scenes::MeshPlan& plan = mesher_->plan();
@@ -221,6 +246,11 @@ private:
 const Parameters& MeshJob::parameters() const
 {
     return meshTable();
+}
+
+JobNeeds MeshJob::needs() const
+{
+    return {.extensions = {scenes::meshEndings.begin(), scenes::meshEndings.end()}};
 }
 
 std::shared_ptr<const JobInputs> MeshJob::read(const ParameterValues& values) const

@@ -14,7 +14,7 @@ public:
         return "Make a closed mesh of a scene's surface, for other programs and 3D printers";
     }
     [[nodiscard]] const Parameters& parameters() const override;
-    [[nodiscard]] JobNeeds needs() const override { return {.extensions = {"glb", "stl", "ply"}}; }
+    [[nodiscard]] JobNeeds needs() const override;
     [[nodiscard]] std::shared_ptr<const JobInputs> read(const ParameterValues&) const override;
     [[nodiscard]] JobPlan plan(const ParameterValues&, const JobScene&, const JobInputs&,
                                const std::filesystem::path& out) const override;

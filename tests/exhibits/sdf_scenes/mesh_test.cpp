@@ -342,6 +342,35 @@ TEST(SceneMesh, HasItsColorsInTheFile)
     EXPECT_TRUE(isMixed);
 }
 
+TEST(SceneMesh, IsSimplifiedToANumberOfTrianglesOrADeviationAndStaysClosed)
+{
+    const scenes::SceneMesh ball = meshOf(R"({"kind": "sphere", "radius": 0.5})", 0.02);
+    const double truth = scenes::checkMesh(ball).volume;
+    const auto facesOf = [](const scenes::SceneMesh& mesh) { return mesh.indices.size() / 3; };
+    double last = 0;
+    for (const int triangles : {4000, 1000, 300}) {
+        const scenes::SimplifiedMesh result = scenes::simplified(ball, {.triangles = triangles});
+        EXPECT_LE(facesOf(result.mesh), static_cast<std::size_t>(triangles));
+        EXPECT_GE(facesOf(result.mesh), static_cast<std::size_t>(0.9 * triangles));
+        const scenes::MeshCheck check = scenes::checkMesh(result.mesh);
+        EXPECT_TRUE(check.good()) << triangles;
+        EXPECT_GT(result.deviation, last) << "fewer triangles are farther off";
+        last = result.deviation;
+        // A sphere with n equal triangles inside it lacks a share of about 10.9 / n of its volume. Twice that.
+        EXPECT_NEAR(check.volume, truth, 22.0 / triangles * truth);
+    }
+    const scenes::SimplifiedMesh near = scenes::simplified(ball, {.deviation = 0.001});
+    EXPECT_LE(near.deviation, 0.001);
+    EXPECT_LT(facesOf(near.mesh), facesOf(ball) / 4);
+    EXPECT_TRUE(scenes::checkMesh(near.mesh).good());
+    for (const scenes::MeshVertex& v : near.mesh.vertices) EXPECT_NEAR(glm::length(v.position), 0.5, 0.002);
+    // A box is two triangles a side, whatever its cells were.
+    const scenes::SceneMesh box = meshOf(R"({"kind": "box", "size": [0.4, 0.4, 0.4]})", 0.05);
+    const scenes::SimplifiedMesh plain = scenes::simplified(box, {.deviation = 1e-4});
+    EXPECT_LT(facesOf(plain.mesh), facesOf(box) / 4);
+    EXPECT_NEAR(scenes::checkMesh(plain.mesh).volume, scenes::checkMesh(box).volume, 1e-4 * 0.96);
+}
+
 TEST(SceneMesh, StopsWhenAsked)
 {
     const scenes::SceneField field = test::fieldOf(R"({"kind": "sphere", "radius": 0.5})");
