@@ -1,5 +1,8 @@
 #include "exhibits/printing/view_rig.h"
 
+#include "exhibits/printing/quilt.h"
+#include "exhibits/printing/view_files.h"
+
 #include "tests/exhibits/printing/samples.h"
 #include "tests/support/failures.h"
 
@@ -236,6 +239,60 @@ TEST(DepthRange, LeavesOutTheStrayPixelsAndKnowsTheHorizon)
     EXPECT_NEAR(depthRange(image, 1).nearest, 0.01, 1e-6);
     EXPECT_TRUE(std::isinf(depthRange(image, 1).farthest));
     EXPECT_THROW((void)depthRange(render::Image(2, 2, 4)), std::out_of_range);
+}
+
+TEST(Quilt, HasItsGridInItsName)
+{
+    using printing::QuiltGrid;
+    EXPECT_EQ(printing::quiltPath("a/cat.png", {8, 6, 0.75}), "a/cat_qs8x6a0.75.png");
+    EXPECT_EQ(printing::quiltPath("cat_qs5x9a1.77.jpg", {11, 6, 0.56249}), "cat_qs11x6a0.5625.jpg");
+    EXPECT_EQ(printing::quiltNamed("a/cat_qs8x6a0.75.png"), (QuiltGrid{8, 6, 0.75}));
+    EXPECT_EQ(printing::quiltNamed("my_qs_cat_qs5x9a1.77777.mp4"), (QuiltGrid{5, 9, 1.77777}));
+    EXPECT_EQ(printing::quiltNamed("cat_qs3x2a.5.png"), (QuiltGrid{3, 2, 0.5}));
+    for (const char* none : {"cat.png", "cat_qs8x6.png", "cat_qs0x6a1.png", "cat_qs8x6a0.png", "cat_qs9999x6a1.png",
+                             "cat_qs8x6a0.75_small.png", "cat_qs8x6a1e9.png"})
+        EXPECT_EQ(printing::quiltNamed(none), std::nullopt) << none;
+}
+
+TEST(Quilt, HasItsFirstViewAtTheBottomLeftAsItIsReadBack)
+{
+    render::Image quilt(6, 6, 3);
+    const printing::QuiltGrid grid{2, 3, 1.5};
+    for (int k = 0; k < grid.count(); ++k)
+        printing::placeInQuilt(quilt, render::Image(3, 2, 3, static_cast<float>(k)), grid, k);
+    EXPECT_EQ(quilt.at(0, 5, 0), 0);
+    EXPECT_EQ(quilt.at(5, 5, 0), 1);
+    EXPECT_EQ(quilt.at(0, 0, 0), 4);
+    for (int k = 0; k < grid.count(); ++k)
+        EXPECT_EQ(printing::viewOfQuilt(quilt, 2, 3, k).pixels, render::Image(3, 2, 3, static_cast<float>(k)).pixels);
+}
+
+TEST(Quilt, TheCamerasSeeTheirTargetOnTheSamePixel)
+{
+    render::Camera center;
+    center.eye = {1, 2, 5};
+    center.target = {0, 1, 0};
+    const double cone = 0.7;
+    constexpr int count = 5;
+    double last = -1;
+    for (int k = 0; k < count; ++k) {
+        const render::Camera camera = printing::quiltCamera(center, k, count, cone);
+        const auto at = [&](const glm::dvec3& p) {
+            const glm::dvec4 clip = render::makeView(camera, {{640, 480}}).clipFromWorld * glm::dvec4(p, 1);
+            return glm::dvec2(clip) / clip.w;
+        };
+        EXPECT_LT(glm::length(at(center.target)), 1e-9) << k;
+        // Directions from the target are evenly spaced. View 0 is seen from the left.
+        const glm::dvec3 to = glm::normalize(camera.eye - center.target);
+        const glm::dvec3 ahead = glm::normalize(center.eye - center.target);
+        EXPECT_NEAR(std::acos(std::min(glm::dot(to, ahead), 1.0)), std::abs(k - 2) * cone / 4, 1e-6) << k;
+        const double right = glm::dot(camera.eye, glm::cross(glm::dvec3(0, 1, 0), ahead));
+        if (k > 0) EXPECT_GT(right, last);
+        last = right;
+        // A point nearer than the target moves against the camera.
+        if (k != 2) EXPECT_LT(at(center.target + ahead).x * (k - 2), 0);
+    }
+    EXPECT_EQ(printing::quiltCamera(center, 0, 1, cone), center);
 }
 
 }  // namespace
