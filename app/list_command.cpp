@@ -5,17 +5,23 @@
 #include "app/kit/useless_option.h"
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/table/derive.h"
+#include "exhibits/framework/table/typed_number.h"
+#include "exhibits/framework/table/value_text.h"
 #include "exhibits/hall/hall_table.h"
 #include "exhibits/jobs.h"
 #include "exhibits/jobs/kit/job_document.h"
 #include "render/failure.h"
 #include "render/files/strict_json.h"
+#include "render/text/joined.h"
 #include "render/text/nearest_word.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <memory>
+#include <span>
 
 namespace vitrine::app {
 namespace {
@@ -40,20 +46,76 @@ int manual(const std::string& name)
                                         " `vitrine list` names them.");
 }
 
-/// Returns the parameter tables after these assignments, because files may add parameters.
-Json tablesWith(const std::vector<std::string>& sets)
-{
-    const Museum museum{allExhibits()};
+/// The museum with its parameter tables after some assignments, because files may add parameters.
+struct ListedTables {
+    Museum museum{allExhibits()};
     SceneState sceneState = museum.initialSceneState();
-    std::vector<std::string> notes;
-    applySets(museum, sceneState, hallIndex, sets, notes);
-    for (const std::string& note : notes) say(note);
-    return exhibitsJson(museum, sceneState);
+
+    explicit ListedTables(const std::vector<std::string>& sets, std::size_t subject = hallIndex)
+    {
+        std::vector<std::string> notes;
+        applySets(museum, sceneState, subject, sets, notes);
+        for (const std::string& note : notes) say(note);
+    }
+};
+
+/// Returns the values that a parameter takes, for a column of a table: "0..360 deg", "area|hard".
+std::string takenBy(const ParameterInfo& row)
+{
+    switch (row.kind) {
+    case Kind::real:
+    case Kind::count: {
+        NumberRange range = rangeOf(row, row.unit);
+        range.whole = row.kind == Kind::count;
+        return typeName(range) + behindNumber(info(row.unit).storedSymbol);
+    }
+    case Kind::choice: return joined(row.choices, "|");
+    case Kind::toggle: return "on|off";
+    case Kind::color: return "color";
+    case Kind::direction: return "x,y,z";
+    case Kind::file: return "file";
+    case Kind::text: return "text";
+    }
+    return {};
+}
+
+/// Prints one line for each parameter of an exhibit: name, initial value, values that it takes, help.
+int listOne(const std::string& name, bool asJson, const std::vector<std::string>& sets)
+{
+    const auto subject = Museum{allExhibits()}.find(name);
+    if (!subject) {
+        std::vector<std::string> names{"hall"};
+        for (const auto& exhibit : allExhibits()) names.emplace_back(exhibit->name());
+        throw Failure(ErrorKind::usage, "list: there is no exhibit \"" + name + "\"" + didYouMean(name, names) +
+                                            " `vitrine list` names them.");
+    }
+    const ListedTables tables(sets, *subject);
+    if (asJson) {
+        std::fputs(render::writeJson(exhibitsJson(tables.museum, tables.sceneState).at(*subject)).c_str(), stdout);
+        return 0;
+    }
+    const std::span<const ParameterInfo> rows = tables.sceneState.values[*subject].rows();
+    std::array<int, 3> widths{};
+    const auto cellsOf = [](const ParameterInfo& row) {
+        return std::array<std::string, 3>{std::string(row.name), formatValue(row, row.initial), takenBy(row)};
+    };
+    for (const ParameterInfo& row : rows)
+        for (std::size_t i = 0; i < widths.size(); ++i)
+            widths.at(i) = std::min(std::max(widths.at(i), static_cast<int>(cellsOf(row).at(i).size())), 24);
+    std::string_view group;
+    for (const ParameterInfo& row : rows) {
+        if (row.group != group) std::printf("%s\n", std::string(group = row.group).c_str());
+        const auto [what, initial, taken] = cellsOf(row);
+        std::printf("  %-*s  %-*s  %-*s  %s\n", widths[0], what.c_str(), widths[1], initial.c_str(), widths[2],
+                    taken.c_str(), std::string(row.help).c_str());
+    }
+    return 0;
 }
 
 int list(bool asJson, const std::vector<std::string>& sets)
 {
-    const Json all = tablesWith(sets);
+    const ListedTables tables(sets);
+    const Json all = exhibitsJson(tables.museum, tables.sceneState);
     if (asJson) {
         std::fputs(render::writeJson(all).c_str(), stdout);
         return 0;
@@ -92,17 +154,23 @@ void addListCommand(CLI::App& parser, Action& chosen)
             "Value of a file parameter, as exhibit.name=FILE; the list then has the parameters that the file adds")
         ->take_all()
         ->allow_extra_args(true);
+    auto exhibit = std::make_shared<std::string>();
+    command->add_option("exhibit", *exhibit,
+                        "Name of an exhibit, or hall, whose parameters are listed: name, initial value, values that it "
+                        "takes, help");
     auto name = std::make_shared<std::string>();
     command->add_option("--manual", *name, "Name of an exhibit whose parameters are printed as a table in Markdown");
     auto ofJobs = std::make_shared<bool>(false);
     command->add_flag("--jobs", *ofJobs,
                       "List the jobs instead of the exhibits; with --json, a JSON Schema of each job's parameters");
-    command->callback([&chosen, asJson, sets, name, ofJobs, command] {
-        chosen = [asJson, sets, name, ofJobs, command] {
-            for (const char* option : {"--manual", "--set"}) refuseOn(*command, option, *ofJobs, "the list of --jobs");
+    command->callback([&chosen, asJson, sets, exhibit, name, ofJobs, command] {
+        chosen = [asJson, sets, exhibit, name, ofJobs, command] {
+            for (const char* option : {"exhibit", "--manual", "--set"})
+                refuseOn(*command, option, *ofJobs, "the list of --jobs");
             if (*ofJobs) return listJobs(*asJson);
-            for (const char* option : {"--json", "--set"})
+            for (const char* option : {"exhibit", "--json", "--set"})
                 refuseOn(*command, option, !name->empty(), "the table of --manual");
+            if (!exhibit->empty()) return listOne(*exhibit, *asJson, *sets);
             return name->empty() ? list(*asJson, *sets) : manual(*name);
         };
     });

@@ -111,6 +111,24 @@ TEST(List, AsJsonHasExactlyTheFieldsThatArePromised)
     EXPECT_EQ((*sdf)["parameters"][0]["name"], "morph");
 }
 
+TEST(List, PrintsTheParametersOfAnExhibitAsATable)
+{
+    const Ended ended = test::vitrine({"list", "sdf_morph"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    const Json exhibit = render::parseJson(test::vitrine({"list", "sdf_morph", "--json"}).out, "list").root();
+    EXPECT_EQ(exhibit["name"], "sdf_morph");
+    const std::size_t lines = static_cast<std::size_t>(std::count(ended.out.begin(), ended.out.end(), '\n'));
+    std::set<std::string> groups;
+    for (const Json& row : exhibit["parameters"]) {
+        groups.insert(row["group"].get<std::string>());
+        EXPECT_NE(ended.out.find("\n  " + row["name"].get<std::string>() + ' '), std::string::npos) << row["name"];
+        EXPECT_NE(ended.out.find(row["help"].get<std::string>() + '\n'), std::string::npos) << row["name"];
+    }
+    EXPECT_GE(lines, exhibit["parameters"].size() + groups.size());
+    EXPECT_TRUE(std::regex_search(ended.out, std::regex("\n  morph +0\\.62 +0\\.\\.1 +"))) << ended.out;
+    test::expectOneSentence(test::vitrine({"list", "sdf_morhp"}), {"sdf_morhp", "sdf_morph"});
+}
+
 TEST(List, SpeaksTheSameInEveryLocale)
 {
     const test::GermanLocale german;
