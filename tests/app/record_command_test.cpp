@@ -86,6 +86,20 @@ TEST(RecordCommand, AFramesTimeIsItsNumberOverTheRateAndItsPresetBringsItBack)
     EXPECT_GT(differenceOf(third, render::readImage(folder / "f/001.png")), 1e-3) << "the control: it melts";
 }
 
+TEST(RecordCommand, FramesOfOpenExrHoldLinearLightAndAreKept)
+{
+    const TemporaryFolder folder;
+    const Words film{"--alone", "--seconds", "0.5", "--path", "still"};
+    ASSERT_EQ(test::vitrine(recording("sdf_morph", folder / "f/%02d.exr", film)).code, 0);
+    EXPECT_EQ(folder.files(), (Words{"f/%02d.exr.vitrine-job.json", "f/01.exr", "f/02.exr"}));
+    const test::Ended picture = test::vitrine({"render", "sdf_morph", "--alone", "--size", "32x18", "--samples", "1",
+                                               "--time", "0.25", "--out", folder / "a.exr"});
+    ASSERT_EQ(picture.code, 0) << picture.err;
+    EXPECT_EQ(differenceOf(render::readImage(folder / "f/02.exr"), render::readImage(folder / "a.exr")), 0);
+    const test::Ended again = test::vitrine(recording("sdf_morph", folder / "f/%02d.exr", film));
+    EXPECT_NE(again.out.find("kept 2"), std::string::npos) << again.out;
+}
+
 TEST(RecordCommand, FollowsATourAndSaysWhatItLeftOut)
 {
     const TemporaryFolder folder;

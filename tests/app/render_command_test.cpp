@@ -198,10 +198,62 @@ TEST(RenderCommand, APictureIsWrittenInTheFormatThatItsNameEndsIn)
     ASSERT_EQ(made.code, 0) << made.err;
     EXPECT_EQ(test::bytesOf(folder / "a.JPG").substr(0, 3), "\xff\xd8\xff");
     test::expectOneSentence(test::vitrine(rendering("sdf_morph", folder / "a.gif")),
-                            {"a.gif", ".png, .jpg, .tif or .exr"});
+                            {"a.gif", ".png, .jpg, .tif, .exr or .webp"});
+    test::expectOneSentence(test::vitrine(rendering("sdf_morph", folder / "b.webp", {"--sixteen-bit"})),
+                            {"--sixteen-bit", ".png, .tif or .exr"});
     test::expectOneSentence(test::vitrine(rendering("sdf_morph", folder / "b.jpg", {"--sixteen-bit"})),
                             {"b.jpg", ".png, .tif or .exr", "--sixteen-bit"});
     EXPECT_EQ(folder.files().size(), 1U);
+}
+
+TEST(RenderCommand, AWebpIsLosslessAndCarriesItsSettings)
+{
+    const TemporaryFolder folder;
+    for (const Words& more : {Words{"--alone"}, Words{"--alone", "--transparent"}}) {
+        for (const char* name : {"a.webp", "a.png"})
+            ASSERT_EQ(test::vitrine(rendering("sdf_morph", folder / name, more)).code, 0);
+        const render::Image webp = render::readImage(folder / "a.webp"), png = render::readImage(folder / "a.png");
+        ASSERT_EQ(webp.width, png.width);
+        int wrong = 0;
+        for (int y = 0; y < png.height; ++y)
+            for (int x = 0; x < png.width; ++x)
+                for (int c = 0; c < 3 && (webp.channels == 3 || webp.at(x, y, 3) > 0); ++c)
+                    wrong += webp.at(x, y, c) != png.at(x, y, c);
+        EXPECT_EQ(wrong, 0);
+        const Ended again =
+            test::vitrine({"render", "sdf_morph", "--preset", folder / "a.webp", "--out", folder / "b.png"});
+        ASSERT_EQ(again.code, 0) << again.err;
+        EXPECT_EQ(render::readImage(folder / "b.png").pixels, png.pixels);
+    }
+}
+
+TEST(RenderCommand, StandardOutputTakesThePictureAlone)
+{
+    const TemporaryFolder folder;
+    Words words = rendering("sdf_morph", "-", {"--alone"});
+    const Ended png = test::vitrine(words);
+    ASSERT_EQ(png.code, 0) << png.err;
+    ASSERT_EQ(test::vitrine(rendering("sdf_morph", folder / "a.png", {"--alone"})).code, 0);
+    EXPECT_EQ(png.out, test::bytesOf(folder / "a.png"));
+    const Ended exr = test::vitrine(rendering("sdf_morph", "-.exr", {"--alone"}));
+    ASSERT_EQ(exr.code, 0) << exr.err;
+    EXPECT_EQ(exr.out.substr(0, 4), "\x76\x2f\x31\x01");
+    words.emplace_back("--json");
+    test::expectOneSentence(test::vitrine(words), {"--json", "--out -"});
+    test::expectOneSentence(test::vitrine(rendering("sdf_morph", "-.gif", {"--alone"})), {".png"});
+}
+
+TEST(RenderCommand, ChannelsOfPositionAndObjectComeBackFromThePicture)
+{
+    const TemporaryFolder folder;
+    const Ended made = test::vitrine(rendering("sdf_morph", folder / "a.exr", {"--channels", "position,object"}));
+    ASSERT_EQ(made.code, 0) << made.err;
+    const Ended again = test::vitrine({"render", "sdf_morph", "--preset", folder / "a.exr", "--out", folder / "b.exr"});
+    ASSERT_EQ(again.code, 0) << again.err;
+    EXPECT_EQ(test::withoutProgress(again.err), "");
+    EXPECT_TRUE(sameBytes(folder / "a.exr", folder / "b.exr"));
+    test::expectOneSentence(test::vitrine(rendering("sdf_morph", folder / "c.exr", {"--channels", "albedo"})),
+                            {"\"albedo\"", "depth, normal, evaluations, position or object"});
 }
 
 TEST(RenderCommand, APictureOfEveryExhibitAloneBringsItselfBackWithNothingElseSaid)

@@ -1,0 +1,107 @@
+#!/bin/sh
+# outside_readers_test.sh BUILD: makes files with the program and has them read by programs of other projects. Each that is
+# not here is skipped by itself. Exit 77 (skipped) where none of them is.
+build=$1
+here=$(cd "$(dirname "$0")" && pwd) || exit 2
+vitrine=$build/vitrine
+folder=$(mktemp -d) || exit 1
+trap 'rm -rf "$folder"' EXIT
+read_by=0
+failed=0
+
+# by PROGRAM: whether it is here.
+by() {
+    if command -v "$1" >/dev/null 2>&1; then return 0; fi
+    echo "skipped: $1 is not here"
+    return 1
+}
+
+fail() {
+    echo "FAILED: $*"
+    failed=1
+}
+
+# python ARGUMENT...: runs the readers in Python, by the one of the system.
+python() {
+    PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 "$here/outside_readers.py" "$@"
+    code=$?
+    case $code in
+        0) read_by=$((read_by + 1)) ;;
+        77) ;;
+        *) fail "outside_readers.py $*" ;;
+    esac
+}
+
+# OpenEXR with all channels.
+"$vitrine" render sdf_morph --size 48x27 --samples 1 --channels color,depth,normal,position,object \
+    --out "$folder/a.exr" >/dev/null || exit 1
+if by exrheader; then
+    exrheader "$folder/a.exr" >"$folder/header" || fail "exrheader cannot read the file"
+    for line in "worldToCamera (type m44f)" "worldToNDC (type m44f)" "chromaticities (type chromaticities)" \
+        "software (type string)" "vitrine:depth.Z (type string)" "depth.Z, 32-bit floating-point" \
+        "CryptoObject00.A, 32-bit floating-point" "position.X, 32-bit floating-point"; do
+        grep -qF "$line" "$folder/header" || fail "exrheader does not find $line"
+    done
+    read_by=$((read_by + 1))
+fi
+python exr "$folder/a.exr"
+
+# Standard output.
+"$vitrine" render sdf_morph --alone --size 48x27 --samples 1 --out - >"$folder/b.png" || fail "render --out -"
+python size "$folder/b.png" 48 27
+"$vitrine" render sdf_morph --alone --size 48x27 --samples 1 --out "$folder/c.png" >/dev/null || exit 1
+cmp "$folder/b.png" "$folder/c.png" || fail "standard output has other bytes than a file"
+"$vitrine" render sdf_morph --alone --size 48x27 --samples 1 --out -.exr >"$folder/b.exr" || fail "render --out -.exr"
+if by exrheader; then exrheader "$folder/b.exr" >/dev/null || fail "exrheader cannot read standard output"; fi
+
+# WebP is lossless.
+for transparent in "" --transparent; do
+    for end in png webp; do
+        "$vitrine" render sdf_morph --alone $transparent --size 48x28 --samples 2 --out "$folder/d.$end" >/dev/null ||
+            exit 1
+    done
+    python equal "$folder/d.png" "$folder/d.webp"
+done
+"$vitrine" render sdf_morph --alone --size 48x28 --samples 1 --out "$folder/d.jpg" >/dev/null || exit 1
+python size "$folder/d.jpg" 48 28
+
+# A recording with opacity.
+"$vitrine" record sdf_morph --alone --transparent --size 32x32 --samples 1 --fps 4 --seconds 0.5 --out "$folder/e.webm" \
+    >/dev/null || exit 1
+if by ffprobe; then
+    ffprobe -v error -show_entries stream_tags=alpha_mode -of default=nw=1 "$folder/e.webm" | grep -q "=1$" ||
+        fail "ffprobe finds no opacity"
+    read_by=$((read_by + 1))
+fi
+"$vitrine" record sdf_morph --alone --size 32x32 --samples 1 --fps 4 --seconds 0.5 --out "$folder/f%02d.exr" >/dev/null ||
+    exit 1
+if by exrheader; then exrheader "$folder/f02.exr" >/dev/null || fail "exrheader cannot read a frame"; fi
+
+# Meshes.
+cat >"$folder/balls.json" <<'SCENE'
+{"format": "vitrine-scene", "version": 1, "name": "Balls <2> & more",
+ "materials": {"red": {"model": "phong", "color": [1, 0, 0]}, "green": {"model": "phong", "color": [0, 1, 0]}},
+ "root": {"kind": "union", "children": [
+   {"kind": "sphere", "radius": 0.2, "material": "red"},
+   {"kind": "sphere", "radius": 0.1, "translate": [0, 0.5, 0], "material": "green"}]}}
+SCENE
+for end in glb ply obj 3mf stl; do
+    triangles=$("$vitrine" mesh "$folder/balls.json" --cell 1cm --triangles 2000 --out "$folder/balls.$end" |
+        sed -n 's/.*triangles \([0-9]*\),.*/\1/p')
+    [ -n "$triangles" ] || exit 1
+    [ "$triangles" -le 2000 ] || fail "$end: $triangles triangles instead of 2000"
+    if by assimp; then
+        assimp info "$folder/balls.$end" >"$folder/info" || fail "assimp cannot read .$end"
+        grep -Eq "^Faces: +$triangles\$" "$folder/info" || fail "assimp finds other triangles in .$end"
+        read_by=$((read_by + 1))
+    fi
+done
+python 3mf "$folder/balls.3mf" "$triangles"
+
+# A quilt.
+"$vitrine" quilt sdf_morph --alone --columns 3 --rows 2 --size 24x32 --samples 1 --out "$folder/g.png" >/dev/null || exit 1
+python size "$folder/g_qs3x2a0.75.png" 72 64
+
+[ $failed -eq 0 ] || exit 1
+[ $read_by -gt 0 ] || exit 77
+echo "$read_by files were read"
