@@ -246,7 +246,10 @@ TEST(SceneMeshCommand, WhatCannotBeMeshedIsSaidAndLeavesTheOldFile)
     };
     const std::string ball = ballIn(folder);
     refused({ball, "--out", folder / "a.dae"}, 2, {".glb, .stl, .ply, .obj or .3mf"});
-    refused({ball, "--cell", "0.1", "--triangles", "4", "--out", out}, 1, {"not closed", "--triangles"});
+    // A torus has no closed mesh of four triangles.
+    test::writeBytes(folder / "torus.json", sceneText(R"({"kind": "torus", "majorRadius": 0.4, "minorRadius": 0.1})"));
+    refused({folder / "torus.json", "--cell", "5cm", "--triangles", "4", "--out", out}, 1,
+            {"not closed", "--triangles"});
     refused({scenes + "unions.json", "--out", out}, 2, {"no end", "--low"});
     refused({ball, "--cell", "0.1mm", "--memory-mb", "100", "--out", out}, 2, {"GB", "give --cell"});
     refused({ball, "--out", folder / "no/a.glb"}, 5, {"a.glb"});

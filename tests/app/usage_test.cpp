@@ -156,7 +156,7 @@ TEST(Usage, ASizeThatNoMachineHasMemoryForIsRefusedWithOneThatItHas)
 TEST(Usage, APictureOfUnknownKindIsRefusedBeforeItIsDrawn)
 {
     const test::TemporaryFolder folder;
-    for (const char* name : {"x.webp", "x", "x.exr.bak"}) {
+    for (const char* name : {"x.bmp", "x", "x.exr.bak"}) {
         const Ended ended = test::vitrine({"render", "sdf_morph", "--out", folder / name});
         EXPECT_EQ(ended.code, 2) << name;
         expectOneSentence(ended, {".png", ".exr"});
@@ -369,7 +369,8 @@ TEST(Usage, ErrorsAreOneExactSentenceOnTheWordThatWasTypedFirst)
          "`vitrine preset` has no command \"chek\"; did you mean check? `vitrine preset" + lists},
         {{"print", "--widthmm", "3"},
          "`vitrine print` has no option --widthmm; did you mean --width-mm? `vitrine print" + lists},
-        {{"list", "cats"}, "`vitrine list` takes no further argument, and \"cats\" is one; `vitrine list" + says},
+        {{"doctor", "cats"}, "`vitrine doctor` takes no further argument, and \"cats\" is one; `vitrine doctor" + says},
+        {{"list", "cats"}, "list: there is no exhibit \"cats\"; `vitrine list` names them.\n"},
         {{"record", "fur", "--out", "x.mp4", "--pace", "ease"},
          "--pace \"ease\": did you mean eased? give one of auto, constant, eased.\n"},
         {{"render", "sdf_morph", "--set", "material=glas", "--out", "x.png"},
