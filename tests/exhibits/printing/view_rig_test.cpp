@@ -287,10 +287,14 @@ TEST(Quilt, TheCamerasSeeTheirTargetOnTheSamePixel)
         const glm::dvec3 ahead = glm::normalize(center.eye - center.target);
         EXPECT_NEAR(std::acos(std::min(glm::dot(to, ahead), 1.0)), std::abs(k - 2) * cone / 4, 1e-6) << k;
         const double right = glm::dot(camera.eye, glm::cross(glm::dvec3(0, 1, 0), ahead));
-        if (k > 0) EXPECT_GT(right, last);
+        if (k > 0) {
+            EXPECT_GT(right, last);
+        }
         last = right;
         // A point nearer than the target moves against the camera.
-        if (k != 2) EXPECT_LT(at(center.target + ahead).x * (k - 2), 0);
+        if (k != 2) {
+            EXPECT_LT(at(center.target + ahead).x * (k - 2), 0);
+        }
     }
     EXPECT_EQ(printing::quiltCamera(center, 0, 1, cone), center);
 }
