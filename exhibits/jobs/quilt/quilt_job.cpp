@@ -162,7 +162,7 @@ const Parameters& QuiltJob::parameters() const
 
 JobNeeds QuiltJob::needs() const
 {
-    return {.anyScene = true, .extensions = {"png", "jpg"}, .inWindow = true};
+    return {.anyScene = true, .extensions = render::writtenEndings(8), .inWindow = true};
 }
 
 std::shared_ptr<const JobInputs> QuiltJob::read(const ParameterValues&) const

@@ -192,10 +192,10 @@ const Parameters& RecordJob::parameters() const
 
 JobNeeds RecordJob::needs() const
 {
-    return {.anyScene = true,
-            .extensions = {"mp4", "webm", "gif", "webp", "apng", "png", "exr"},
-            .inWindow = true,
-            .inParts = true};
+    // Videos, then frames.
+    std::vector<std::string_view> endings{"mp4", "webm", "gif", "webp", "apng", "png"};
+    endings.emplace_back("exr");
+    return {.anyScene = true, .extensions = std::move(endings), .inWindow = true, .inParts = true};
 }
 
 std::shared_ptr<const JobInputs> RecordJob::read(const ParameterValues& values) const
