@@ -1,6 +1,7 @@
 #pragma once
 
 #include "exhibits/framework/files/picture_record.h"
+#include "exhibits/museum/assignment.h"
 #include "exhibits/museum/picture.h"
 #include "render/image/image_io.h"
 
@@ -62,27 +63,6 @@ struct RequestedPicture {
 [[nodiscard]] RequestedPicture requestedPicture(const Museum&, const PictureOptions&, SceneState,
                                                 const std::optional<render::Camera>&,
                                                 std::optional<PictureRecord> taken = std::nullopt);
-
-/// Makes several assignments "name=value". Files that add parameters are set first, whatever the order.
-void applySets(const Museum&, SceneState&, std::size_t subject, const std::vector<std::string>& assignments,
-               std::vector<std::string>& notes);
-
-/// Makes one assignment "name=value". A name without a dot belongs to `subject`. Plain numbers are in SI units, as in
-/// `list --json` and presets; "30deg" and "12mm" give their own unit.
-void applySet(const Museum&, SceneState&, std::size_t subject, const std::string& assignment,
-              std::vector<std::string>& notes);
-
-/// Parameter index and the subject that it belongs to.
-struct NamedRow {
-    std::size_t owner, row;
-};
-/// Finds the parameter "name" of the subject, or "exhibit.name". Throws Failure (ErrorKind::usage) naming `option`.
-[[nodiscard]] NamedRow namedRow(const Museum&, const SceneState&, std::size_t subject, const std::string& name,
-                                const std::string& option);
-
-/// Animates one parameter: "name=motion", in the notation of `typedMotion`. Throws Failure (ErrorKind::usage) naming
-/// the option.
-void applyMotion(const Museum&, SceneState&, std::size_t subject, const std::string& assignment);
 
 /// Parses "1.5,2,0" as three finite numbers; plain ones are in `unit`. Throws Failure (ErrorKind::usage) naming the
 /// option.
