@@ -77,7 +77,6 @@ int parseAndRun(int argc, char** argv)
     vitrine::app::addCompareCommand(parser, chosen);
     vitrine::app::addCompareSettingsCommand(parser, chosen);
     vitrine::app::addCompareStudiesCommand(parser, chosen);
-    vitrine::app::addPrintCommand(parser, chosen);
     vitrine::app::addJobCommands(parser, chosen);
     vitrine::app::addMergeCommand(parser, chosen, runWords);
     vitrine::app::addSceneCommand(parser, chosen);

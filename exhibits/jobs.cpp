@@ -2,6 +2,7 @@
 
 #include "exhibits/jobs/mesh/mesh_job.h"
 #include "exhibits/jobs/picture/picture_job.h"
+#include "exhibits/jobs/print/print_job.h"
 #include "exhibits/jobs/proof/proof_job.h"
 #include "exhibits/jobs/quilt/quilt_job.h"
 #include "exhibits/jobs/record/record_job.h"
@@ -19,6 +20,7 @@ const std::vector<std::unique_ptr<const Job>>& allJobs()
         all.push_back(std::make_unique<PictureJob>());
         all.push_back(std::make_unique<StudyJob>());
         all.push_back(std::make_unique<RecordJob>());
+        all.push_back(std::make_unique<PrintJob>());
         all.push_back(std::make_unique<ProofJob>());
         all.push_back(std::make_unique<QuiltJob>());
         all.push_back(std::make_unique<SpriteJob>());

@@ -15,6 +15,9 @@
 namespace vitrine::app {
 namespace {
 
+/// Heading of the options of a scene that may be left out.
+constexpr const char* sceneHeading = "Scene";
+
 std::string extensionsText(const jobs::Job& job)
 {
     return joined(job.needs().extensions, ", ", [](std::string_view each) { return '.' + std::string(each); });
@@ -44,6 +47,13 @@ std::vector<jobs::SceneRow> pinnedRows(const jobs::JobScene& scene, const std::v
         for (std::size_t row = 0; row < scene.state.values[subject].rows().size(); ++row)
             if (!scene.state.values[subject].isInitial(row)) rows.push_back({subject, row});
     return rows;
+}
+
+/// Refuses options of the scene if there is none.
+void refuseSceneOptions(const CLI::App& command)
+{
+    for (const CLI::Option* option : command.get_options())
+        if (option->get_group() == sceneHeading) refuseWithout(command, option->get_name(), false, "--exhibit");
 }
 
 jobs::JobScene sceneOf(const CLI::App& command, const jobs::Job& job, const JobArguments& typed, const JobStart& start,
@@ -101,9 +111,12 @@ void addJobArguments(CLI::App& command, const jobs::Job& job, JobArguments& type
 {
     const jobs::JobNeeds needs = job.needs();
     if (needs.anyScene) {
-        command.add_option("exhibit", typed.scene.subject, "Name of an exhibit, or hall")
-            ->required(needs.carriesSettings);
-        addSceneOptions(command, typed.scene);
+        command
+            .add_option(needs.sceneByOption ? "--exhibit" : "exhibit", typed.scene.subject,
+                        needs.sceneByOption ? "Name of the exhibit, or hall, that is rendered"
+                                            : "Name of an exhibit, or hall")
+            ->required(needs.carriesSettings && !needs.sceneByOption);
+        addSceneOptions(command, typed.scene, needs.sceneByOption ? sceneHeading : "Options");
         // A parameter of the job is no option of the scene.
         for (const jobs::JobOption& option : jobs::optionsOf(job.parameters()))
             if (CLI::Option* ofScene = command.get_option_no_throw(option.name)) command.remove_option(ofScene);
@@ -130,10 +143,7 @@ void addJobArguments(CLI::App& command, const jobs::Job& job, JobArguments& type
         command.add_option("--like", typed.like,
                            "File whose settings are the initial ones: a settings document (.vitrine-job.json), or an "
                            "output with one beside it");
-    if (needs.reports)
-        command.add_option("--report", typed.report,
-                           "File for the frame report as JSON: passes that ran, passes that were skipped and why, "
-                           "counters, times, memory by owner");
+    if (!needs.report.empty()) command.add_option("--report", typed.report, std::string(needs.report));
     command.add_flag("--dry-run", typed.dryRun, "Print what would be written; write nothing");
 }
 
@@ -147,12 +157,17 @@ OrderedJob orderedJob(const CLI::App& command, const jobs::Job& job, const JobAr
     jobs::JobOrder& order = ordered.order;
     order.out = typed.out.empty() && like ? like->out : std::filesystem::path(typed.out);
     if (!order.out.has_filename()) order.out = order.out.parent_path();  // "folder/".
-    if (order.out.empty() && !typed.dryRun && !start.answers) refuseMissing(job, "--out");
+    order.values = job.completed({std::move(order.values), [&](std::size_t parameter) { return given.has(parameter); },
+                                  typed.scene.subject, order.out});
+    const bool needsOutput = !typed.dryRun && !start.answers && job.needsOutput(order.values);
+    if (order.out.empty() && needsOutput) refuseMissing(job, "--out");
     if (const JobFolder* folder = folderOf(job); folder && !order.out.empty()) folder->require(order.out);
     if (const std::string refusal = jobs::refusedExtension(job, order.out); !order.out.empty() && !refusal.empty())
         throw Failure(ErrorKind::usage, refusal);
     order.inputs = job.read(order.values);
-    if (job.needs().hasScene()) {
+    if (job.needs().sceneByOption && typed.scene.subject.empty()) {
+        refuseSceneOptions(command);
+    } else if (job.needs().hasScene()) {
         order.scene = sceneOf(command, job, typed, start, like ? &*like : nullptr, ordered.notes);
         const bool still = job.needs().anyScene && !job.usesCamera(order.values, order.scene);
         for (const char* option : {"--eye", "--target", "--fov"})

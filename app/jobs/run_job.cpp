@@ -130,6 +130,7 @@ int runPartOf(const jobs::Job& job, jobs::JobOrder order, const jobs::JobPlan& p
         const JobFolder* folder = folderOf(job);
         const std::unique_ptr<StudyParts> measures = folder ? folder->measures(parts, true) : nullptr;
         order.share.measures = measures.get();
+        order.share.keep = [&parts](const std::string& name, const render::Image& image) { parts.keep(name, image); };
         order.out = parts.file(job.partItems(order.out));
         order.backend = [&drawn] { return headlessBackend(&drawn); };
         const std::unique_ptr<jobs::JobRun> run = finishedRun(job, std::move(order), plan);
@@ -184,9 +185,15 @@ int runJob(const jobs::Job& job, jobs::JobOrder order, const jobs::JobPlan& plan
         order.share.from = made->file(items);
         if (folder) measures = folder->measures(*made, false);
         order.share.measures = measures.get();
+        order.share.kept = [&made](const std::string& name) {
+            if (std::optional<render::Image> image = made->kept(name)) return std::move(*image);
+            throw Failure(ErrorKind::check, made->file(name).string() + " is missing; make all parts anew.");
+        };
     }
     if (!part.shard.empty()) {
         const Shard shard = parseShard(part.shard);
+        if (const std::string why = job.refusedInParts(order.values); !why.empty())
+            throw Failure(ErrorKind::usage, "--shard " + part.shard + ": " + why);
         order.share.makes = [shard](int k) { return shard.makes(static_cast<std::size_t>(k)); };
         if (!items.empty()) return runPartOf(job, std::move(order), plan, shard);
     }
@@ -198,7 +205,7 @@ int runJob(const jobs::Job& job, jobs::JobOrder order, const jobs::JobPlan& plan
     if (printed == Outcome::json)
         print(reportJson(job, run->report()));
     else if (!folder && printed == Outcome::text)
-        std::printf("%s: %s\n", out.c_str(), factsText(run->report().facts).c_str());
+        std::printf("%s%s%s\n", out.c_str(), out.empty() ? "" : ": ", factsText(run->report().facts).c_str());
     return folder ? folder->tell(out, *run, printed == Outcome::json) : 0;
 }
 

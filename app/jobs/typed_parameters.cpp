@@ -4,14 +4,13 @@
 
 namespace vitrine::app {
 
-void TypedParameters::addTo(CLI::App& command, const Parameters& table, const Wanted& wanted)
+void TypedParameters::addTo(CLI::App& command, const Parameters& table)
 {
     const std::vector<jobs::JobOption> options = jobs::optionsOf(table);
     words_.resize(options.size());
     for (std::size_t i = 0; i < options.size(); ++i) {
         const jobs::JobOption& option = options[i];
         const ParameterInfo& first = table.rows()[option.parameters.front()];
-        if (wanted && !wanted(first)) continue;
         const std::string help = jobs::helpText(table, option);
         if (option.isFlag) {
             // Both flags exist, because a document may have either value. The help shows only the one that changes the
@@ -27,9 +26,9 @@ void TypedParameters::addTo(CLI::App& command, const Parameters& table, const Wa
         if (option.several)
             added->take_all()->allow_extra_args(true);
         else
-            added->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::Throw);
+            added->expected(option.words)->multi_option_policy(CLI::MultiOptionPolicy::Throw);
         // A wrong value is refused while the words are parsed, so that the first wrong word is named.
-        if (!option.several)
+        if (!option.several && option.words == 1)
             added->each([&table, option](const std::string& word) { jobs::GivenValues(table).type(option, {word}); });
     }
 }

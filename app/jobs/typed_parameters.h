@@ -2,7 +2,6 @@
 
 #include "exhibits/jobs/kit/given_values.h"
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,11 +14,8 @@ namespace vitrine::app {
 /// Options of a command for the parameters of a table, and the words typed for them.
 class TypedParameters {
 public:
-    using Wanted = std::function<bool(const ParameterInfo&)>;
-
-    /// Adds an option for each parameter, or only for those for which `wanted` is true. This object must outlive the
-    /// command.
-    void addTo(CLI::App&, const Parameters&, const Wanted& wanted = {});
+    /// Adds an option for each parameter. This object must outlive the command.
+    void addTo(CLI::App&, const Parameters&);
     /// Passes the typed words on, option by option in the order of the table, so that a message names the first wrong
     /// one. Throws Failure (ErrorKind::usage).
     void read(const CLI::App&, jobs::GivenValues&) const;

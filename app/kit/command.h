@@ -28,7 +28,6 @@ void addCompareSettingsCommand(CLI::App&, Action& chosen);
 void addCompareStudiesCommand(CLI::App&, Action& chosen);
 /// `run` runs a command line, given without the program's name, and returns its exit code.
 void addMergeCommand(CLI::App&, Action& chosen, const std::function<int(const std::vector<std::string>&)>& run);
-void addPrintCommand(CLI::App&, Action& chosen);
 void addServeCommand(CLI::App&, Action& chosen);
 void addSceneCommand(CLI::App&, Action& chosen);
 void addShaderCommand(CLI::App&, Action& chosen);

@@ -2,12 +2,10 @@
 
 #include "exhibits/printing/sheet.h"
 #include "render/failure.h"
-#include "render/files/atomic_write.h"
 
 #include <algorithm>
 #include <cmath>
 #include <future>
-#include <memory>
 #include <thread>
 
 namespace vitrine::printing {
@@ -101,46 +99,51 @@ std::vector<std::int64_t> tileCuts(const PrintLayout& layout, double tileWidth)
     return cuts;
 }
 
-std::vector<std::filesystem::path> writeRaster(const PrintLayout& layout, const RasterSource& source,
-                                               const PrintFile& file)
+std::vector<std::filesystem::path> printFiles(const PrintLayout& layout, const PrintFile& file)
+{
+    const std::size_t tiles = tileCuts(layout, file.tileWidth).size() - 1;
+    if (tiles == 1) return {file.path};
+    std::vector<std::filesystem::path> paths;
+    for (std::size_t tile = 0; tile < tiles; ++tile) paths.push_back(tilePath(file.path, tile));
+    return paths;
+}
+
+StagedPrint stagedRaster(const PrintLayout& layout, const RasterSource& source, const PrintFile& file)
 {
     const std::vector<std::int64_t> cuts = tileCuts(layout, file.tileWidth);
     requireRoom(layout, file);
-    std::vector<std::filesystem::path> paths;
-    std::vector<std::unique_ptr<render::PartFile>> parts;
+    StagedPrint staged{printFiles(layout, file)};
     for (std::size_t tile = 0; tile + 1 < cuts.size(); ++tile) {
-        paths.push_back(cuts.size() == 2 ? file.path : tilePath(file.path, tile));
-        render::PictureStream stream(paths.back(), specOf(layout, file, cuts[tile + 1] - cuts[tile]));
+        render::PictureStream stream(staged.pictures[tile], specOf(layout, file, cuts[tile + 1] - cuts[tile]));
         if (file.bits == 16)
             writeColumns<std::uint16_t>(layout, source.sixteen, file, cuts[tile], cuts[tile + 1], stream);
         else
             writeColumns<std::uint8_t>(layout, source.eight, file, cuts[tile], cuts[tile + 1], stream);
-        parts.push_back(stream.takePart());
+        staged.parts.push_back(stream.takePart());
     }
     if (!file.json.empty()) {
-        for (const std::filesystem::path& path : paths)
-            parts.push_back(render::stagedFile(path.string() + ".json", file.json));
-        if (!file.report.empty()) parts.push_back(render::stagedFile(file.report, file.json));
+        for (const std::filesystem::path& path : staged.pictures)
+            staged.parts.push_back(render::stagedFile(path.string() + ".json", file.json));
+        if (!file.report.empty()) staged.parts.push_back(render::stagedFile(file.report, file.json));
     }
-    render::publishAll(parts);
-    return paths;
+    return staged;
 }
 
-std::vector<std::filesystem::path> writePrint(const PrintLayout& layout, const ViewSet& views, const PrintFile& file)
+StagedPrint stagedPrint(const PrintLayout& layout, const ViewSet& views, const PrintFile& file)
 {
     const Interlacer maker(layout, views);
-    return writeRaster(layout,
-                       {[&](const Region& region, std::uint8_t* out) { maker.fill(region, out, file.threads); },
-                        [&](const Region& region, std::uint16_t* out) { maker.fill(region, out, file.threads); }},
-                       file);
+    return stagedRaster(layout,
+                        {[&](const Region& region, std::uint8_t* out) { maker.fill(region, out, file.threads); },
+                         [&](const Region& region, std::uint16_t* out) { maker.fill(region, out, file.threads); }},
+                        file);
 }
 
-std::vector<std::filesystem::path> writeChart(const PrintLayout& layout, const Chart& chart, const PrintFile& file)
+StagedPrint stagedChart(const PrintLayout& layout, const Chart& chart, const PrintFile& file)
 {
-    return writeRaster(layout,
-                       {[&](const Region& region, std::uint8_t* out) { chart.fill(region, out); },
-                        [&](const Region& region, std::uint16_t* out) { chart.fill(region, out); }},
-                       file);
+    return stagedRaster(layout,
+                        {[&](const Region& region, std::uint8_t* out) { chart.fill(region, out); },
+                         [&](const Region& region, std::uint16_t* out) { chart.fill(region, out); }},
+                        file);
 }
 
 }  // namespace vitrine::printing

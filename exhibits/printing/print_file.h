@@ -2,10 +2,12 @@
 
 #include "exhibits/printing/chart.h"
 #include "exhibits/printing/interlace.h"
+#include "render/files/atomic_write.h"
 #include "render/image/picture_stream.h"
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -36,18 +38,30 @@ struct RasterSource {
     std::function<void(const Region&, std::uint16_t*)> sixteen{};
 };
 
+/// Files of a print, written beside their targets. They are removed unless `publish` is called.
+struct StagedPrint {
+    std::vector<std::filesystem::path> pictures;
+    std::vector<std::unique_ptr<render::PartFile>> parts = {};
+
+    /// Replaces all targets at once. On failure throws Failure and leaves the old files unchanged.
+    void publish() const { render::publishAll(parts); }
+};
+
 /// Writes the raster in strips. The next one is made while one is written, so memory only grows with the width. With
 /// `tileWidth` the files are "name-1.tif", "name-2.tif", ..., from the left.
 ///
-/// All files are published together at the end. "<file>.json" beside each, and the report, repeat the description
-/// inside it. Returns the picture files. Throws Failure naming file and cause; then no file is published.
-std::vector<std::filesystem::path> writeRaster(const PrintLayout&, const RasterSource&, const PrintFile&);
+/// "<file>.json" beside each, and the report, repeat the description inside it. Throws Failure naming file and cause,
+/// also if stopped; then no file remains.
+[[nodiscard]] StagedPrint stagedRaster(const PrintLayout&, const RasterSource&, const PrintFile&);
 
 /// The same for a print of views.
-std::vector<std::filesystem::path> writePrint(const PrintLayout&, const ViewSet&, const PrintFile&);
+[[nodiscard]] StagedPrint stagedPrint(const PrintLayout&, const ViewSet&, const PrintFile&);
 
 /// The same for a chart.
-std::vector<std::filesystem::path> writeChart(const PrintLayout&, const Chart&, const PrintFile&);
+[[nodiscard]] StagedPrint stagedChart(const PrintLayout&, const Chart&, const PrintFile&);
+
+/// Returns the picture files that a print is written into.
+[[nodiscard]] std::vector<std::filesystem::path> printFiles(const PrintLayout&, const PrintFile&);
 
 /// Returns the columns at which a print is cut: 0, the cusps nearest to multiples of `tileWidth`, the width. Throws
 /// Failure (ErrorKind::usage) for lenses that are not vertical, and for tiles narrower than a lens.

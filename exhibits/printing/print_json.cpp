@@ -7,8 +7,6 @@
 #include "render/files/read_file.h"
 #include "render/version.h"
 
-#include <algorithm>
-
 namespace vitrine::printing {
 namespace {
 
@@ -45,25 +43,13 @@ ParameterValues valuesOf(const render::JsonDocument& document, std::vector<std::
     return values;
 }
 
-std::vector<std::string> filesOf(const render::JsonDocument& document)
-{
-    std::vector<std::string> files;
-    const Json listed = document.root().value("files", Json::array());
-    const bool areNames = listed.is_array() &&
-                          std::all_of(listed.begin(), listed.end(), [](const Json& file) { return file.is_string(); });
-    if (!areNames) throw document.failure("files", "this must be a list of file names; correct it there.");
-    for (const Json& file : listed) files.push_back(file.get<std::string>());
-    return files;
-}
-
 /// Returns the document without what only a print has.
-Json documentOf(const ParameterValues& values, const std::vector<std::string>& files)
+Json documentOf(const ParameterValues& values)
 {
     Json json{{"format", "vitrine-job"}, {"version", version}, {"app", render::programVersion()}, {"job", "print"}};
     json["values"] = Json::object();
     for (std::size_t i = 0; i < values.rows().size(); ++i)
         json["values"][std::string(values.rows()[i].name)] = jsonFromValue(values.rows()[i], values.row(i));
-    if (!files.empty()) json["files"] = files;
     return json;
 }
 
@@ -72,7 +58,7 @@ Json documentOf(const ParameterValues& values, const std::vector<std::string>& f
 Json printJson(const ParameterValues& values, const PrintLayout& layout, double storedDpiX, const PrintSources& sources)
 {
     const PrintNumbers numbers = numbersOf(layout, storedDpiX);
-    Json json = documentOf(values, sources.files);
+    Json json = documentOf(values);
     json["views"] = layout.settings().views;
     if (!sources.scene.is_null()) json["scene"] = sources.scene;
     json["report"] = {{"pixelsX", layout.width()},
@@ -102,7 +88,7 @@ PrintSettings settingsFromJson(const render::JsonDocument& document)
     requirePrint(document);
     const Json& root = document.root();
     for (const ParameterInfo& row : printTable().rows())
-        if (!root["values"].contains(row.name))
+        if (row.group != "Views" && !row.isWritten() && !root["values"].contains(row.name))
             throw document.failure("values", "\"" + std::string(row.name) +
                                                  "\" is missing: this does not describe a lenticular "
                                                  "print; give a print, or the JSON beside it.");
@@ -116,16 +102,16 @@ PrintSettings settingsFromJson(const render::JsonDocument& document)
     return printSettings(values, views.get<int>());
 }
 
-std::string settingsText(const ParameterValues& values, const std::vector<std::string>& files)
+std::string settingsText(const ParameterValues& values)
 {
-    return render::writeJson(documentOf(values, files));
+    return render::writeJson(documentOf(values));
 }
 
 SavedSettings savedSettings(const std::string& text, const std::string& fileName)
 {
     const render::JsonDocument document = render::parseJson(text, fileName, {.bytes = mostJsonBytes});
     requirePrint(document);
-    SavedSettings settings{printTable().initial(), filesOf(document), {}};
+    SavedSettings settings{printTable().initial(), {}};
     settings.values = valuesOf(document, settings.notes);
     return settings;
 }

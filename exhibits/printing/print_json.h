@@ -13,7 +13,6 @@ namespace vitrine::printing {
 /// Origin of a print's views, for its description.
 struct PrintSources {
     std::vector<std::string> names = {};  ///< Shown names, one for each view.
-    std::vector<std::string> files = {};  ///< Files from which the window reads the views again.
     render::Json scene = nullptr;         ///< Preset that renders the views again; null for pictures.
     render::Json rig = nullptr;           ///< Numbers of the cameras of rendered views; null for pictures.
 };
@@ -22,7 +21,7 @@ struct PrintSources {
 /// it is viewed through its sheet and made again, and a report.
 ///
 ///     {"format": "vitrine-job", "version": 1, "app": "0.1.0", "job": "print", "values": {"lensesPerInch": 60, ...},
-///      "files": ["a.png", ...], "views": 12, "scene": {"format": "vitrine-exhibition", ...}, "report": {...}}
+///      "views": 12, "scene": {"format": "vitrine-exhibition", ...}, "report": {...}}
 ///
 /// `values` are in SI, as in the document of every job. `views` is the number in the print. In `report`, lengths are in
 /// millimeters. The layout must be that of the values.
@@ -33,16 +32,15 @@ struct PrintSources {
 [[nodiscard]] std::string withCrossTalk(const std::string& json, const CrossTalk&);
 
 /// Returns the settings in such a text from a file. Throws Failure naming line and key, also for a value that is
-/// missing, unknown or out of range: the raster was made with all of them.
+/// missing, unknown or out of range: the raster was made with all of them. Where its views came from may be missing.
 [[nodiscard]] PrintSettings settingsFromJson(const render::JsonDocument&);
 
-/// Returns values and files in the form of a print's own document, also if no print is possible with them.
-[[nodiscard]] std::string settingsText(const ParameterValues&, const std::vector<std::string>& files);
+/// Returns values in the form of a print's own document, also if no print is possible with them.
+[[nodiscard]] std::string settingsText(const ParameterValues&);
 
 /// Settings restored from such a text.
 struct SavedSettings {
     ParameterValues values;
-    std::vector<std::string> files;
     std::vector<std::string> notes;  ///< Changes to the values that were read, full sentences.
 };
 /// Reads the document of a print, or one of `settingsText`. Values that are missing keep their initial ones. Throws

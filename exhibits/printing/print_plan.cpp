@@ -1,6 +1,6 @@
 #include "exhibits/printing/print_plan.h"
 
-#include "exhibits/printing/print_file.h"
+#include "exhibits/framework/table/value_text.h"
 #include "exhibits/printing/print_json.h"
 #include "render/failure.h"
 #include "render/image/picture_stream.h"
@@ -15,21 +15,12 @@ constexpr double flipZone = 40;  ///< Degrees; sheets for depth have about 30, s
 
 PrintLayout layoutOf(const ParameterValues& values, const PrintViews* views)
 {
-    return PrintLayout(printSettings(values, views ? views->count() : values[printTable().views]));
+    return PrintLayout(printSettings(values, views ? views->count() : viewCount(values)));
 }
 
-/// Returns the values of a chart, which has its own border and views.
-ParameterValues chartValues(ParameterValues values)
+bool isChart(const ParameterValues& values)
 {
-    values.set(printTable().border, 0.0);
-    values.set(printTable().compensate, false);
-    return values;
-}
-
-/// Returns the layout of a chart, with the number of views that it tests.
-PrintLayout chartLayout(const ParameterValues& values)
-{
-    return layoutOf(chartValues(values), nullptr);
+    return values[printTable().origin] == ViewOrigin::chart;
 }
 
 Chart chartOf(const ParameterValues& values, const PrintLayout& layout)
@@ -37,23 +28,37 @@ Chart chartOf(const ParameterValues& values, const PrintLayout& layout)
     return {layout, values[printTable().chart], values[printTable().chartSpan]};
 }
 
-/// Returns the width of tiles in millimeters; 0: one file.
-double tileWidth(const ParameterValues& values)
-{
-    return values[printTable().direction] == 0 ? values[printTable().tileWidth] * 1000
-                                               : 0;  // Only vertical lenses can be cut between.
-}
-
 }  // namespace
 
-PrintPlan printPlan(const ParameterValues& values, const PrintViews* views, bool chart,
-                    const std::filesystem::path& path)
+ParameterValues chartValues(ParameterValues values)
+{
+    values.set(printTable().origin, ViewOrigin::chart);
+    values.set(printTable().border, 0.0);
+    values.set(printTable().compensate, false);
+    return values;
+}
+
+PrintFile printFile(const ParameterValues& values, const std::filesystem::path& path)
+{
+    const PrintTable& table = printTable();
+    PrintFile file;
+    file.path = path;
+    file.bits = bitsOf(values);
+    file.compression = values[table.compression];
+    // Only vertical lenses can be cut between.
+    file.tileWidth = isChart(values) || values[table.direction] != 0 ? 0 : values[table.tileWidth] * 1000;
+    file.threads = interlacingThreads();
+    return file;
+}
+
+PrintPlan printPlan(const ParameterValues& values, const PrintViews* views, const std::filesystem::path& path)
 {
     PrintPlan plan;
     try {
-        const PrintLayout layout = chart ? chartLayout(values) : layoutOf(values, views);
+        const bool chart = isChart(values);
+        const PrintLayout layout = layoutOf(values, views);
         if (chart) static_cast<void>(chartOf(values, layout));
-        const std::vector<std::int64_t> cuts = tileCuts(layout, chart ? 0 : tileWidth(values));
+        const std::vector<std::int64_t> cuts = tileCuts(layout, printFile(values, path).tileWidth);
         for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
             render::requireStreamSides(path, cuts[i + 1] - cuts[i], layout.height());
         plan.numbers = numbersOf(layout, render::storedDpi(path, layout.settings().dpiX));
@@ -77,39 +82,39 @@ PrintPlan printPlan(const ParameterValues& values, const PrintViews* views, bool
 
 std::shared_ptr<const PrintPreview> printPreview(const ParameterValues& values, std::shared_ptr<const PrintViews> views)
 {
-    if (views) {
-        const PrintLayout layout = layoutOf(values, views.get());
-        return std::make_shared<PrintPreview>(layout, std::move(views));
-    }
-    const PrintLayout layout = chartLayout(values);
+    const PrintLayout layout = layoutOf(values, views.get());
+    if (views) return std::make_shared<PrintPreview>(layout, std::move(views));
     return std::make_shared<PrintPreview>(layout, chartOf(values, layout));
 }
 
-std::vector<std::filesystem::path> exportPrint(const ParameterValues& values, const PrintViews* views,
-                                               const std::vector<std::string>& sources,
-                                               const std::filesystem::path& path, const Progress& progress)
+std::string printText(const ParameterValues& values, const PrintViews* views, const std::filesystem::path& path,
+                      std::optional<CrossTalk>* compensated)
 {
-    const PrintTable& table = printTable();
-    const PrintLayout layout = views ? layoutOf(values, views) : chartLayout(values);
-    PrintFile file;
-    file.path = path;
-    file.bits = bitsOf(values);
-    file.compression = values[table.compression];
-    file.tileWidth = views ? tileWidth(values) : 0;
-    file.threads = interlacingThreads();
-    file.progress = progress;
-    PrintSources from{sources, sources};
-    if (views && !views->scenePreset().empty())
-        from.scene = render::parseJson(views->scenePreset(), "the scene").root();
-    file.json = render::writeJson(
-        printJson(views ? values : chartValues(values), layout, render::storedDpi(path, layout.settings().dpiX), from));
-    if (!views) return writeChart(layout, chartOf(values, layout), file);
-    file.profile = views->profile();
-    if (layout.settings().compensate) {
-        const ViewMatrix mixing = viewMixing(layout);
-        file.json = withCrossTalk(file.json, crossTalkOf(views->full(), mixing, compensation(mixing)));
+    const PrintLayout layout = layoutOf(values, views);
+    PrintSources from;
+    if (views) {
+        from.names = views->sources();
+        if (!views->scenePreset().empty()) from.scene = render::parseJson(views->scenePreset(), "the scene").root();
+        from.rig = views->rig();
+    } else {
+        const std::size_t chart = printTable().chart.row;
+        from.names = {formatValue(values.rows()[chart], values.row(chart)) + " chart"};
     }
-    return writePrint(layout, views->full(), file);
+    std::string text =
+        render::writeJson(printJson(values, layout, render::storedDpi(path, layout.settings().dpiX), from));
+    if (!views || !layout.settings().compensate) return text;
+    const ViewMatrix mixing = viewMixing(layout);
+    const CrossTalk talk = crossTalkOf(views->full(), mixing, compensation(mixing));
+    if (compensated) *compensated = talk;
+    return withCrossTalk(text, talk);
+}
+
+StagedPrint stagedPrint(const ParameterValues& values, const PrintViews* views, PrintFile file)
+{
+    const PrintLayout layout = layoutOf(values, views);
+    if (!views) return stagedChart(layout, chartOf(values, layout), file);
+    file.profile = views->profile();
+    return stagedPrint(layout, views->full(), file);
 }
 
 }  // namespace vitrine::printing

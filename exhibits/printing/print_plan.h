@@ -1,5 +1,7 @@
 #pragma once
 
+#include "exhibits/printing/crosstalk.h"
+#include "exhibits/printing/print_file.h"
 #include "exhibits/printing/print_preview.h"
 #include "exhibits/printing/print_table.h"
 #include "exhibits/printing/print_views.h"
@@ -20,18 +22,26 @@ struct PrintPlan {
     PrintNumbers numbers{};               ///< Numbers of the print, with the resolution stored in the file.
     double bytes = 0;                     ///< Size of the file, uncompressed.
 };
-/// Returns the plan. The file's name determines the format. Impossible settings do not throw, they become `refusal`.
-/// Without views, their number is that in the values.
-[[nodiscard]] PrintPlan printPlan(const ParameterValues&, const PrintViews*, bool chart, const std::filesystem::path&);
+/// Returns the plan of a print, or of a chart where that is the origin. The file's name determines the format.
+/// Impossible settings do not throw, they become `refusal`. Without views, their number is that in the values.
+[[nodiscard]] PrintPlan printPlan(const ParameterValues&, const PrintViews*, const std::filesystem::path&);
+
+/// Returns the values for a chart, which has its own border and views.
+[[nodiscard]] ParameterValues chartValues(ParameterValues);
+
+/// Returns path and format of the files of such a print; the description is still missing.
+[[nodiscard]] PrintFile printFile(const ParameterValues&, const std::filesystem::path&);
 
 /// Returns a preview of the print, or of the chart if there are no views. Throws Failure if `printPlan` refuses.
 [[nodiscard]] std::shared_ptr<const PrintPreview> printPreview(const ParameterValues&,
                                                                std::shared_ptr<const PrintViews>);
 
-/// Writes the print, or the chart if there are no views, and its JSON beside it. Returns the picture files. Throws
-/// Failure naming file and cause, also if stopped; then no new files are left and old ones are unchanged.
-std::vector<std::filesystem::path> exportPrint(const ParameterValues&, const PrintViews*,
-                                               const std::vector<std::string>& sources, const std::filesystem::path&,
-                                               const Progress&);
+/// Returns the description of a print of these views, or of a chart without views, with the effect of compensation.
+[[nodiscard]] std::string printText(const ParameterValues&, const PrintViews*, const std::filesystem::path&,
+                                    std::optional<CrossTalk>* compensated = nullptr);
+
+/// Writes the print, or the chart if there are no views, and its description beside it. `file` is that of `printFile`
+/// with its description. Throws Failure naming file and cause, also if stopped.
+[[nodiscard]] StagedPrint stagedPrint(const ParameterValues&, const PrintViews*, PrintFile);
 
 }  // namespace vitrine::printing

@@ -1,11 +1,16 @@
 #include "exhibits/printing/print_table.h"
 
 #include "exhibits/framework/table/acting.h"
+#include "render/text/joined.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace vitrine::printing {
 namespace {
+
+constexpr int mostOfItself = 24;   // Most rendered views by default: more cost time and show little.
+constexpr int viewsOfCharts = 12;  // Number of views that a chart tests by default.
 
 /// Converts to millimeters, without the last digits that conversion adds, so 70 mm are exactly 70.
 double mm(double meters)
@@ -25,6 +30,15 @@ bool same(double a, double b)
 
 }  // namespace
 
+const std::vector<std::string>& viewFormats()
+{
+    static const std::vector<std::string> names = [] {
+        const std::vector<std::string_view> endings = render::writtenEndings(viewBits);
+        return std::vector<std::string>(endings.begin(), endings.end());
+    }();
+    return names;
+}
+
 const PrintTable& printTable()
 {
     static const PrintTable table;
@@ -34,21 +48,20 @@ const PrintTable& printTable()
 bool rowActs(const ParameterInfo& row, const ParameterValues& values, bool chart)
 {
     const PrintTable& table = printTable();
-    const auto is = [&](auto parameter) { return row.name == table.rows()[parameter.row].name; };
+    const auto isAmong = [&](auto... parameters) { return ((row.name == table.rows()[parameters.row].name) || ...); };
     const ViewOrigin from = values[table.origin];
+    if (isAmong(table.saveViews, table.viewFormat, table.sheet)) return false;  // The dialog has no use for these,
+    if (isAmong(table.origin, table.files, table.quilt, table.places)) return false;  // and fields for these.
     if (row.group == "Views") {
         if (chart)
-            return is(table.views) && values[table.chart] != ChartKind::pitch &&
+            return isAmong(table.views) && values[table.chart] != ChartKind::pitch &&
                    values[table.chart] != ChartKind::phase;
-        if (is(table.viewWidth) || is(table.samples) || is(table.baselineScale) || is(table.convergence))
-            return from == ViewOrigin::shown;
-        if (is(table.quiltColumns) || is(table.quiltRows)) return from == ViewOrigin::quilt;
-        if (is(table.views)) return from != ViewOrigin::quilt;
-        if (is(table.fitting)) return from != ViewOrigin::shown;
-        return !is(table.origin) && !is(table.places);  // The dialog shows these beside the files.
+        if (isAmong(table.views)) return true;
+        if (isAmong(table.quiltColumns, table.quiltRows, table.quiltOrder)) return from == ViewOrigin::quilt;
+        return isAmong(table.fitting, table.every, table.pingPong) == (from != ViewOrigin::shown);
     }
     if (row.group == "Chart" && !chart) return false;
-    if (chart && (is(table.border) || is(table.compensate))) return false;
+    if (chart && isAmong(table.border, table.compensate)) return false;
     return !row.actsWhen || holds(*row.actsWhen, values);
 }
 
@@ -57,19 +70,55 @@ bool sameViews(const ParameterValues& a, const ParameterValues& b)
     const PrintTable& table = printTable();
     const bool rendered = b[table.origin] == ViewOrigin::shown;
     const auto decides = [&](const ParameterInfo& row) {
-        if (row.name == table.rows()[table.places.row].name) return !rendered;
-        if (row.group == "Views") return row.name == table.rows()[table.origin.row].name || rowActs(row, b, false);
+        const auto is = [&](auto parameter) { return row.name == table.rows()[parameter.row].name; };
+        if (is(table.places)) return !rendered;
+        if (is(table.files)) return b[table.origin] == ViewOrigin::files;
+        if (is(table.quilt)) return b[table.origin] == ViewOrigin::quilt;
+        if (row.group == "Views") return is(table.origin) || rowActs(row, b, false);
         // Pictures are fitted to the shape of the print when they are read.
         const bool shapes = row.name == "width" || row.name == "height" || row.name == "bleed";
         if (!rendered && shapes) return b[table.fitting] != Fitting::stretch;
         // The cameras are placed by what the lenses show, and framed by the print's shape.
-        return rendered &&
+        return rendered && !is(table.sheet) &&
                (row.group == "Sheet" || row.name == "width" || row.name == "height" || row.name == "bleed" ||
                 row.name == "direction" || row.name == "distance" || row.name == "visualPerInch");
     };
     for (std::size_t i = 0; i < a.rows().size(); ++i)
         if (a.row(i) != b.row(i) && decides(a.rows()[i])) return false;
-    return true;
+    // The number of rendered views follows the resolution if it is not given.
+    return !rendered || b[table.views] > 0 || a[table.dotsPerInch] == b[table.dotsPerInch];
+}
+
+std::vector<std::string> picturesOf(const ParameterValues& values)
+{
+    const PrintTable& table = printTable();
+    return linesOf(values[table.origin] == ViewOrigin::quilt ? values[table.quilt] : values[table.files]);
+}
+
+ParameterValues withPictures(ParameterValues values, const std::vector<std::string>& pictures)
+{
+    const PrintTable& table = printTable();
+    if (values[table.origin] == ViewOrigin::quilt)
+        values.set(table.quilt, pictures.empty() ? std::string() : pictures.front());
+    else
+        values.set(table.files, joined(pictures, "\n"));
+    return values;
+}
+
+int viewCount(const ParameterValues& values)
+{
+    if (const int given = values[printTable().views]; given > 0) return given;
+    if (values[printTable().origin] == ViewOrigin::chart) return viewsOfCharts;
+    return std::clamp(static_cast<int>(PrintLayout(printSettings(values, 1)).pixelsPerLens()), 2, mostOfItself);
+}
+
+std::optional<double> strengthOf(const ParameterValues& values)
+{
+    const PrintTable& table = printTable();
+    const double scale = values[table.baselineScale];
+    if (scale == baselineThatFits) return std::nullopt;
+    if (scale != baselineByMotion) return scale;
+    return values[table.turn] == 0 && values[table.sweeps].empty() ? 1 : 0;
 }
 
 double viewingDistance(const ParameterValues& values)

@@ -4,68 +4,129 @@
 #include "exhibits/printing/chart.h"
 #include "exhibits/printing/fitting.h"
 #include "exhibits/printing/print_layout.h"
+#include "exhibits/printing/view_place.h"
+#include "render/image/picture_formats.h"
 #include "render/image/picture_stream.h"
 
 #include <cstdint>
 #include <limits>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace vitrine::printing {
 
+/// Values of the baseline scale that are words: "auto" and "fit".
+inline constexpr double baselineByMotion = -1, baselineThatFits = -2;
+
 /// Origin of the views of a print.
 enum class ViewOrigin : std::uint8_t {
-    shown,  ///< Rendered from what is shown.
+    shown,  ///< Rendered from a scene: what the window shows, or `--exhibit`.
     files,  ///< A folder, or pictures in viewing order from the left.
-    quilt,  ///< One picture with a grid of views, the first at the bottom left, rows upwards.
+    quilt,  ///< One picture with a grid of views.
+    chart,  ///< A calibration chart, which has views of its own.
 };
 
 enum class LensShape : int { derived, given };
 enum class PrintBits : int { eight, sixteen };
 
-/// All parameters of a print made in the window. Lengths are in meters.
+/// Bits per channel of saved views.
+inline constexpr int viewBits = 8;
+/// Returns the possible extensions of saved views, the usual one first: "png", "jpg".
+[[nodiscard]] const std::vector<std::string>& viewFormats();
+
+/// All parameters of a print. Lengths are in meters.
 struct PrintTable final : Parameters {
     Group viewGroup = group("Views");
-    Choice<ViewOrigin> origin = choice("origin", ViewOrigin::shown, {"what is shown", "files", "quilt"},
-                                       "Origin of the views: rendered from the picture in the window, read from "
-                                       "pictures, or cut from a grid of views.");
-    Count views = count("views", 12, Range{1, mostViews, logarithmic}.soft(2, 48),
-                        "Number of views to render, or to choose evenly from the files.");
-    Count viewWidth = count("viewWidth", 960, Range{64, 8192, logarithmic}.soft(256, 4096),
-                            "Width of a rendered view in pixels; more than two pixels per lens are lost in the print.");
-    Count samples = count("samples", 16, {1, 256, logarithmic},
-                          "Samples per pixel of a rendered view, each view with noise of its own.", quality(256));
-    Real baselineScale = real("baselineScale", 1, none, Range{0, 4}.soft(0, 2),
-                              "Distance between the cameras of rendered views: 0 is flat, 1 gives true depth at the "
-                              "viewing distance, above 1 exaggerates depth.");
-    Real convergence = real(
-        "convergence", 0, meter, Range{0, 1000}.soft(0, 20),
-        "Distance from the camera to the objects that appear in the plane of the print. Auto: the camera's target.",
-        reads(0, "auto"));
-    Count quiltColumns = count("quiltColumns", 4, {1, 64}, "Number of columns of views in a quilt.");
-    Count quiltRows =
-        count("quiltRows", 4, {1, 64}, "Number of rows of views in a quilt; the first row is at the bottom.");
-
+    Choice<ViewOrigin> origin =
+        choice("origin", ViewOrigin::shown, {"what is shown", "files", "quilt", "chart"},
+               "Origin of the views: rendered from what is shown, read from pictures, or cut from a grid of views; or "
+               "a calibration chart.");
+    File files = file("files",
+                      "Views to print: a folder of pictures, or the picture files, in order from left to right. "
+                      "Unrelated pictures make a flip.",
+                      several(), option("views"), implies(origin, ViewOrigin::files));
+    Count quiltColumns = count("quiltColumns", 8, Range{1, 1000, logarithmic}.soft(1, 64),
+                               "Picture with a grid of views: number of columns and rows, and the file. If its size is "
+                               "not divisible, the size of a view is rounded down and the remainder is cut off.",
+                               tuple("quilt", 'x'), implies(origin, ViewOrigin::quilt));
+    Count quiltRows = count("quiltRows", 6, Range{1, 1000, logarithmic}.soft(1, 64),
+                            "Number of rows of views in a quilt.", tuple("quilt", 'x'));
+    File quilt =
+        file("quiltFile", "Picture with a grid of views.", extensions(render::readEndings()), tuple("quilt", 'x'));
+    Choice<QuiltOrder> quiltOrder =
+        choice("quiltOrder", QuiltOrder::bottomLeft, {"bottom-left", "top-left"},
+               "Position of the first view in the quilt: bottom-left (next to the right, rows upwards, as for Looking "
+               "Glass) or top-left (next to the right, rows downwards).");
+    // Text in the syntax of `viewPlaces`; the dialog has its own fields to edit it.
+    Text places =
+        text("places",
+             "Turn and shift of single pictures, as PICTURE:TURN,RIGHT,DOWN: the picture's number in viewing order, "
+             "degrees clockwise, and percent of the view's width and height, such as 3:1.5,2,-0.5.",
+             several(), option("place"));
     Choice<Fitting> fitting = choice("fitting", Fitting::crop, {"crop", "fit", "stretch"},
                                      "Fitting of pictures whose aspect ratio is not the print's: cropped at two sides "
                                      "(crop), whole between white margins (fit), or distorted (stretch).",
                                      option("fit"));
-
-    // Text in the syntax of `viewPlaces`; the dialog has its own fields to edit it.
-    File places =
-        file("places", "Pictures turned and moved by hand: number of the picture, degrees clockwise, percent to the "
-                       "right and percent down, such as 3:1.5,2,-0.5.");
+    Count every = count("every", 1, Range{1, 1e6, logarithmic}.soft(1, 100),
+                        "Interval at which pictures are taken: 3 takes every third, for example of a video's frames.");
+    Toggle pingPong =
+        toggle("pingPong", false,
+               "Append the pictures in reverse order (1 2 3 4 3 2), so that the views repeat without a jump.");
+    Count views = count("views", 0, Range{1, mostViews, logarithmic}.soft(2, 48),
+                        "Number of views to render, or to choose evenly from the pictures. Auto: all pictures, or as "
+                        "many rendered views as are distinguishable in the print, at most 24.",
+                        reads(0, "auto"), option("count"));
+    Count viewWidth = count("viewWidth", 0, Range{1, 8192, logarithmic}.soft(256, 4096),
+                            "Size of a rendered view in pixels; more than two pixels per lens are lost in the print. "
+                            "Auto: the print's aspect ratio, at most 1200 on a side.",
+                            reads(0, "auto"), tuple("viewSize", 'x'));
+    Count viewHeight = count("viewHeight", 0, Range{1, 8192, logarithmic}.soft(256, 4096),
+                             "Height of a rendered view in pixels. Auto: by the print's aspect ratio.",
+                             reads(0, "auto"), tuple("viewSize", 'x'));
+    Count samples = count("samples", 0, Range{1, 4096, logarithmic}.soft(1, 256),
+                          "Samples per pixel of a rendered view, each view with noise of its own. Auto: as in the "
+                          "picture whose settings are used, else the hall's supersamples if they are set, else 4; "
+                          "in the window 16.",
+                          reads(0, "auto"), quality(256));
+    Real baselineScale = real("baselineScale", baselineByMotion, none, Range{0, 4}.soft(0, 2),
+                              "Distance between the cameras of rendered views: 0 is flat, 1 gives true depth at the "
+                              "viewing distance, above 1 exaggerates depth. Auto: 1, or 0 if something turns or "
+                              "changes. Fit: the largest without doubled contours.",
+                              reads(baselineByMotion, "auto"), reads(baselineThatFits, "fit"));
+    Real convergence = real(
+        "convergence", 0, meter, Range{0, 1000}.soft(0, 20),
+        "Distance from the camera to the objects that appear in the plane of the print. Auto: the camera's target.",
+        reads(0, "auto"));
+    Real turn = real("turn", 0, degree, Range{degrees(-36000), degrees(36000)}.soft(degrees(-360), degrees(360)),
+                     "Angle by which the exhibit turns from the first to the last view, as seen when walking around it "
+                     "to the right; 360° repeats without a jump.",
+                     typedIn(degree));
+    Text sweeps = text("sweeps",
+                       "Parameter that changes from the first to the last view, as NAME=FROM..TO, such as morph=0..1, "
+                       "or time=0..2 in seconds.",
+                       several(), option("sweep"));
+    File saveViews = file("saveViews", "Folder into which the views are written, too: view_00.png, view_01.png, ...");
+    Choice<int> viewFormat =
+        choice("viewFormat", 0, viewFormats(), "Format of the files of saved views.", whenGiven(saveViews));
 
     Group chartGroup = group("Chart");
     Choice<ChartKind> chart =
         choice("chart", ChartKind::pitch, {"pitch", "phase", "views", "rotation"},
-               "Kind of calibration chart: pitch finds the LPI at which printer and sheet match, phase the shift of "
-               "the strips, views the number of distinguishable views, rotation whether the sheet is straight.");
+               "Calibration chart to print in place of views: pitch finds the LPI at which printer and sheet match, "
+               "phase the shift of the strips, views the number of distinguishable views, rotation whether the sheet "
+               "is straight.",
+               implies(origin, ViewOrigin::chart));
     Real chartSpan = real("chartSpan", 0.01, percent, Range{0.0001, 0.2, logarithmic}.soft(0.001, 0.05),
                           "Range of a pitch chart to either side of the LPI: 1 % is coarse, 0.1 % fine.",
                           typedIn(percent), when(chart, ChartKind::pitch));
 
     Group sheetGroup = group("Sheet");
-    Real lensesPerInch = real("lensesPerInch", 60, none, Range{1, 1000, logarithmic}.soft(10, 200),
-                              "Nominal number of lenses per inch of the sheet.", option("lpi"));
+    Text sheet =
+        text("sheet", "Lenticular sheet by its name, such as 60-3d or 75-flip, in place of its single numbers.");
+    Real lensesPerInch =
+        real("lensesPerInch", 60, none, Range{1, 1000, logarithmic}.soft(10, 200),
+             "Nominal number of lenses per inch of the sheet; beside a sheet's name, the measured one.", option("lpi"));
     Real measuredPerInch = real("measuredPerInch", 0, none, Range{0, 1000}.soft(0, 200),
                                 "Lenses per inch as measured with a pitch chart on this printer. Auto: not measured; "
                                 "the LPI of the sheet are used.",
@@ -158,6 +219,14 @@ struct PrintTable final : Parameters {
 [[nodiscard]] bool rowActs(const ParameterInfo&, const ParameterValues&, bool chart);
 /// Returns whether views read or rendered for one set of values can be used for the other.
 [[nodiscard]] bool sameViews(const ParameterValues&, const ParameterValues&);
+/// Returns the pictures that the views are read from: those of `files`, or the quilt.
+[[nodiscard]] std::vector<std::string> picturesOf(const ParameterValues&);
+/// Returns the values with other pictures, of the same origin.
+[[nodiscard]] ParameterValues withPictures(ParameterValues, const std::vector<std::string>&);
+/// Returns the number of views, with "auto" as the number for rendered views, or for a chart. Throws like `sheetOf`.
+[[nodiscard]] int viewCount(const ParameterValues&);
+/// Returns the scale of the cameras' distance; nullopt: the largest that fits.
+[[nodiscard]] std::optional<double> strengthOf(const ParameterValues&);
 /// Returns the distance from which the print is viewed, in millimeters; may be infinite.
 [[nodiscard]] double viewingDistance(const ParameterValues&);
 /// Returns the bits per channel of the file.

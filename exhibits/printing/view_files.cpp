@@ -99,21 +99,6 @@ std::vector<fs::path> viewFiles(const std::vector<std::string>& names, std::vect
     return files;
 }
 
-std::optional<glm::ivec2> quiltGrid(const std::string& text)
-{
-    constexpr double most = 1000;
-    std::string plain = text;
-    if (const std::size_t sign = plain.find("×"); sign != std::string::npos) plain.replace(sign, 2, "x");
-    std::replace(plain.begin(), plain.end(), 'X', 'x');
-    const std::size_t cross = plain.find('x');
-    if (cross == std::string::npos) return std::nullopt;
-    const std::optional<double> columns = render::parseNumber(plain.substr(0, cross));
-    const std::optional<double> rows = render::parseNumber(plain.substr(cross + 1));
-    const auto fits = [](const std::optional<double>& n) { return n && *n >= 1 && *n <= most && *n == std::floor(*n); };
-    if (!fits(columns) || !fits(rows)) return std::nullopt;
-    return glm::ivec2(static_cast<int>(*columns), static_cast<int>(*rows));
-}
-
 std::string quiltNote(const render::Image& image, int columns, int rows)
 {
     const int right = columns > 0 ? image.width % columns : 0;

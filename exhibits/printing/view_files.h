@@ -1,13 +1,10 @@
 #pragma once
 
+#include "exhibits/printing/view_place.h"
 #include "render/image/image.h"
 
-#include <glm/vec2.hpp>
-
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,13 +24,6 @@ namespace vitrine::printing {
 /// sentence for each folder with ignored files is added to `notes` (may be null). Throws Failure if there are none.
 [[nodiscard]] std::vector<std::filesystem::path> viewFiles(const std::vector<std::string>& names,
                                                            std::vector<std::string>* notes = nullptr);
-
-/// Returns columns and rows of a quilt, each from 1 to 1000: "8x6", "8X6" or "8×6"; nothing for other texts.
-[[nodiscard]] std::optional<glm::ivec2> quiltGrid(const std::string&);
-
-/// Position of a quilt's first view: bottom left with rows upwards as in Looking Glass, or top left with rows
-/// downwards.
-enum class QuiltOrder : std::uint8_t { bottomLeft, topLeft };
 
 /// Returns view `k` (0 to columns * rows - 1) of a grid of views of one size. The size is that of the picture divided
 /// by columns and rows, rounded down. The remainder is at the right edge, and above (`bottomLeft`) or below. Throws

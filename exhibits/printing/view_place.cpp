@@ -5,6 +5,7 @@
 #include "render/files/number_text.h"
 #include "render/text/trimmed.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -48,8 +49,10 @@ std::optional<std::pair<int, ViewPlace>> onePlace(std::string_view text)
 ViewPlaces viewPlaces(std::string_view text)
 {
     ViewPlaces places;
-    while (!trimmed(text).empty()) {
-        const std::string_view part = takeTo(';', text);
+    std::string lines(text);
+    std::replace(lines.begin(), lines.end(), '\n', ';');
+    for (std::string_view rest = lines; !trimmed(rest).empty();) {
+        const std::string_view part = takeTo(';', rest);
         if (part.empty()) continue;
         const auto place = onePlace(part);
         if (!place)

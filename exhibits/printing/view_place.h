@@ -2,11 +2,16 @@
 
 #include <glm/glm.hpp>
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
 
 namespace vitrine::printing {
+
+/// Position of a quilt's first view: bottom left with rows upwards as in Looking Glass, or top left with rows
+/// downwards.
+enum class QuiltOrder : std::uint8_t { bottomLeft, topLeft };
 
 /// Largest turn, in degrees, and largest shift, in percent, to either side.
 inline constexpr double mostTurn = 360, mostShift = 100;
@@ -24,8 +29,8 @@ struct ViewPlace {
 using ViewPlaces = std::map<int, ViewPlace>;
 
 /// Parses places: "3:1.5,2,-0.5; 7:0,1,0" turns picture 3 by 1.5 degrees clockwise and moves it 2 % of the view's width
-/// to the right and half a percent of its height up. Throws Failure (ErrorKind::usage) that quotes the part it cannot
-/// read.
+/// to the right and half a percent of its height up. A line break separates places, too. Throws Failure
+/// (ErrorKind::usage) that quotes the part it cannot read.
 [[nodiscard]] ViewPlaces viewPlaces(std::string_view text);
 
 /// Formats places; `viewPlaces` reads exactly the same values back. Places that change nothing are left out.

@@ -67,7 +67,7 @@ protected:
         values.set(t.modelError, false);
         SceneState state = museum_.initialSceneState();
         std::vector<std::string> notes;
-        app::applySets(museum_, state, 1, {"scene=" + file()}, notes);
+        applySets(museum_, state, 1, {"scene=" + file()}, notes);
         return studyRequest(values, museum_, std::move(state), 1);
     }
 

@@ -3,6 +3,7 @@
 // encoder working while the next rows are made, and one after the other.
 
 #include "tests/bench/bench.h"
+#include "tests/support/write_print.h"
 
 #include "exhibits/printing/interlace.h"
 #include "exhibits/printing/print_file.h"
@@ -102,13 +103,14 @@ void toFiles(const ViewSet& views, const Interlacer& maker, const PrintLayout& l
                [&] {
                    maker.fill({0, 0, layout.width(), layout.height()}, out.data(), 1);
                    const auto stride = static_cast<std::size_t>(layout.width()) * 3;
-                   (void)writeRaster(layout,
-                                     {[&](const Region& region, std::uint8_t* rows) {
-                                          std::memcpy(rows, out.data() + static_cast<std::size_t>(region.y0) * stride,
-                                                      static_cast<std::size_t>(region.y1 - region.y0) * stride);
-                                      },
-                                      {}},
-                                     {.path = path});
+                   stagedRaster(layout,
+                                {[&](const Region& region, std::uint8_t* rows) {
+                                     std::memcpy(rows, out.data() + static_cast<std::size_t>(region.y0) * stride,
+                                                 static_cast<std::size_t>(region.y1 - region.y0) * stride);
+                                 },
+                                 {}},
+                                {.path = path})
+                       .publish();
                },
                fileRuns);
         report((std::string(name) + ", made while written").c_str(), pixels,

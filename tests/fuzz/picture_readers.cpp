@@ -1,3 +1,4 @@
+#include "exhibits/jobs/kit/given_values.h"
 #include "exhibits/printing/print_json.h"
 #include "exhibits/printing/print_raster.h"
 #include "exhibits/printing/view_files.h"
@@ -97,11 +98,14 @@ bool readNames(std::string_view bytes)
             for (const std::string& c : names)
                 require(!(before(a, b) && before(b, c)) || before(a, c), "the order of names is transitive");
         }
-        const std::optional<glm::ivec2> grid = printing::quiltGrid(a);
-        if (!grid) continue;
         const render::Image quilt(12, 8, 1);
         any |= accepts([&] {
-            const render::Image view = printing::viewOfQuilt(quilt, grid->x, grid->y, grid->x * grid->y - 1);
+            const printing::PrintTable& table = printing::printTable();
+            jobs::GivenValues given(table.initial());
+            given.type(jobs::optionOf(given.options(), table.quilt.row), {a, "quilt.png"});
+            const ParameterValues typed = given.settled({});
+            const int columns = typed[table.quiltColumns], rows = typed[table.quiltRows];
+            const render::Image view = printing::viewOfQuilt(quilt, columns, rows, columns * rows - 1);
             require(view.width >= 1 && view.height >= 1, "a view has pixels");
         });
     }
@@ -113,7 +117,7 @@ bool readDescription(std::string_view bytes)
     return accepts([&] {
         const printing::SavedSettings saved = printing::savedSettings(std::string(bytes), "fuzz.tif.json");
         requireLegal(saved.values);
-        (void)printing::settingsText(saved.values, saved.files);
+        (void)printing::settingsText(saved.values);
         const render::JsonDocument document = render::parseJson(std::string(bytes), "fuzz.tif.json");
         if (!document.root().contains("views")) return;
         const printing::PrintLayout layout(printing::settingsFromJson(document));

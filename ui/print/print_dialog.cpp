@@ -166,11 +166,12 @@ void PrintDialog::connectSetup()
     connect(&setup_, &PrintSetup::changed, this, &PrintDialog::showState);
     connect(tabs_, &QTabBar::currentChanged, this, [this](int tab) { setChart(tab == 1); });
     connect(source_, &SourceBar::originChosen, this, [this](printing::ViewOrigin origin) {
-        PrintState state = setup_.state();
-        state.files.clear();
-        state.values.set(printing::printTable().origin, origin);
-        state.values.set(printing::printTable().places, std::string());
-        setup_.change(tr("Change the origin of the views"), state);
+        ParameterValues values = this->values();
+        for (const auto& old : {printing::printTable().files, printing::printTable().quilt})
+            values.set(old, std::string());
+        values.set(printing::printTable().origin, origin);
+        values.set(printing::printTable().places, std::string());
+        setup_.change(tr("Change the origin of the views"), values);
     });
     connect(source_, &SourceBar::filesChosen, this, &PrintDialog::open);
     connect(sheets_, &SheetBar::failed, this,
@@ -184,7 +185,7 @@ void PrintDialog::connectSetup()
 
 void PrintDialog::connectViews()
 {
-    connect(source_, &SourceBar::renderAsked, this, [this] { loader_.load(setup_.state()); });
+    connect(source_, &SourceBar::renderAsked, this, [this] { loader_.load(values()); });
     connect(&loader_, &ViewLoader::said, source_, &SourceBar::say);
     connect(&loader_, &ViewLoader::changed, this, [this] {
         source_->places().showViews(loader_.views().get());
@@ -272,11 +273,16 @@ bool PrintDialog::fromWindow() const
     return values()[printing::printTable().origin] == printing::ViewOrigin::shown;
 }
 
+ParameterValues PrintDialog::printed() const
+{
+    return chart_ ? printing::chartValues(values()) : values();
+}
+
 void PrintDialog::showState(bool views)
 {
     showRows();
     source_->showOrigin(values()[printing::printTable().origin]);
-    if (views) loader_.load(setup_.state());
+    if (views) loader_.load(values());
     refresh();
 }
 
@@ -321,7 +327,7 @@ void PrintDialog::refresh()
 void PrintDialog::lookAgain()
 {
     const std::shared_ptr<const printing::PrintViews> views = chart_ ? nullptr : loader_.views();
-    preview_.ask([this, values = values(), views, chart = chart_]() -> NewestJob::Outcome {
+    preview_.ask([this, values = printed(), views, chart = chart_]() -> NewestJob::Outcome {
         std::shared_ptr<const printing::PrintPreview> preview;
         try {
             if (chart || views) preview = printing::printPreview(values, views);
@@ -339,9 +345,9 @@ void PrintDialog::countAgain()
     const int turn = ++asked_;
     // Views still to be rendered follow the values, so the present ones are ignored.
     const std::shared_ptr<const printing::PrintViews> views = chart_ || fromWindow() ? nullptr : loader_.views();
-    count_.ask([this, turn, file = std::filesystem::path(path().toStdString()), values = values(), views,
-                chart = chart_]() -> NewestJob::Outcome {
-        const printing::PrintPlan plan = printing::printPlan(values, views.get(), chart, file);
+    count_.ask([this, turn, file = std::filesystem::path(path().toStdString()), values = printed(),
+                views]() -> NewestJob::Outcome {
+        const printing::PrintPlan plan = printing::printPlan(values, views.get(), file);
         return [this, turn, plan] {
             plan_ = plan;
             shown_ = turn;
@@ -398,14 +404,14 @@ void PrintDialog::open(const QStringList& paths)
         }
     }
     if (chart_) setChart(false);
-    PrintState state = setup_.state();
-    if (state.files != paths) state.values.set(printing::printTable().places, std::string());  // Places go with files.
-    state.files = paths;
-    if (fromWindow()) state.values.set(printing::printTable().origin, printing::ViewOrigin::files);
-    if (state == setup_.state())
-        loader_.load(state);  // The files may have changed on disk.
+    ParameterValues values = this->values();
+    if (files() != paths) values.set(printing::printTable().places, std::string());  // Places go with files.
+    if (fromWindow()) values.set(printing::printTable().origin, printing::ViewOrigin::files);
+    values = printing::withPictures(values, textsOf(paths));
+    if (values == this->values())
+        loader_.load(values);  // The files may have changed on disk.
     else
-        setup_.change(tr("Choose views"), state);
+        setup_.change(tr("Choose views"), values);
 }
 
 void PrintDialog::dragEnterEvent(QDragEnterEvent* event)
@@ -453,11 +459,14 @@ void PrintDialog::stopExport()
 
 void PrintDialog::write(std::shared_ptr<const printing::PrintViews> views)
 {
-    write_.start([this, views = std::move(views), file = std::filesystem::path(path().toStdString()), values = values(),
-                  sources = textsOf(files())](const ProgressJob::Progress& progress) -> ProgressJob::Outcome {
-        const std::vector<std::filesystem::path> written =
-            printing::exportPrint(values, views.get(), sources, file, progress);
-        return [this, written] {
+    write_.start([this, views = std::move(views), file = std::filesystem::path(path().toStdString()),
+                  values = printed()](const ProgressJob::Progress& progress) -> ProgressJob::Outcome {
+        printing::PrintFile print = printing::printFile(values, file);
+        print.json = printing::printText(values, views.get(), file);
+        print.progress = progress;
+        const printing::StagedPrint staged = printing::stagedPrint(values, views.get(), print);
+        staged.publish();
+        return [this, written = staged.pictures] {
             const QString first = QString::fromStdString(written.front().string());
             export_->setPath(nextFreePath(path()));
             say(MessageStrip::Mood::notice,

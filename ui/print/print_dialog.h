@@ -36,7 +36,7 @@ public:
 
     [[nodiscard]] const ParameterValues& values() const { return setup_.values(); }
     void setValues(const ParameterValues&);
-    [[nodiscard]] const QStringList& files() const { return setup_.state().files; }
+    [[nodiscard]] QStringList files() const { return setup_.pictures(); }
     /// Opens views, or loads the settings of a print or its JSON. Used for drops on the dialog.
     void open(const QStringList& paths);
     void setChart(bool);
@@ -87,6 +87,8 @@ private:
     void countAgain();
     void showButtons();
     [[nodiscard]] bool fromWindow() const;
+    /// Returns the values of the print, or of the chart, whichever is shown.
+    [[nodiscard]] ParameterValues printed() const;
 
     void begin(const QString& path);
     void write(std::shared_ptr<const printing::PrintViews>);

@@ -3,10 +3,9 @@
 #include "exhibits/framework/files/state_folder.h"
 #include "exhibits/printing/print_json.h"
 #include "render/files/read_file.h"
-#include "ui/kit/ini_file.h"
 #include "ui/kit/language.h"
 
-#include <QSettings>
+#include <utility>
 
 namespace vitrine::ui {
 namespace {
@@ -18,23 +17,14 @@ std::filesystem::path rememberedSettings()
     return configFolder() / "print.json";
 }
 
-/// The sheet's name is stored separately, because a print's settings hold the sheet's numbers only.
-QSettings rememberedNames()
-{
-    return {iniPath(QString::fromStdString((stateFolder() / "print.ini").string())), QSettings::IniFormat};
-}
-
-const QString sheetKey = QStringLiteral("sheet");
-
 }  // namespace
 
 PrintSetup::PrintSetup(bool canShow, QObject* parent) : QObject(parent), canShow_(canShow)
 {
-    state_ = possible(state_);
-    history_.restart({{state_.values}, {}});
+    values_ = possible(values_);
+    history_.restart({{values_}, {}});
     connect(&history_, &History::changed, this, &PrintSetup::follow);
     connect(&history_, &History::replaced, this, &PrintSetup::follow);
-    connect(&stack(), &QUndoStack::indexChanged, this, &PrintSetup::follow);  // Also changes of files or sheet alone.
 }
 
 PrintSetup::~PrintSetup()
@@ -42,59 +32,48 @@ PrintSetup::~PrintSetup()
     stack().disconnect(this);  // A stack that is destroyed emits signals.
 }
 
-PrintState PrintSetup::possible(PrintState state) const
+ParameterValues PrintSetup::possible(ParameterValues values) const
 {
+    using printing::ViewOrigin;
     const auto& origin = printing::printTable().origin;
-    if (!canShow_ && state.values[origin] == printing::ViewOrigin::shown)
-        state.values.set(origin, printing::ViewOrigin::files);
-    return state;
+    // A chart is a tab of the dialog, and not an origin of the views.
+    if (values[origin] == ViewOrigin::chart || (!canShow_ && values[origin] == ViewOrigin::shown))
+        values.set(origin, canShow_ ? ViewOrigin::shown : ViewOrigin::files);
+    return values;
 }
 
-void PrintSetup::change(const QString& text, PrintState after, Gesture gesture)
+void PrintSetup::change(const QString& text, ParameterValues after, Gesture gesture)
 {
     after = possible(std::move(after));
-    if (after == state_) return;
-    const SceneState sceneState{{after.values}, {}};
-    if (after.files == files_ && after.sheet == sheet_) {
-        history_.change(text, sceneState, gesture);
-        return;
-    }
-    const auto set = [this](const QStringList& files, const std::string& sheet) {
-        files_ = files;
-        sheet_ = sheet;
-    };
-    history_.record(
-        text, sceneState, [set, files = after.files, sheet = after.sheet] { set(files, sheet); },
-        [set, files = files_, sheet = sheet_] { set(files, sheet); });
-}
-
-void PrintSetup::change(const QString& text, const ParameterValues& values, Gesture gesture)
-{
-    PrintState after = state_;
-    after.values = values;
-    change(text, std::move(after), gesture);
+    if (after == values_) return;
+    history_.change(text, {{std::move(after)}, {}}, gesture);
 }
 
 void PrintSetup::follow()
 {
-    PrintState now = possible({history_.sceneState().values[0], files_, sheet_});
-    if (now == state_) return;
-    const bool views = now.files != state_.files || !printing::sameViews(state_.values, now.values);
-    state_ = std::move(now);
+    ParameterValues now = possible(history_.sceneState().values[0]);
+    if (now == values_) return;
+    const bool views = !printing::sameViews(values_, now);
+    values_ = std::move(now);
     emit changed(views);
+}
+
+QStringList PrintSetup::pictures() const
+{
+    QStringList files;
+    for (const std::string& file : printing::picturesOf(values_)) files << QString::fromStdString(file);
+    return files;
 }
 
 std::string PrintSetup::text() const
 {
-    return printing::settingsText(state_.values, textsOf(state_.files));
+    return printing::settingsText(values_);
 }
 
 QStringList PrintSetup::load(const std::string& text, const std::string& fileName)
 {
     const printing::SavedSettings settings = printing::savedSettings(text, fileName);
-    PrintState loaded{settings.values, {}, state_.sheet};
-    for (const std::string& file : settings.files) loaded.files << QString::fromStdString(file);
-    change(tr("Load settings"), std::move(loaded));
+    change(tr("Load settings"), settings.values);
     QStringList notes;
     for (const std::string& note : settings.notes) notes << translatedText(note);
     return notes;
@@ -102,7 +81,6 @@ QStringList PrintSetup::load(const std::string& text, const std::string& fileNam
 
 QStringList PrintSetup::recall()
 {
-    state_.sheet = sheet_ = rememberedNames().value(sheetKey).toString().toStdString();
     emit changed(true);
     QStringList notes;
     std::error_code ignored;
@@ -115,7 +93,6 @@ QStringList PrintSetup::recall()
 void PrintSetup::remember() const
 {
     writeOwnFile(rememberedSettings(), text());
-    rememberedNames().setValue(sheetKey, QString::fromStdString(state_.sheet));
 }
 
 std::vector<std::string> textsOf(const QStringList& files)

@@ -10,15 +10,6 @@
 
 namespace vitrine::ui {
 
-/// All settings of a print.
-struct PrintState {
-    ParameterValues values = printing::printTable().initial();
-    QStringList files{};  ///< Files from which the views are read.
-    std::string sheet{};  ///< Name of the sheet chosen or saved last, which decides between sheets with equal numbers.
-
-    bool operator==(const PrintState&) const = default;
-};
-
 /// Settings of the print dialog, with undo. They are restored the next time.
 class PrintSetup final : public QObject {
     Q_OBJECT
@@ -28,16 +19,16 @@ public:
     PrintSetup(bool canShow, QObject* parent);
     ~PrintSetup() override;
 
-    [[nodiscard]] const PrintState& state() const { return state_; }
-    [[nodiscard]] const ParameterValues& values() const { return state_.values; }
+    [[nodiscard]] const ParameterValues& values() const { return values_; }
     /// Sets `after` as one undo step; `text` is its label. Edits with the same gesture number, other than 0, are one
     /// step. Equal settings make no step.
-    void change(const QString& text, PrintState after, Gesture = 0);
-    /// The same for the values only.
-    void change(const QString& text, const ParameterValues&, Gesture = 0);
+    void change(const QString& text, ParameterValues after, Gesture = 0);
     /// Returns the history of the values, for a parameter panel.
     [[nodiscard]] History& history() { return history_; }
     [[nodiscard]] QUndoStack& stack() { return history_.stack(); }
+
+    /// Returns the files from which the views are read.
+    [[nodiscard]] QStringList pictures() const;
 
     /// Returns all settings as a text, in the format of a print's own JSON.
     [[nodiscard]] std::string text() const;
@@ -56,14 +47,13 @@ signals:
     void changed(bool views);
 
 private:
-    /// Emits `changed` if the settings differ from `state_`.
+    /// Emits `changed` if the settings differ from `values_`.
     void follow();
-    [[nodiscard]] PrintState possible(PrintState) const;
+    /// Returns the values with an origin of the views that the dialog has.
+    [[nodiscard]] ParameterValues possible(ParameterValues) const;
 
+    ParameterValues values_ = printing::printTable().initial();  ///< Settings at the last `changed`.
     History history_{SceneState{{printing::printTable().initial()}, {}}};
-    QStringList files_;
-    std::string sheet_;
-    PrintState state_;  ///< Settings at the last `changed`.
     bool canShow_;
 };
 

@@ -91,8 +91,9 @@ void SheetBar::choose(const QString& name)
 {
     change([&] {
         const printing::Sheet sheet = sheets_.named(name.toStdString());
-        setup_.change(tr("Choose sheet %1").arg(shownName(sheet)),
-                      {printing::withSheet(setup_.values(), sheet), setup_.state().files, sheet.name});
+        ParameterValues values = printing::withSheet(setup_.values(), sheet);
+        values.set(printing::printTable().sheet, sheet.name);
+        setup_.change(tr("Choose sheet %1").arg(shownName(sheet)), values);
     });
 }
 
@@ -102,7 +103,9 @@ void SheetBar::save(const QString& name)
         printing::Sheet sheet = printing::sheetOf(setup_.values());
         sheet.name = name.toStdString();
         sheets_.save(sheet);
-        setup_.change(tr("Save sheet %1").arg(name), {setup_.values(), setup_.state().files, sheet.name});
+        ParameterValues values = setup_.values();
+        values.set(printing::printTable().sheet, sheet.name);
+        setup_.change(tr("Save sheet %1").arg(name), values);
     });
 }
 
@@ -117,7 +120,7 @@ void SheetBar::showSheets()
     const std::vector<printing::Sheet> sheets = sheets_.all(problem);
     std::string current;
     try {
-        current = sheets_.nameOf(printing::sheetOf(setup_.values()), setup_.state().sheet);
+        current = sheets_.nameOf(printing::sheetOf(setup_.values()), setup_.values()[printing::printTable().sheet]);
     } catch (const Failure&) {  // An impossible sheet has no name; the plan gives the reason.
     }
     const QSignalBlocker quiet(list_);

@@ -27,17 +27,18 @@ void ShownViews::start(const ParameterValues& values, bool draft)
     FrameRequest frame;
     frame.camera = sceneState.camera;
     frame.time = window_.viewport().time();
+    // Only a turn needs to know what turns.
+    if (values[printing::printTable().turn] != 0 && window_.chosen() != hallIndex) frame.subject = window_.chosen();
     auto work = std::make_shared<Work>();
     try {
-        work->pictures = printing::printShots(values, sceneState, frame, draft);
+        work->rendered.emplace(
+            printing::printShots(values, sceneState, frame, draft, {&window_.museum(), window_.chosen()}));
     } catch (const std::exception& failure) {
         emit failed(messageOf(failure));
         return;
     }
-    printing::ViewShot quick{sceneState, work->pictures.front().request};
-    quick.request.frame.camera = sceneState.camera;
-    quick = printing::depthShot(quick);
-    work->pictures.insert(work->pictures.begin(), quick);
+    work->pictures = work->rendered->shots();
+    work->pictures.insert(work->pictures.begin(), printing::depthShot(work->rendered->base()));
     for (printing::ViewShot& shot : work->pictures)
         shot.request.largestTile = std::min(shot.request.largestTile, RenderThread::taskTile);
     values_ = values;
@@ -69,12 +70,14 @@ bool ShownViews::step(Renderers& renderers, Work& work, const RenderThread::Noti
     if (!work.job.maker) throw Failure(ErrorKind::openGl, "No views can be rendered: there is no graphics context.");
     work.job.maker->step();
     if (work.job.maker->finished()) {
-        if (work.next == 0)
+        if (work.next == 0) {
+            fitCameras(work);
             notify([&told, picture = work.job.maker->picture()] {
                 told.depth_ = printing::sceneDepth(*told.values_, told.sceneState_, picture);
             });
-        else
+        } else {
             work.views->add(work.job.maker->picture());
+        }
         ++work.next;
         work.job.maker.reset();
     }
@@ -88,6 +91,15 @@ bool ShownViews::step(Renderers& renderers, Work& work, const RenderThread::Noti
     work.job = {};
     render::trimHeap();
     return false;
+}
+
+void ShownViews::fitCameras(Work& work)
+{
+    if (!work.rendered->waitsForDepth()) return;
+    work.rendered->fit(printing::depthRange(work.job.maker->picture()));
+    for (std::size_t k = 1; k < work.pictures.size(); ++k)
+        work.pictures[k].sceneState.camera = work.pictures[k].request.frame.camera =
+            work.rendered->rig().camera(static_cast<int>(k) - 1);
 }
 
 void ShownViews::note(double part)

@@ -37,6 +37,7 @@ signals:
 private:
     /// Data that the render thread works on.
     struct Work {
+        std::optional<printing::RenderedViews> rendered;
         std::vector<printing::ViewShot> pictures;  ///< First a quick picture for the depth, then the views.
         std::size_t next = 0;
         std::shared_ptr<printing::PrintViews> views;
@@ -46,6 +47,8 @@ private:
     /// Renders one sample of a tile. Returns whether more is to be done. Runs on the render thread; functions given to
     /// `Notify` run in the window's.
     static bool step(Renderers&, Work&, const RenderThread::Notify&, ShownViews& told);
+    /// Takes the cameras that fit to the depth of the first picture, if the values say so.
+    static void fitCameras(Work&);
     void note(double part);
     void end(const QString& failure);
 

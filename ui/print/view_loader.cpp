@@ -21,7 +21,7 @@ ViewLoader::ViewLoader(ShownViews* shown, QObject* parent) : QObject(parent), sh
     connect(&soon_, &QTimer::timeout, this, [this] {
         if (full_ || !possible_) return;
         wanted_ = false;
-        shown_->start(state_.values, true);
+        shown_->start(values_, true);
     });
     connect(&read_, &ProgressJob::progressed, this,
             [this](double part) { emit said(tr("Reading, %1 %").arg(std::lround(part * 100))); });
@@ -54,12 +54,12 @@ void ViewLoader::connectShown()
 
 bool ViewLoader::fromWindow() const
 {
-    return state_.values[printing::printTable().origin] == printing::ViewOrigin::shown;
+    return values_[printing::printTable().origin] == printing::ViewOrigin::shown;
 }
 
-void ViewLoader::load(const PrintState& state)
+void ViewLoader::load(const ParameterValues& values)
 {
-    state_ = state;
+    values_ = values;
     if (fromWindow()) {
         read_.stop();
         draft_ = wanted_ = true;
@@ -75,19 +75,18 @@ void ViewLoader::load(const PrintState& state)
 
 void ViewLoader::read()
 {
-    if (state_.files.isEmpty()) {
+    if (printing::picturesOf(values_).empty()) {
         views_.reset();
         read_.stop();
-        const bool quilt = state_.values[printing::printTable().origin] == printing::ViewOrigin::quilt;
+        const bool quilt = values_[printing::printTable().origin] == printing::ViewOrigin::quilt;
         emit said(quilt ? tr("Choose a picture with a grid of views, or drop it here.")
                         : tr("Choose a folder or pictures, or drop them here."));
         emit changed();
         return;
     }
     emit said(tr("Reading"));
-    read_.start([this, names = textsOf(state_.files),
-                 values = state_.values](const ProgressJob::Progress& progress) -> ProgressJob::Outcome {
-        const std::shared_ptr<const printing::PrintViews> views = printing::readViews(values, names, progress);
+    read_.start([this, values = values_](const ProgressJob::Progress& progress) -> ProgressJob::Outcome {
+        const std::shared_ptr<const printing::PrintViews> views = printing::readViews(values, progress);
         return [this, views] { take(views, std::nullopt, false); };
     });
 }
@@ -98,9 +97,9 @@ void ViewLoader::take(std::shared_ptr<const printing::PrintViews> views,
     views_ = std::move(views);
     depth_ = depth;
     draft_ = draft;
-    const QStringList& files = state_.files;
-    const QString from = files.isEmpty()     ? tr("what is shown")
-                         : files.size() == 1 ? QFileInfo(files.front()).fileName()
+    const std::vector<std::string> files = fromWindow() ? std::vector<std::string>() : printing::picturesOf(values_);
+    const QString from = files.empty()       ? tr("what is shown")
+                         : files.size() == 1 ? QFileInfo(QString::fromStdString(files.front())).fileName()
                                              : tr("%1 pictures").arg(files.size());
     emit said(draft ? tr("%1 views of %2, as small previews").arg(views_->count()).arg(from)
                     : tr("%1 views from %2").arg(views_->count()).arg(from));
@@ -117,7 +116,7 @@ void ViewLoader::renderInFull()
 {
     soon_.stop();
     full_ = true;
-    shown_->start(state_.values, false);
+    shown_->start(values_, false);
 }
 
 void ViewLoader::stop()

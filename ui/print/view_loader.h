@@ -2,7 +2,6 @@
 
 #include "exhibits/printing/print_views.h"
 #include "ui/kit/progress_job.h"
-#include "ui/print/print_setup.h"
 
 #include <QObject>
 #include <QTimer>
@@ -24,7 +23,7 @@ public:
     ViewLoader(ShownViews* shown, QObject* parent);
 
     /// Loads the views of these settings, which replace the present ones.
-    void load(const PrintState&);
+    void load(const ParameterValues&);
     /// Sets whether a print of the views can be made. Views are rendered only then.
     void setPossible(bool);
     /// Renders the views of the last `load` at the size of the print. Emits `readyForPrint` or `failed`.
@@ -56,7 +55,7 @@ private:
     void take(std::shared_ptr<const printing::PrintViews>, const std::optional<printing::SceneDepth>&, bool draft);
     [[nodiscard]] bool fromWindow() const;
 
-    PrintState state_;
+    ParameterValues values_ = printing::printTable().initial();
     std::shared_ptr<const printing::PrintViews> views_;
     std::optional<printing::SceneDepth> depth_;
     bool draft_ = false;   ///< The views are small drafts.

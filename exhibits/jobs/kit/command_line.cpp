@@ -23,7 +23,8 @@ std::vector<std::string> commandOf(const Job& job, const JobOrder& order)
     for (std::string& word : wordsOf(order.values)) words.push_back(std::move(word));
     const JobScene& scene = order.scene;
     if (scene.museum && job.needs().anyScene) {
-        words.insert(words.begin() + 1, std::string(scene.museum->subject(scene.subject).name()));
+        const std::string option = job.needs().sceneByOption ? "--exhibit=" : "";
+        words.insert(words.begin() + 1, option + std::string(scene.museum->subject(scene.subject).name()));
         if (scene.frame.alone) words.emplace_back("--alone");
         if (scene.frame.transparent && !job.parameters().find("transparent")) words.emplace_back("--transparent");
         for (std::string& word :

@@ -17,8 +17,15 @@ namespace {
 
 using render::Json;
 
-std::vector<std::string> splitAt(char separator, const std::string& text)
+/// Splits the text at each separator. Other signs for "times" separate as "x" does.
+std::vector<std::string> splitAt(char separator, std::string text)
 {
+    if (separator == 'x') {
+        constexpr std::string_view times = "×";
+        std::replace(text.begin(), text.end(), 'X', 'x');
+        for (std::size_t at = text.find(times); at != std::string::npos; at = text.find(times, at))
+            text.replace(at, times.size(), "x");
+    }
     std::vector<std::string> parts(1);
     for (const char c : text) {
         if (c == separator)
@@ -82,16 +89,17 @@ void GivenValues::type(const JobOption& option, const std::vector<std::string>& 
         give(first, joined(words, "\n"), option.name);
         return;
     }
-    assert(words.size() == 1);
+    assert(!words.empty());
     if (option.parameters.size() == 1) {
         give(first, readWord(option.name, parameter, words.front()), option.name);
         return;
     }
-    const std::vector<std::string> parts = splitAt(parameter.given.separator, words.front());
+    std::vector<std::string> parts = splitAt(parameter.given.separator, words.front());
+    parts.insert(parts.end(), words.begin() + 1, words.end());
     if (parts.size() != option.parameters.size())
         throw Failure(ErrorKind::usage, option.name + " \"" + words.front() + "\": give " +
                                             typeText(values_.table(), option) + ", such as " +
-                                            typedWords(option, values_.table().initial()).front() + '.');
+                                            exampleText(values_.table(), option) + '.');
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const ParameterInfo& part = values_.rows()[option.parameters[i]];
         give(option.parameters[i], readWord(option.name + ' ' + words.front(), part, parts[i]), option.name);

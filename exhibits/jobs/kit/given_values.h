@@ -32,6 +32,8 @@ public:
     /// an unknown key.
     void read(const render::Json& object, const JsonPlace& place, std::vector<std::string>& notes);
 
+    /// Returns whether the parameter was typed, or is in the document that was read last.
+    [[nodiscard]] bool has(std::size_t parameter) const { return given_.count(parameter) > 0; }
     /// Returns the values, with everything that the given ones imply. Throws Failure (ErrorKind::usage) in three cases:
     /// a parameter that `command` ("vitrine proof") requires is missing, two values imply different values of a third
     /// parameter, or a typed parameter has no effect.

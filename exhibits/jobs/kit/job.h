@@ -63,9 +63,12 @@ struct JobNeeds {
     bool anySettings = false;
     /// Extensions of the output, the usual one first: "png". Empty: the output is a folder.
     std::vector<std::string_view> extensions = {};
+    /// Whether the exhibit is an option (`--exhibit`) that may be left out, because the job also works without a scene.
+    bool sceneByOption = false;
     bool inWindow = false;  ///< Whether the window offers it.
     bool inParts = false;   ///< Whether several processes can share it.
-    bool reports = false;   ///< Whether it can write the report of a frame (`JobOrder::frameReport`).
+    /// Help of the option for a further file with a report (`JobOrder::reportFile`); empty: there is none.
+    std::string_view report = {};
     /// Whether the output itself carries the settings, so that no document lies beside it.
     bool carriesSettings = false;
     bool answers = false;  ///< Whether the service answers what was made (`JobRun::answer`) in place of writing it.
@@ -166,6 +169,10 @@ struct JobShare {
     std::filesystem::path from = {};
     /// The same for items that are measures. Null: there are none.
     StudyParts* measures = nullptr;
+    /// Writes a picture exactly, under this name. Empty for a job in one piece.
+    std::function<void(const std::string& name, const render::Image&)> keep = {};
+    /// Reads what a part kept. If set, pictures are read and not made. Throws Failure (ErrorKind::check).
+    std::function<render::Image(const std::string& name)> kept = {};
 };
 
 /// Everything that a job needs in order to start.
@@ -185,6 +192,14 @@ struct JobOrder {
     std::filesystem::path reportFile = {};
     /// Writes the folder of a job whose pages and charts are made by the program. Empty: the job writes all files.
     std::function<void(const JobRun&)> writeFolder = {};
+};
+
+/// Arguments of a job, from which values follow that are not given.
+struct GivenArguments {
+    ParameterValues values;
+    std::function<bool(std::size_t parameter)> has;  ///< Whether the parameter was typed.
+    std::string subject = {};                        ///< Exhibit that is named; empty: none.
+    std::filesystem::path out = {};
 };
 
 /// A job: turns a scene or files into files. The command line, the dialog, the settings document and the schema are
@@ -214,6 +229,13 @@ public:
     [[nodiscard]] virtual std::unique_ptr<JobRun> start(JobOrder) const = 0;
     /// Returns whether the camera of the scene has an effect. For jobs with `JobNeeds::anyScene`.
     [[nodiscard]] virtual bool usesCamera(const ParameterValues&, const JobScene&) const { return true; }
+    /// Returns the values with everything that follows from the given ones. Throws Failure (ErrorKind::usage) for
+    /// arguments that exclude each other or have no effect together.
+    [[nodiscard]] virtual ParameterValues completed(const GivenArguments& given) const { return given.values; }
+    /// Returns whether the job needs an output. Without, these values name other files to write.
+    [[nodiscard]] virtual bool needsOutput(const ParameterValues&) const { return true; }
+    /// Returns why the job cannot be split into parts with these values: "charts are made at once". Empty: it can.
+    [[nodiscard]] virtual std::string refusedInParts(const ParameterValues&) const { return {}; }
     /// Returns options that have no effect here, each with what it has none on: {"--points", "a study of --values"}.
     /// They are refused where they are typed.
     [[nodiscard]] virtual std::vector<std::pair<const char*, const char*>> idleOptions(const ParameterValues&,

@@ -93,6 +93,7 @@ std::vector<JobOption> optionsOf(const Parameters& table)
         const GivenAs& given = parameter.given;
         if (!given.tuple.empty() && given.tuple == tuple) {
             options.back().parameters.push_back(i);
+            if (parameter.isWritten()) options.back().words = 2;
             continue;
         }
         tuple = given.tuple;
@@ -133,8 +134,10 @@ std::string typeText(const Parameters& table, const JobOption& option)
     for (const std::size_t i : option.parameters) {
         const ParameterInfo& parameter = table.rows()[i];
         if (option.parameters.size() == 1) return typeOf(parameter);
-        if (!text.empty()) text += parameter.given.separator;
-        const std::string name = kebab(parameter.name);
+        if (!text.empty()) text += parameter.isWritten() ? ' ' : parameter.given.separator;
+        std::string name = kebab(parameter.name);
+        // "COLUMNSxROWS FILE" for the members quiltColumns, quiltRows and quiltFile of the tuple quilt.
+        if (option.words > 1) name = name.substr(kebab(option.key).size() + 1);
         std::transform(name.begin(), name.end(), std::back_inserter(text),
                        [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
     }
@@ -145,7 +148,15 @@ std::string initialText(const Parameters& table, const JobOption& option)
 {
     if (option.mustBeGiven || option.isFlag) return {};
     const std::vector<std::string> words = typedWords(option, table.initial());
-    return words.empty() ? std::string() : words.front();
+    return words.empty() || option.words > 1 ? std::string() : words.front();
+}
+
+std::string exampleText(const Parameters& table, const JobOption& option)
+{
+    const std::string word = typedWords(option, table.initial()).front();
+    if (option.words == 1) return word;
+    const std::string_view endings = table.rows()[option.parameters.back()].extensions;
+    return option.name + ' ' + word + ' ' + option.key + '.' + std::string(endings.substr(0, endings.find(' ')));
 }
 
 std::string helpText(const Parameters& table, const JobOption& option)
@@ -170,12 +181,19 @@ std::vector<std::string> typedWords(const JobOption& option, const ParameterValu
     const std::size_t first = option.parameters.front();
     if (option.several) return linesOf(std::get<std::string>(values.row(first)));
     std::string text;
+    std::vector<std::string> written;
     for (const std::size_t i : option.parameters) {
-        if (i != first) text += values.rows()[i].given.separator;
-        text += typedText(values.rows()[i], values.row(i));
+        const ParameterInfo& parameter = values.rows()[i];
+        if (option.words > 1 && parameter.isWritten()) {
+            written.push_back(typedText(parameter, values.row(i)));
+            continue;
+        }
+        if (i != first) text += parameter.given.separator;
+        text += typedText(parameter, values.row(i));
     }
     if (text.empty()) return {};
-    return {text};
+    written.insert(written.begin(), text);
+    return written;
 }
 
 Value readWord(const std::string& option, const ParameterInfo& parameter, const std::string& word)

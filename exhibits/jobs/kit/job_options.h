@@ -15,6 +15,7 @@ struct JobOption {
     bool positional = false;
     bool mustBeGiven = false;
     bool several = false;  ///< Takes any number of words.
+    int words = 1;         ///< Words that it takes: 2 for a tuple with a file, "--quilt 8x6 quilt.png".
     bool isFlag = false;   ///< A toggle: takes no word; `name` turns it on and "--no-..." off.
 
     /// Key in documents: "size".
@@ -33,6 +34,9 @@ struct JobOption {
 [[nodiscard]] std::string typeText(const Parameters&, const JobOption&);
 /// Returns the option's initial value as it would be typed; empty if it has none.
 [[nodiscard]] std::string initialText(const Parameters&, const JobOption&);
+/// Returns an example of the option's words: "64x64". Where it takes several, the option begins it: "--quilt 8x6
+/// quilt.png".
+[[nodiscard]] std::string exampleText(const Parameters&, const JobOption&);
 /// Returns the option's help text with the unit of a plain number.
 [[nodiscard]] std::string helpText(const Parameters&, const JobOption&);
 

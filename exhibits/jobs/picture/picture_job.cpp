@@ -239,8 +239,12 @@ const Parameters& PictureJob::parameters() const
 
 JobNeeds PictureJob::needs() const
 {
-    return {
-        .anyScene = true, .extensions = pictureEndings(), .inWindow = true, .reports = true, .carriesSettings = true};
+    return {.anyScene = true,
+            .extensions = pictureEndings(),
+            .inWindow = true,
+            .report = "File for the frame report as JSON: passes that ran, passes that were skipped and why, counters, "
+                      "times, memory by owner",
+            .carriesSettings = true};
 }
 
 std::shared_ptr<const JobInputs> PictureJob::read(const ParameterValues&) const

@@ -8,6 +8,7 @@
 #include "render/image/image_io.h"
 #include "tests/exhibits/lenticular/card_shot.h"
 #include "tests/exhibits/printing/values_of.h"
+#include "tests/support/write_print.h"
 
 #include <gtest/gtest.h>
 

@@ -12,6 +12,7 @@
 #include "tests/support/museum_on_paper.h"
 #include "tests/support/planned.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/write_print.h"
 
 #include <gtest/gtest.h>
 

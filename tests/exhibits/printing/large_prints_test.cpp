@@ -8,6 +8,7 @@
 #include "tests/exhibits/printing/samples.h"
 #include "tests/support/failures.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/write_print.h"
 
 #include <gtest/gtest.h>
 

@@ -32,7 +32,7 @@ TEST_F(PrintPlans, NumbersFollowTheClosedFormsWhenLpiDpiAndDistanceChange)
         values_.set(table_.lensesPerInch, lpi);
         values_.set(table_.dotsPerInch, dpi);
         values_.set(table_.distance, distance);
-        const PrintPlan plan = printPlan(values_, nullptr, false, "print.tif");
+        const PrintPlan plan = printPlan(values_, nullptr, "print.tif");
         ASSERT_EQ(plan.refusal, "");
         // A sheet of 30 degrees, focused on its back: t - r = t/n, t = n p / (2 tan 15), print pitch p (D + t)/(D + r).
         const double pitch = 25.4 / lpi;
@@ -50,10 +50,10 @@ TEST_F(PrintPlans, NumbersFollowTheClosedFormsWhenLpiDpiAndDistanceChange)
 TEST_F(PrintPlans, RefusesSidesBeyondTheFormatUnlessTheyAreCut)
 {
     values_.set(table_.width, 50.0);  // 1,417,323 pixels at 720 dpi; a TIFF ends at 1,048,576.
-    EXPECT_NE(printPlan(values_, nullptr, false, "print.tif").refusal.find("1048576"), std::string::npos);
-    EXPECT_EQ(printPlan(values_, nullptr, false, "print.png").refusal, "");
+    EXPECT_NE(printPlan(values_, nullptr, "print.tif").refusal.find("1048576"), std::string::npos);
+    EXPECT_EQ(printPlan(values_, nullptr, "print.png").refusal, "");
     values_.set(table_.tileWidth, 25.0);
-    EXPECT_EQ(printPlan(values_, nullptr, false, "print.tif").refusal, "");
+    EXPECT_EQ(printPlan(values_, nullptr, "print.tif").refusal, "");
 }
 
 TEST_F(PrintPlans, RefusesWhatCannotBeWithTheLimitAndKeepsWhatIsTyped)
@@ -61,23 +61,22 @@ TEST_F(PrintPlans, RefusesWhatCannotBeWithTheLimitAndKeepsWhatIsTyped)
     values_.set(table_.lens, LensShape::given);
     values_.set(table_.lensesPerInch, 20.0);
     values_.set(table_.radius, 0.0005);  // A pitch of 1.27 mm needs 0.635.
-    const PrintPlan plan = printPlan(values_, nullptr, false, "print.tif");
+    const PrintPlan plan = printPlan(values_, nullptr, "print.tif");
     EXPECT_NE(plan.refusal.find("0.635"), std::string::npos) << plan.refusal;
     EXPECT_TRUE(plan.numbers.ownShare.empty());
     EXPECT_THROW(static_cast<void>(printPreview(values_, solid(2))), Failure);
-    const SavedSettings back = savedSettings(settingsText(values_, {}), "kept.json");
+    const SavedSettings back = savedSettings(settingsText(values_), "kept.json");
     EXPECT_TRUE(back.values == values_);
     values_.set(table_.radius, 0.0007);
     values_.set(table_.thickness, 0.002);
-    EXPECT_EQ(printPlan(values_, nullptr, false, "print.tif").refusal, "");
+    EXPECT_EQ(printPlan(values_, nullptr, "print.tif").refusal, "");
 }
 
 TEST_F(PrintPlans, WarnsOfMoreViewsThanDotsAndOfLpiNearDpiAndOnlyThen)
 {
     const auto said = [&] {
         std::string all;
-        for (const std::string& warning : printPlan(values_, nullptr, false, "print.tif").warnings)
-            all += warning + '\n';
+        for (const std::string& warning : printPlan(values_, nullptr, "print.tif").warnings) all += warning + '\n';
         return all;
     };
     EXPECT_EQ(said(), "");
@@ -87,14 +86,13 @@ TEST_F(PrintPlans, WarnsOfMoreViewsThanDotsAndOfLpiNearDpiAndOnlyThen)
     values_.set(table_.dotsPerInch, 100.0);
     EXPECT_NE(said().find("cannot separate"), std::string::npos) << said();
     values_.set(table_.dotsPerInch, 59.0);
-    EXPECT_NE(printPlan(values_, nullptr, false, "print.tif").refusal.find("no more than one pixel"),
-              std::string::npos);
+    EXPECT_NE(printPlan(values_, nullptr, "print.tif").refusal.find("no more than one pixel"), std::string::npos);
 }
 
 TEST_F(PrintPlans, AFlipUnderUprightLensesIsToldToShowEachEyeAnotherPicture)
 {
     const auto warns = [&] {
-        const PrintPlan plan = printPlan(values_, nullptr, false, "a.tif");
+        const PrintPlan plan = printPlan(values_, nullptr, "a.tif");
         EXPECT_EQ(plan.refusal, "");
         return std::any_of(plan.warnings.begin(), plan.warnings.end(), [](const std::string& w) {
             return w.find("each eye sees another picture") != std::string::npos;
@@ -119,13 +117,13 @@ TEST_F(PrintPlans, StoppingOrFailingLeavesTheOldFilesAsTheyWere)
         told = part;
         return part < 0.3;
     };
-    EXPECT_THROW(exportPrint(values_, solid(3).get(), {}, file, stopHalfway), Failure);
+    EXPECT_THROW(exportPrint(values_, solid(3).get(), file, stopHalfway), Failure);
     EXPECT_GT(told, 0);
     EXPECT_LT(told, 1);
     EXPECT_EQ(render::readFile(file, 100), "old");
     EXPECT_EQ(folder_.files(), std::vector<std::string>{"print.tif"});
-    EXPECT_THROW(exportPrint(values_, solid(3).get(), {}, folder_.path() / "nowhere" / "print.tif", {}), Failure);
-    EXPECT_THROW(exportPrint(values_, solid(3).get(), {}, folder_.path() / "print.bmp", {}), Failure);
+    EXPECT_THROW(exportPrint(values_, solid(3).get(), folder_.path() / "nowhere" / "print.tif"), Failure);
+    EXPECT_THROW(exportPrint(values_, solid(3).get(), folder_.path() / "print.bmp"), Failure);
     EXPECT_EQ(folder_.files(), std::vector<std::string>{"print.tif"});
 }
 
@@ -135,16 +133,16 @@ TEST_F(PrintPlans, ChartsArePreviewedAndWrittenAsThePrintsAre)
     values_.set(table_.height, 0.06);
     for (const ChartKind kind : {ChartKind::pitch, ChartKind::phase, ChartKind::views, ChartKind::rotation}) {
         values_.set(table_.chart, kind);
-        EXPECT_EQ(printPlan(values_, nullptr, true, "chart.png").refusal, "");
+        EXPECT_EQ(printPlan(chartValues(values_), nullptr, "chart.png").refusal, "");
         const fs::path file = folder_.path() / "chart.png";
-        exportPrint(values_, nullptr, {}, file, {});
+        exportPrint(chartValues(values_), nullptr, file);
         const render::Image written = render::readImage(file, {.raw = true});
-        const CodedPicture part = printPreview(values_, nullptr)->raster({400, 300, 460, 340});
+        const CodedPicture part = printPreview(chartValues(values_), nullptr)->raster({400, 300, 460, 340});
         for (int x = 0; x < part.width; ++x)
             ASSERT_EQ(part.rgb[static_cast<std::size_t>(x) * 3], std::lround(written.at(x + 400, 300) * 255));
     }
     values_.set(table_.height, 0.03);
-    EXPECT_NE(printPlan(values_, nullptr, true, "chart.png").refusal.find("44 mm"), std::string::npos);
+    EXPECT_NE(printPlan(chartValues(values_), nullptr, "chart.png").refusal.find("44 mm"), std::string::npos);
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ TEST_F(Previews, ThePreviewIsTheFileDotForDot)
             values_.set(table_.mirror, mirror);
             const auto views = solid(5);
             const fs::path file = folder_.path() / "print.png";
-            ASSERT_EQ(exportPrint(values_, views.get(), {}, file, {}), std::vector<fs::path>{file});
+            ASSERT_EQ(exportPrint(values_, views.get(), file), std::vector<fs::path>{file});
             const render::Image written = render::readImage(file, {.raw = true});
             const auto preview = printPreview(values_, views);
             ASSERT_EQ(preview->width(), written.width);
@@ -124,7 +124,7 @@ TEST_F(Previews, TheQuickLookAgreesWithTheProofOfTheFinishedFile)
     }
     const PrintLayout layout(printSettings(values_, count));
     const fs::path file = folder_.path() / "print.tif";
-    exportPrint(values_, views.get(), {}, file, {});
+    exportPrint(values_, views.get(), file);
     const render::Image raster = render::readImage(file);
     const auto preview = printPreview(values_, views);
     for (const double angle : {-12.0, -5.0, 0.0, 3.0, 11.0, 22.0}) {

@@ -34,13 +34,14 @@ TEST_F(PrintViewsTest, ReadsFilesSpreadEvenlyAndQuiltsFromTheBottomLeft)
                              render::PictureFormat::png16);
     }
     values_.set(table_.views, 3);
-    const auto three = readViews(values_, files, {});
+    const auto three = readViews(withPictures(values_, files), {});
     ASSERT_EQ(three->count(), 3);
     for (int k = 0; k < 3; ++k) EXPECT_NEAR(three->full().row(k, 0)[0], 65535.0 * k / 2, 12);
     values_.set(table_.views, 40);
-    EXPECT_EQ(readViews(values_, {folder_.path().string()}, {})->count(), 9);  // All that exist.
-    EXPECT_THROW(static_cast<void>(readViews(values_, {}, {})), Failure);
-    EXPECT_THROW(static_cast<void>(readViews(values_, files, [](double part) { return part < 0.5; })), Failure);
+    EXPECT_EQ(readViews(withPictures(values_, {folder_.path().string()}), {})->count(), 9);  // All that exist.
+    EXPECT_THROW(static_cast<void>(readViews(values_, {})), Failure);
+    EXPECT_THROW(static_cast<void>(readViews(withPictures(values_, files), [](double part) { return part < 0.5; })),
+                 Failure);
 
     render::Image quilt(8, 4, 3);
     for (int y = 0; y < 4; ++y)
@@ -50,7 +51,7 @@ TEST_F(PrintViewsTest, ReadsFilesSpreadEvenlyAndQuiltsFromTheBottomLeft)
     values_.set(table_.origin, ViewOrigin::quilt);
     values_.set(table_.quiltColumns, 2);
     values_.set(table_.quiltRows, 2);
-    const auto four = readViews(values_, {(folder_.path() / "quilt.png").string()}, {});
+    const auto four = readViews(withPictures(values_, {(folder_.path() / "quilt.png").string()}), {});
     ASSERT_EQ(four->count(), 4);
     for (int k = 0; k < 4; ++k) EXPECT_NEAR(four->full().row(k, 0)[0], 65535.0 * k / 3, 12);
 }
@@ -60,18 +61,18 @@ TEST_F(PrintViewsTest, TakeTheShapeOfThePrintAndSayWhatThatCost)
     // The print is 3:2, so a view of 10 x 2 loses 7 of 10 columns.
     const std::string file = (folder_.path() / "wide.png").string();
     render::writePicture(file, render::Image(10, 2, 3, 0.0F), render::PictureFormat::png8);
-    const auto cropped = readViews(values_, {file}, {});
+    const auto cropped = readViews(withPictures(values_, {file}), {});
     EXPECT_EQ(cropped->full().view(0).width, 3);
     ASSERT_EQ(cropped->notes().size(), 1U);
     EXPECT_NE(cropped->notes()[0].find("70 % of their width is cut off"), std::string::npos) << cropped->notes()[0];
     values_.set(table_.fitting, Fitting::fit);
-    const auto whole = readViews(values_, {file}, {});
+    const auto whole = readViews(withPictures(values_, {file}), {});
     EXPECT_EQ(whole->full().view(0).width, 10);
     EXPECT_EQ(whole->full().height(), 7);
     EXPECT_EQ(whole->full().row(0, 0)[0], 65535) << "white";
     EXPECT_EQ(whole->full().row(0, 2)[0], 0);
     values_.set(table_.fitting, Fitting::stretch);
-    const auto stretched = readViews(values_, {file}, {});
+    const auto stretched = readViews(withPictures(values_, {file}), {});
     EXPECT_EQ(stretched->full().view(0).width, 10);
     EXPECT_EQ(stretched->full().height(), 2);
     EXPECT_TRUE(stretched->notes().empty());
@@ -89,21 +90,21 @@ TEST_F(PrintViewsTest, PlaceThePictureThatIsMeantAmongThoseThatAreTaken)
     moved.set(table_.places, std::string("3:0,50,0; 4:0,-50,0"));
     EXPECT_FALSE(sameViews(values_, moved));
     EXPECT_TRUE(sameViews(shown(values_), shown(moved)));
-    const auto views = readViews(moved, files, {});
+    const auto views = readViews(withPictures(moved, files), {});
     EXPECT_EQ(views->pictures(), (std::vector<int>{1, 3, 5}));
     for (int k = 0; k < 3; ++k) {
         EXPECT_EQ(views->full().row(k, 1)[0], k == 1 ? 65535 : 0) << k << ": white at the left of what moved right";
         EXPECT_EQ(views->full().row(k, 1)[3 * 5], 0) << k;
     }
     moved.set(table_.places, std::string("3:0,50"));
-    EXPECT_THROW(static_cast<void>(readViews(moved, files, {})), Failure);
+    EXPECT_THROW(static_cast<void>(readViews(withPictures(moved, files), {})), Failure);
 }
 
 TEST_F(PrintViewsTest, ShotsStandAsTheLensesShowAndDraftsAreTheSameButSmall)
 {
     SceneState sceneState{{}, {{0, 1.6, 4}, {0, 1.2, 0}, 0.9}};
-    const auto fine = printShots(values_, sceneState, {}, false);
-    const auto draft = printShots(values_, sceneState, {}, true);
+    const auto fine = printShots(values_, sceneState, {}, false).shots();
+    const auto draft = printShots(values_, sceneState, {}, true).shots();
     ASSERT_EQ(fine.size(), 12U);
     ASSERT_EQ(draft.size(), 12U);
     for (std::size_t k = 0; k + 1 < fine.size(); ++k)
@@ -113,7 +114,7 @@ TEST_F(PrintViewsTest, ShotsStandAsTheLensesShowAndDraftsAreTheSameButSmall)
     EXPECT_LE(draft[0].request.frame.raster.size.x, 240);
     EXPECT_NEAR(static_cast<double>(fine[0].request.frame.raster.size.y) / 960, 0.02 / 0.03, 1e-3);
     values_.set(table_.baselineScale, 0.0);
-    const auto flat = printShots(values_, sceneState, {}, false);
+    const auto flat = printShots(values_, sceneState, {}, false).shots();
     EXPECT_EQ(flat[0].sceneState.camera.eye, flat[11].sceneState.camera.eye);
 
     ParameterValues other = values_;

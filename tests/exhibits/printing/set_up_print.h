@@ -4,6 +4,7 @@
 #include "exhibits/printing/print_views.h"
 #include "tests/support/degree.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/write_print.h"
 
 #include <gtest/gtest.h>
 
@@ -25,6 +26,8 @@ protected:
         values_.set(table_.origin, ViewOrigin::files);
         values_.set(table_.width, 0.03);
         values_.set(table_.height, 0.02);
+        values_.set(table_.views, 12);
+        values_.set(table_.viewWidth, 960);
     }
     /// Returns views of uniform gray: view k has (k + 1) / (count + 1) of linear light.
     [[nodiscard]] static std::shared_ptr<const PrintViews> solid(int count)

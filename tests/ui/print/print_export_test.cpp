@@ -42,7 +42,7 @@ private slots:
         const printing::SavedSettings written =
             printing::savedSettings(render::readFile((out + "/card.tif.json").toStdString(), 1 << 20), "card.tif.json");
         QVERIFY(written.values == before);
-        QCOMPARE(written.files.size(), std::size_t{6});
+        QCOMPARE(printing::picturesOf(written.values).size(), std::size_t{6});
 
         // After changing everything, dropping the print on the dialog restores all settings.
         set("phase", 0);

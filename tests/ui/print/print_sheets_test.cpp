@@ -94,19 +94,20 @@ private slots:
         const ParameterValues before = dialog_->values();
         dialog_->open(views);
         settle();
+        const ParameterValues opened = dialog_->values();
         type("lensesPerInch", "40");
         const ParameterValues typed = dialog_->values();
         dialog_->findChild<SheetBar*>()->choose("20-flip");
         settle();
         const ParameterValues chosen = dialog_->values();
-        QVERIFY(typed != before && chosen != typed);
+        QVERIFY(opened != before && typed != opened && chosen != typed);
 
         undo();
         QVERIFY(dialog_->values() == typed);
         QCOMPARE(dialog_->findChild<SheetBar*>()->current(), QString("40-3d"));
         QVERIFY(std::abs(number("LPI in the file") - 40) < 1);
         undo();
-        QVERIFY(dialog_->values() == before);
+        QVERIFY(dialog_->values() == opened);
         QCOMPARE(dialog_->files(), views);
         undo();
         QVERIFY(dialog_->files().isEmpty());

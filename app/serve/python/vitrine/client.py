@@ -1,14 +1,11 @@
 """Session: the methods of the service as methods of an object."""
 
 import atexit
-import builtins
 import collections
 import inspect
 import itertools
-import json
 import os
 import subprocess
-import tempfile
 
 from .connection import Connection, ConnectionLost, RequestError, error_of
 from .picture import Picture
@@ -81,17 +78,6 @@ class Session:
         Options are those of `render`; `channels` names more than color: "color,depth,normal,evaluations".
         """
         return self.call("render", exhibit=exhibit, raw="display" if display else "linear", **options)
-
-    def print(self, **options):
-        """Makes a lenticular print, as `vitrine print` does with these options. Returns its report.
-
-        The command runs by itself: settings of the session have no effect on it.
-        """
-        with tempfile.TemporaryDirectory(prefix="vitrine-") as folder:
-            report = os.path.join(folder, "report.json")
-            self.command("print", report=report, **options)
-            with builtins.open(report) as file:
-                return json.load(file)["report"]
 
     def command(self, name, *words, **options):
         """Runs a command of the program and returns its standard output: sixteen_bit=True stands for --sixteen-bit."""

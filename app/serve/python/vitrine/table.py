@@ -2,7 +2,7 @@
 
 
 def table(answer):
-    """The rows of an answer: of study, compare, a job, print, or render with frame_report=True."""
+    """The rows of an answer: of study, compare, another job, or render with frame_report=True."""
     if "frame_report" in answer:
         answer = answer["frame_report"]
     if "points" in answer:
@@ -13,9 +13,7 @@ def table(answer):
         return [{"label": f["label"], "value": f["value"], "unit": f.get("unit", "")} for f in answer["facts"]]
     if "ran" in answer:
         return [_pass(entry, True) for entry in answer["ran"]] + [_pass(entry, False) for entry in answer["skipped"]]
-    if "pixelsPerLens" in answer:  # The report of a print: one row.
-        return [{key: value for key, value in answer.items() if not isinstance(value, (dict, list))}]
-    raise ValueError("this answer has no rows; give one of study, compare, a job, print, or render with frame_report=True")
+    raise ValueError("this answer has no rows; give one of study, compare, another job, or render with frame_report=True")
 
 
 def _point(point):

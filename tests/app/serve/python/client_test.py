@@ -205,7 +205,8 @@ class TableTest(unittest.TestCase):
             vitrine.table({"files": [], "facts": facts}),
             [{"label": "Frames", "value": 12, "unit": ""}, {"label": "Size", "value": 2.5, "unit": "MB"}],
         )
-        self.assertEqual(vitrine.table({"pixelsPerLens": 4.5, "warnings": []}), [{"pixelsPerLens": 4.5}])
+        fact = {"label": "Pixels per lens", "value": 4.5}
+        self.assertEqual(vitrine.table({"facts": [fact], "notes": []}), [{**fact, "unit": ""}])
         with self.assertRaisesRegex(ValueError, "no rows"):
             vitrine.table({"values": {}})
 

@@ -77,6 +77,7 @@ class ServedTest(unittest.TestCase):
             "record": {"exhibit": "fur", "seconds": 1, "out": self.folder / "a.mp4", **job},
             "sprite": {"out": self.folder / "sprite.png", **job},
             "mesh": {"scene": SCENE, "out": self.folder / "mesh.glb", **job},
+            "print": {"views": [a, b], "width_mm": 10, "height_mm": 6, "lpi": 60, "out": self.folder / "p.tif", **job},
             "proof": {"print": self.print_file(), "angle": 0, "out": self.folder / "proof.png", **job},
         }
         self.assertEqual(set(self.v.methods) - set(calls), set(), "give these methods a call here")
@@ -100,10 +101,11 @@ class ServedTest(unittest.TestCase):
         self.report = self.v.print(views=views, out=out, width_mm=10, height_mm=6, dpi=300, lpi=60)
         return out
 
-    def test_a_print_answers_its_report_as_a_row(self):
-        self.print_file()
-        row = vitrine.table(self.report)[0]
-        self.assertGreater(row["pixelsPerLens"], 0)
+    def test_a_print_answers_its_facts_as_rows(self):
+        out = self.print_file()
+        values = {row["label"]: row["value"] for row in vitrine.table(self.report)}
+        self.assertAlmostEqual(values["Pixels per lens"], 5)
+        self.assertEqual(self.report["files"], [str(out), str(out) + ".json"])
         with self.assertRaisesRegex(vitrine.RequestError, "nowhere.png"):
             views = ["/nowhere.png", "/nowhere.png"]
             self.v.print(views=views, out=self.folder / "x.png", width_mm=10, height_mm=6, dpi=300, lpi=60)

@@ -6,21 +6,17 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <vector>
 
-namespace vitrine::app {
-
-/// Returns the possible extensions of views, the usual one first: "png", "jpg".
-[[nodiscard]] std::vector<std::string> viewFormats();
+namespace vitrine::jobs {
 
 /// Folder of views that is either complete or absent: views are written into a subfolder, and moved out of it together
 /// at the end.
 class ViewFolder {
 public:
-    /// `extension` is one of `viewFormats`; `count` is the number of views. Creates the folder if it is missing, but
-    /// not its parents. Removes unfinished views of killed processes of this machine. Throws Failure (ErrorKind::file)
-    /// if the folder cannot be created, or contains other pictures with names of views, which would be mistaken for
-    /// views.
+    /// `extension` is one of `printing::viewFormats`; `count` is the number of views. Creates the folder if it is
+    /// missing, but not its parents. Removes unfinished views of killed processes of this machine. Throws Failure
+    /// (ErrorKind::file) if the folder cannot be created, or contains other pictures with names of views, which would
+    /// be mistaken for views.
     ViewFolder(std::filesystem::path, std::string extension, int count);
     /// Removes views that were not published.
     ~ViewFolder();
@@ -43,4 +39,4 @@ private:
     bool made_ = false;  ///< The folder is new, and empty as long as nothing is published.
 };
 
-}  // namespace vitrine::app
+}  // namespace vitrine::jobs

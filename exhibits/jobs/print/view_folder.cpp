@@ -1,17 +1,16 @@
-#include "app/print/view_folder.h"
+#include "exhibits/jobs/print/view_folder.h"
 
+#include "exhibits/printing/print_table.h"
 #include "exhibits/printing/view_files.h"
 #include "render/failure.h"
 #include "render/image/image_io.h"
 
 #include <algorithm>
 
-namespace vitrine::app {
+namespace vitrine::jobs {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int viewBits = 8;  // Per channel.
 
 [[noreturn]] void refuse(const fs::path& folder, const std::string& why)
 {
@@ -31,13 +30,6 @@ void clearViews(const fs::path& folder)
 }
 
 }  // namespace
-
-std::vector<std::string> viewFormats()
-{
-    std::vector<std::string> names;
-    for (const std::string_view ending : render::writtenEndings(viewBits)) names.emplace_back(ending);
-    return names;
-}
 
 ViewFolder::ViewFolder(fs::path folder, std::string extension, int count)
     : folder_(std::move(folder)), part_(folder_ / (".views" + render::partSuffix())), unfinished_(part_),
@@ -79,7 +71,7 @@ std::string ViewFolder::nameOf(int k) const
 void ViewFolder::add(int k, const render::Image& image, const std::string& preset)
 {
     const fs::path file = part_ / nameOf(k);
-    render::writePicture(file, image, render::writtenFormat(file, viewBits).value(), {.preset = preset});
+    render::writePicture(file, image, render::writtenFormat(file, printing::viewBits).value(), {.preset = preset});
 }
 
 void ViewFolder::publish()
@@ -95,4 +87,4 @@ void ViewFolder::publish()
     made_ = false;
 }
 
-}  // namespace vitrine::app
+}  // namespace vitrine::jobs
