@@ -77,10 +77,10 @@ int parseAndRun(int argc, char** argv)
     vitrine::app::addCompareCommand(parser, chosen);
     vitrine::app::addCompareSettingsCommand(parser, chosen);
     vitrine::app::addCompareStudiesCommand(parser, chosen);
+    vitrine::app::addShaderCommand(parser, chosen);
     vitrine::app::addJobCommands(parser, chosen);
     vitrine::app::addMergeCommand(parser, chosen, runWords);
     vitrine::app::addSceneCommand(parser, chosen);
-    vitrine::app::addShaderCommand(parser, chosen);
     vitrine::app::addServeCommand(parser, chosen);
     vitrine::app::addDoctorCommand(parser, chosen);
     takeLanguageEverywhere(parser, language);

@@ -6,6 +6,7 @@
 #include "exhibits/jobs/proof/proof_job.h"
 #include "exhibits/jobs/quilt/quilt_job.h"
 #include "exhibits/jobs/record/record_job.h"
+#include "exhibits/jobs/shader/shader_job.h"
 #include "exhibits/jobs/sprite/sprite_job.h"
 #include "exhibits/jobs/study/study_job.h"
 
@@ -25,6 +26,7 @@ const std::vector<std::unique_ptr<const Job>>& allJobs()
         all.push_back(std::make_unique<QuiltJob>());
         all.push_back(std::make_unique<SpriteJob>());
         all.push_back(std::make_unique<MeshJob>());
+        all.push_back(std::make_unique<ShaderJob>());
         return all;
     }();
     return jobs;

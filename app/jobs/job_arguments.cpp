@@ -25,7 +25,7 @@ std::string extensionsText(const jobs::Job& job)
 
 std::string commandName(const jobs::Job& job)
 {
-    return "vitrine " + std::string(job.name());
+    return "vitrine " + std::string(job.command());
 }
 
 [[noreturn]] void refuseMissing(const jobs::Job& job, const std::string& option)
@@ -66,6 +66,13 @@ jobs::JobScene sceneOf(const CLI::App& command, const jobs::Job& job, const JobA
     if (!needs.choosesSubject()) options.subject = needs.subject;
     if (options.subject.empty() && like) options.subject = like->chosen;
     if (options.subject.empty()) refuseMissing(job, "exhibit");
+    if (const auto& [exhibit, row] = needs.fileOf; !exhibit.empty() && !museum.find(options.subject)) {
+        std::error_code error;
+        if (std::filesystem::is_regular_file(options.subject, error)) {
+            options.sets.insert(options.sets.begin(), std::string(row) + '=' + options.subject);
+            options.subject = exhibit;
+        }
+    }
     RequestedPicture picture;
     if (needs.anyScene) {
         refuseUselessSceneOptions(command, options);
@@ -123,7 +130,12 @@ void addJobArguments(CLI::App& command, const jobs::Job& job, JobArguments& type
         if (CLI::Option* samples = command.get_option_no_throw("--samples")) command.remove_option(samples);
     } else if (needs.hasScene()) {
         const std::string subject(needs.anySettings ? "the exhibit" : needs.subject);
-        if (needs.anySettings) command.add_option("exhibit", typed.scene.subject, "Name of an exhibit, or hall");
+        const bool takesFile = !needs.fileOf.first.empty();
+        if (needs.anySettings)
+            command.add_option("exhibit", typed.scene.subject,
+                               takesFile
+                                   ? "Name of an exhibit, or a file that " + std::string(needs.fileOf.first) + " shows"
+                                   : "Name of an exhibit, or hall");
         command.add_option("--preset", typed.scene.preset,
                            "Preset of " + subject + ": the name of a shipped one, or a file");
         command.add_option("--set", typed.scene.sets, "Value of a parameter of " + subject + ", name=value")

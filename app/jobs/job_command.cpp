@@ -55,13 +55,23 @@ int runTyped(const CLI::App& command, const jobs::Job& job, const TypedJob& type
     return plan.refusal.empty() ? 0 : static_cast<int>(ErrorKind::usage);
 }
 
+/// Adds the command of a job. That of "shader export" belongs to the group "shader".
+CLI::App* addCommand(CLI::App& parser, const jobs::Job& job)
+{
+    const std::string words(job.command());
+    const std::size_t blank = words.find(' ');
+    CLI::App* group = blank == std::string::npos ? &parser : parser.get_subcommand(words.substr(0, blank));
+    return group->add_subcommand(blank == std::string::npos ? words : words.substr(blank + 1),
+                                 std::string(job.summary()));
+}
+
 }  // namespace
 
 void addJobCommands(CLI::App& parser, Action& chosen)
 {
     for (const auto& each : jobs::allJobs()) {
         const jobs::Job& job = *each;
-        CLI::App* command = parser.add_subcommand(std::string(job.name()), std::string(job.summary()));
+        CLI::App* command = addCommand(parser, job);
         auto typed = std::make_shared<TypedJob>();
         addJobArguments(*command, job, typed->arguments);
         command->add_flag("--json", typed->asJson, "Print the outcome as JSON");

@@ -4,7 +4,7 @@
 
 namespace vitrine::app {
 
-/// Adds a command for each job, with an option for each of its parameters.
+/// Adds a command for each job, with an option for each of its parameters. Groups of commands must be there.
 void addJobCommands(CLI::App&, Action& chosen);
 
 }  // namespace vitrine::app

@@ -2,6 +2,7 @@
 
 #include "exhibits/framework/scene/dragged_rows.h"
 #include "exhibits/framework/scene/exhibit.h"
+#include "exhibits/framework/scene/stands_alone.h"
 #include "exhibits/framework/scene/tree.h"
 #include "exhibits/sdf_scenes/sdf_scenes_table.h"
 #include "exhibits/sdf_scenes/shown_scene.h"
@@ -11,14 +12,15 @@
 namespace vitrine {
 
 /// A scene of SDF shapes from a file, seen through a deep frame, with more than 25 public functions because it
-/// implements five capabilities. Its tree is compiled to a shader of its own; its parameters become sliders. Read
+/// implements six capabilities. Its tree is compiled to a shader of its own; its parameters become sliders. Read
 /// scene.h first, then shown_scene.h (data derived once per scene) and shaders/sdf_scenes/scene.frag.
 class SdfScenes final : public Exhibit,
                         public HasButton,
                         public HasSurroundings,
                         public TableFromFiles,
                         public HasDraggedRows,
-                        public HasTree {
+                        public HasTree,
+                        public StandsAlone {
 public:
     using Table = SdfScenesTable;
 
@@ -70,6 +72,10 @@ public:
     [[nodiscard]] DocumentPlace document(const ParameterValues&) const override;
     [[nodiscard]] std::string documentText(const ParameterValues&) const override;
     [[nodiscard]] bool isDocument(const std::string& text) const override;
+
+    // StandsAlone
+    [[nodiscard]] ParameterValues standAloneValues(const ParameterValues&) const override;
+    [[nodiscard]] StandAloneNumbers standAloneNumbers(const ParameterValues&) const override;
 
 private:
     /// Returns the scene of the values' table; the first scene if that has none.

@@ -183,6 +183,8 @@ private:
         input.initial = numbers(input, json, "DEFAULT", count);
         if (const Json& exact = member(json, "EXACT"); exact.is_number() && count == 1)
             input.exact = exact.get<double>();
+        // A key of our own, which other hosts ignore: the unit in which the slider shows the number.
+        if (count == 1 && textOf(member(json, "UNIT")).size() <= 8) input.unit = textOf(member(json, "UNIT"));
         const bool lacksRange = input.low.empty() || input.high.empty();
         if (input.low.empty()) input.low.assign(count, 0);
         if (input.high.empty()) input.high.assign(count, 1);

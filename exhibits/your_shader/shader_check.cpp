@@ -33,7 +33,10 @@ Message tooLarge(const ProgramCounts& counts)
 /// Translates the passes of one shader. Passes with the same text share their program.
 class Translation {
 public:
-    Translation(CheckedShader& checked, ShaderCompiler& compiler) : checked_(checked), compiler_(compiler) {}
+    Translation(CheckedShader& checked, ShaderCompiler& compiler, bool forWeb = false)
+        : checked_(checked), compiler_(compiler), forWeb_(forWeb)
+    {
+    }
 
     void run()
     {
@@ -56,7 +59,7 @@ private:
     }
     bool translate(const PassText& text, const Pass& pass)
     {
-        ShaderCompiler::Result result = compiler_.compile({text.vertex, text.fragment}, end_);
+        ShaderCompiler::Result result = compiler_.compile({text.vertex, text.fragment, forWeb_}, end_);
         if (!result.problem.empty()) return fail(pass, std::move(result.problem));
         CompilerAnswer& answer = result.answer;
         if (!answer.log.empty()) {
@@ -65,6 +68,8 @@ private:
             return false;
         }
         if (Message why = tooLarge(answer.counts); !why.empty()) return fail(pass, std::move(why));
+        if (!answer.problem.empty() && forWeb_)
+            return fail(pass, message("WebGL 2 has no program like this: {1}", answer.problem.substr(0, 200)));
         if (!answer.problem.empty())
             return fail(pass, message("The shader cannot be translated: {1}; make it simpler.", answer.problem));
         PassProgram program{withLoopGuard(answer.vertex), withLoopGuard(answer.fragment), answer.counts};
@@ -76,6 +81,7 @@ private:
 
     CheckedShader& checked_;
     ShaderCompiler& compiler_;
+    const bool forWeb_;
     const std::chrono::steady_clock::time_point end_ = std::chrono::steady_clock::now() + ShaderCompiler::mostTime;
     std::map<std::string, PassProgram> done_;
 };
@@ -88,6 +94,13 @@ CheckedShader translate(ReadShader read, ShaderCompiler& compiler)
         .shader = std::move(read.shader), .errors = std::move(read.errors), .fileRead = read.fileRead};
     if (checked.shader) Translation(checked, compiler).run();
     return checked;
+}
+
+WebPrograms translateForWeb(std::shared_ptr<const Shader> shader, ShaderCompiler& compiler)
+{
+    CheckedShader checked{.shader = std::move(shader), .programs = {}, .errors = {}};
+    Translation(checked, compiler, true).run();
+    return {std::move(checked.programs), std::move(checked.errors)};
 }
 
 CheckedShader checkShaderFile(const std::filesystem::path& path, ShaderCompiler& compiler)

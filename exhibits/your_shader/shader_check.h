@@ -29,6 +29,14 @@ struct CheckedShader {
 /// Translates a shader that was read: the passes become programs with a guard in every loop.
 [[nodiscard]] CheckedShader translate(ReadShader, ShaderCompiler&);
 
+/// Programs of a shader in GLSL ES 3.00, one for each pass, or the errors why there are none.
+struct WebPrograms {
+    std::vector<PassProgram> programs;
+    std::vector<Finding> errors;
+};
+/// The same for WebGL 2.
+[[nodiscard]] WebPrograms translateForWeb(std::shared_ptr<const Shader>, ShaderCompiler&);
+
 /// Reads and translates a file, and looks for the pictures that it names. Its errors are those that keep it from being
 /// drawn.
 [[nodiscard]] CheckedShader checkShaderFile(const std::filesystem::path&, ShaderCompiler&);

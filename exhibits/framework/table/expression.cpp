@@ -1,5 +1,6 @@
 #include "exhibits/framework/table/expression.h"
 
+#include "exhibits/framework/table/written_expression.h"
 #include "render/files/number_text.h"
 
 #include <algorithm>
@@ -29,7 +30,16 @@ struct Dimension {
 struct Quantity {
     Number value = 0;  // In SI if it has a dimension.
     Dimension dimension;
+    std::string glsl = {};  // The same as GLSL, for `writtenExpression`; else empty.
 };
+
+/// Returns the number as a GLSL float.
+std::string floatOf(Number value)
+{
+    std::string text = render::shortestNumber(static_cast<double>(static_cast<float>(value)));
+    if (text.find_first_of(".e") == std::string::npos) text += ".0";
+    return text;
+}
 
 struct UnitWord {
     std::string_view word;
@@ -154,9 +164,24 @@ public:
     /// Binding of a unit after a division: "1/50 s" is 1/(50 s), or (1/50) s.
     enum class Suffix : std::uint8_t { divisor, quotient };
 
-    Parser(std::string_view text, Unit unit, Suffix suffix, const ExpressionNames* names)
-        : text_(text), unit_(unit), suffix_(suffix), names_(names)
+    /// `written`: the names' values as GLSL, if that is wanted; else null.
+    Parser(std::string_view text, Unit unit, Suffix suffix, const ExpressionNames* names,
+           const WrittenNames* written = nullptr)
+        : text_(text), unit_(unit), suffix_(suffix), names_(names), written_(written)
     {
+    }
+
+    /// Returns the value as GLSL.
+    std::optional<std::string> writtenResult()
+    {
+        std::optional<Quantity> q = sum();
+        skipBlanks();
+        if (!q || at_ != text_.size()) return std::nullopt;
+        const Dimension wanted = dimensionOf(unit_);
+        if (q->dimension == Dimension{}) return inSi(*q).glsl;
+        const bool fits =
+            q->dimension == wanted || (unit_ == Unit::none && q->dimension == Dimension{Measure::ratio, 1});
+        return fits ? std::optional(q->glsl) : std::nullopt;
     }
 
     std::optional<double> result()
@@ -183,6 +208,21 @@ private:
         // The result equals the value that a slider stores, bit for bit.
         if (static_cast<Number>(rounded) == value) return stored(rounded, unit_);
         return static_cast<double>(value / static_cast<Number>(info(unit_).shownPerStored));
+    }
+
+    /// Returns a plain number, which is in the shown unit, in SI.
+    Quantity inSi(const Quantity& plain) const
+    {
+        const double factor = 1 / info(unit_).shownPerStored;
+        return {fromShown(plain.value), dimensionOf(unit_), factor == 1 ? plain.glsl : scaled(plain.glsl, factor)};
+    }
+    [[nodiscard]] std::string scaled(const std::string& glsl, Number factor) const
+    {
+        return written_ ? '(' + glsl + " * " + floatOf(factor) + ')' : std::string();
+    }
+    [[nodiscard]] std::string joined(const std::string& a, const char* sign, const std::string& b) const
+    {
+        return written_ ? '(' + a + sign + b + ')' : std::string();
     }
 
     void skipBlanks()
@@ -219,6 +259,7 @@ private:
             std::optional<Quantity> right = product();
             if (!right || !sameDimension(*left, *right)) return std::nullopt;
             left->value += plus ? right->value : -right->value;
+            left->glsl = joined(left->glsl, plus ? " + " : " - ", right->glsl);
         }
         return left;
     }
@@ -230,7 +271,7 @@ private:
         Quantity& plain = a.dimension == Dimension{} ? a : b;
         const Quantity& other = &plain == &a ? b : a;
         if (plain.dimension != Dimension{} || other.dimension != dimensionOf(unit_)) return false;
-        plain = {fromShown(plain.value), other.dimension};
+        plain = {fromShown(plain.value), other.dimension, inSi(plain).glsl};
         return true;
     }
 
@@ -245,7 +286,9 @@ private:
             const std::optional<Quantity> right = power();
             keepSuffix_ = false;
             if (!right) return std::nullopt;
+            const std::string glsl = joined(left->glsl, times ? " * " : " / ", right->glsl);
             left = times ? multiplied(*left, *right, 1) : multiplied(*left, {1 / right->value, right->dimension}, -1);
+            if (left) left->glsl = glsl;
             if (left && toQuotient) left = withSuffix(*left);
         }
         return left;
@@ -267,6 +310,7 @@ private:
         if (take("-")) {
             base = power();
             if (base) base->value = -base->value;
+            if (base && written_) base->glsl = "(-" + base->glsl + ')';
         } else if (take("+")) {
             base = power();
         } else {
@@ -276,6 +320,7 @@ private:
                 if (!exponent || exponent->dimension != Dimension{} || base->dimension != Dimension{})
                     return std::nullopt;
                 base->value = std::pow(base->value, exponent->value);
+                if (written_) base->glsl = "expressionPower(" + base->glsl + ", " + exponent->glsl + ')';
             }
         }
         --depth_;
@@ -297,7 +342,7 @@ private:
             if (const std::optional<NamedValue> named = name.empty() ? std::nullopt : (*names_)(name)) {
                 at_ += name.size();
                 const Number value = named->value;
-                return Quantity{value, dimensionOf(named->unit)};
+                return Quantity{value, dimensionOf(named->unit), written_ ? (*written_)(name)->glsl : std::string()};
             }
         }
         if (take("(")) {
@@ -328,7 +373,13 @@ private:
         }
         if (!take(")")) return std::nullopt;
         const std::array<Number, 3> values{given[0].value, given[1].value, given[2].value};
-        return Quantity{function.of(values.data()), function.keepsUnit ? given[0].dimension : Dimension{}};
+        std::string glsl;
+        if (written_) {
+            glsl = std::string(function.word) + '(' + given[0].glsl;
+            for (std::size_t i = 1; i < function.arguments; ++i) glsl += ", " + given[i].glsl;
+            glsl += ')';
+        }
+        return Quantity{function.of(values.data()), function.keepsUnit ? given[0].dimension : Dimension{}, glsl};
     }
 
     std::optional<Quantity> number()
@@ -340,7 +391,7 @@ private:
         const std::from_chars_result end = std::from_chars(rest.data(), rest.data() + rest.size(), x);
         if (end.ec != std::errc()) return std::nullopt;
         at_ += static_cast<std::size_t>(end.ptr - rest.data());
-        return Quantity{x, {}};
+        return Quantity{x, {}, written_ ? floatOf(x) : std::string()};
     }
 
     /// Parses what may follow a number: "2 pi", "30 deg", "2 pi rad".
@@ -350,13 +401,14 @@ private:
         if (const std::optional<Number> constant = findConstant(word)) {
             at_ += word.size();
             q.value *= *constant;
+            q.glsl = scaled(q.glsl, *constant);
             word = peekWord();
         }
         if (word.empty()) return q;
         const UnitWord* unit = findUnit(word);
         if (!unit || q.dimension != Dimension{}) return std::nullopt;
         at_ += word.size();
-        return Quantity{q.value * unit->inSi, unit->dimension};
+        return Quantity{q.value * unit->inSi, unit->dimension, unit->inSi == 1 ? q.glsl : scaled(q.glsl, unit->inSi)};
     }
 
     /// Parses "pi", or a unit that stands for 1 of it, as in "2/m".
@@ -365,18 +417,19 @@ private:
         const std::string_view word = peekWord();
         if (const std::optional<Number> constant = findConstant(word)) {
             at_ += word.size();
-            return withSuffix({*constant, {}});
+            return withSuffix({*constant, {}, written_ ? floatOf(*constant) : std::string()});
         }
         const UnitWord* unit = findUnit(word);
         if (!unit) return std::nullopt;
         at_ += word.size();
-        return Quantity{unit->inSi, unit->dimension};
+        return Quantity{unit->inSi, unit->dimension, written_ ? floatOf(unit->inSi) : std::string()};
     }
 
     std::string_view text_;
     Unit unit_;
     Suffix suffix_;
     const ExpressionNames* names_;
+    const WrittenNames* written_;
     bool keepSuffix_ = false;  // The next atom leaves its unit to the quotient.
     std::size_t at_ = 0;
     int depth_ = 0;
@@ -396,6 +449,18 @@ std::optional<double> evaluateWith(std::string_view text, Unit unit, const Expre
 }
 
 }  // namespace
+
+std::optional<std::string> writtenExpression(std::string_view text, Unit unit, const WrittenNames& written)
+{
+    // The values do not decide how a text is read, except for names without one.
+    const ExpressionNames names = [&](std::string_view name) -> std::optional<NamedValue> {
+        const std::optional<WrittenValue> known = written(name);
+        return known ? std::optional(NamedValue{1, known->unit}) : std::nullopt;
+    };
+    using Suffix = Parser::Suffix;
+    const std::optional<std::string> glsl = Parser(text, unit, Suffix::divisor, &names, &written).writtenResult();
+    return glsl ? glsl : Parser(text, unit, Suffix::quotient, &names, &written).writtenResult();
+}
 
 std::optional<double> evaluate(std::string_view text, Unit unit)
 {

@@ -19,12 +19,16 @@ std::string settingText(const ParameterInfo& parameter, const Value& value)
 
 std::vector<std::string> commandOf(const Job& job, const JobOrder& order)
 {
-    std::vector<std::string> words{std::string(job.name())};
+    const std::string_view command = job.command();
+    const std::size_t blank = command.find(' ');
+    std::vector<std::string> words{std::string(command.substr(0, blank))};
+    if (blank != std::string_view::npos) words.emplace_back(command.substr(blank + 1));
+    const auto exhibitAt = static_cast<std::ptrdiff_t>(words.size());
     for (std::string& word : wordsOf(order.values)) words.push_back(std::move(word));
     const JobScene& scene = order.scene;
     if (scene.museum && job.needs().anyScene) {
         const std::string option = job.needs().sceneByOption ? "--exhibit=" : "";
-        words.insert(words.begin() + 1, option + std::string(scene.museum->subject(scene.subject).name()));
+        words.insert(words.begin() + exhibitAt, option + std::string(scene.museum->subject(scene.subject).name()));
         if (scene.frame.alone) words.emplace_back("--alone");
         if (scene.frame.transparent && !job.parameters().find("transparent")) words.emplace_back("--transparent");
         for (std::string& word :
@@ -32,7 +36,7 @@ std::vector<std::string> commandOf(const Job& job, const JobOrder& order)
             words.push_back(std::move(word));
     } else if (scene.museum) {
         const bool any = job.needs().anySettings;
-        if (any) words.insert(words.begin() + 1, std::string(scene.museum->subject(scene.subject).name()));
+        if (any) words.insert(words.begin() + exhibitAt, std::string(scene.museum->subject(scene.subject).name()));
         for (std::size_t subject = 0; subject < scene.state.values.size(); ++subject) {
             if (!any && subject != scene.subject) continue;
             const ParameterValues& values = scene.state.values[subject];

@@ -61,6 +61,8 @@ struct JobNeeds {
     bool anyScene = false;
     /// Whether the job takes the settings of any exhibit or of the hall, and has views of its own.
     bool anySettings = false;
+    /// Exhibit, and its file parameter, that a path in place of an exhibit's name sets. Empty: only names are allowed.
+    std::pair<std::string_view, std::string_view> fileOf = {};
     /// Extensions of the output, the usual one first: "png". Empty: the output is a folder.
     std::vector<std::string_view> extensions = {};
     /// Whether the exhibit is an option (`--exhibit`) that may be left out, because the job also works without a scene.
@@ -210,6 +212,8 @@ public:
 
     /// Returns the name of its command, also used in documents: "sprite".
     [[nodiscard]] virtual std::string_view name() const = 0;
+    /// Returns the words of its command: those of a group of commands and one of it, or the name.
+    [[nodiscard]] virtual std::string_view command() const { return name(); }
     /// Returns the title of its dialog: "Export sprites".
     [[nodiscard]] virtual std::string_view title() const = 0;
     /// Returns what it makes, as an entry of a list: "Sprites".

@@ -109,8 +109,22 @@ OwnedShader parsed(const std::string& text, glslang_stage_t stage, std::string& 
     return nullptr;
 }
 
+/// Sets the dialect that SPIRV-Cross writes.
+bool setDialect(spvc_compiler_options options, bool forWeb)
+{
+    const auto set = [&](spvc_compiler_option option) {
+        return spvc_compiler_options_set_bool(options, option, SPVC_TRUE) == SPVC_SUCCESS;
+    };
+    const unsigned version = forWeb ? 300 : 450;
+    return spvc_compiler_options_set_uint(options, SPVC_COMPILER_OPTION_GLSL_VERSION, version) == SPVC_SUCCESS &&
+           set(SPVC_COMPILER_OPTION_FORCE_ZERO_INITIALIZED_VARIABLES) &&
+           (!forWeb ||
+            (set(SPVC_COMPILER_OPTION_GLSL_ES) && set(SPVC_COMPILER_OPTION_GLSL_ES_DEFAULT_FLOAT_PRECISION_HIGHP) &&
+             set(SPVC_COMPILER_OPTION_GLSL_ES_DEFAULT_INT_PRECISION_HIGHP)));
+}
+
 /// Returns the GLSL that SPIRV-Cross makes, or an empty text and the reason.
-std::string crossed(std::span<const std::uint32_t> words, std::string& problem)
+std::string crossed(std::span<const std::uint32_t> words, bool forWeb, std::string& problem)
 {
     spvc_context context = nullptr;
     if (spvc_context_create(&context) != SPVC_SUCCESS) throw std::bad_alloc();
@@ -122,9 +136,7 @@ std::string crossed(std::span<const std::uint32_t> words, std::string& problem)
                       spvc_context_create_compiler(context, SPVC_BACKEND_GLSL, ir, SPVC_CAPTURE_MODE_TAKE_OWNERSHIP,
                                                    &compiler) == SPVC_SUCCESS &&
                       spvc_compiler_create_compiler_options(compiler, &options) == SPVC_SUCCESS &&
-                      spvc_compiler_options_set_uint(options, SPVC_COMPILER_OPTION_GLSL_VERSION, 450) == SPVC_SUCCESS &&
-                      spvc_compiler_options_set_bool(options, SPVC_COMPILER_OPTION_FORCE_ZERO_INITIALIZED_VARIABLES,
-                                                     SPVC_TRUE) == SPVC_SUCCESS &&
+                      setDialect(options, forWeb) &&
                       spvc_compiler_install_compiler_options(compiler, options) == SPVC_SUCCESS &&
                       spvc_compiler_compile(compiler, &text) == SPVC_SUCCESS;
     std::string result = good ? text : "";
@@ -144,7 +156,7 @@ std::span<const std::uint32_t> spirvOf(glslang_program_t* program, glslang_stage
     return before < words.size() && words[before] == magic ? words.subspan(before) : words;
 }
 
-std::string translated(glslang_program_t* program, glslang_stage_t stage, CompilerAnswer& answer)
+std::string translated(glslang_program_t* program, glslang_stage_t stage, bool forWeb, CompilerAnswer& answer)
 {
     const std::span<const std::uint32_t> words = spirvOf(program, stage);
     const ProgramCounts counts = spirvCounts(words);
@@ -154,7 +166,7 @@ std::string translated(glslang_program_t* program, glslang_stage_t stage, Compil
     answer.counts.recursive = answer.counts.recursive || counts.recursive;
     // A program that is refused for its size would take as long here as in a driver.
     if (answer.counts.areTooLarge()) return "";
-    return crossed(words, answer.problem);
+    return crossed(words, forWeb, answer.problem);
 }
 
 CompilerAnswer answerTo(const CompilerRequest& request)
@@ -172,8 +184,8 @@ CompilerAnswer answerTo(const CompilerRequest& request)
         answer.log += glslang_program_get_info_log(program.get());
         return answer;
     }
-    answer.vertex = translated(program.get(), GLSLANG_STAGE_VERTEX, answer);
-    answer.fragment = translated(program.get(), GLSLANG_STAGE_FRAGMENT, answer);
+    answer.vertex = translated(program.get(), GLSLANG_STAGE_VERTEX, request.forWeb, answer);
+    answer.fragment = translated(program.get(), GLSLANG_STAGE_FRAGMENT, request.forWeb, answer);
     return answer;
 }
 

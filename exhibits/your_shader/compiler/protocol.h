@@ -18,6 +18,7 @@ inline constexpr int outOfMemoryCode = 12;
 /// Shader source that the compiler process translates.
 struct CompilerRequest {
     std::string vertex, fragment;  ///< GLSL 4.50; `#line` names files by number.
+    bool forWeb = false;           ///< The answer is GLSL ES 3.00, which WebGL 2 reads.
 };
 
 /// Limits of a program, counted in SPIR-V before a driver sees it.
@@ -42,7 +43,7 @@ struct ProgramCounts {
 };
 
 struct CompilerAnswer {
-    std::string vertex, fragment;  ///< GLSL 4.50 of SPIRV-Cross; empty after an error, and if too large.
+    std::string vertex, fragment;  ///< GLSL of SPIRV-Cross; empty after an error, and if too large.
     std::string log;               ///< Errors of glslang, a line each.
     std::string problem;           ///< Error of SPIRV-Cross; empty if there is none.
     ProgramCounts counts;
@@ -96,6 +97,7 @@ private:
     MessageWriter writer;
     writer.put(request.vertex);
     writer.put(request.fragment);
+    writer.put(std::uint64_t{request.forWeb});
     return writer.bytes();
 }
 
@@ -105,6 +107,7 @@ private:
     CompilerRequest request;
     request.vertex = reader.text();
     request.fragment = reader.text();
+    request.forWeb = reader.number() != 0;
     if (!reader.good()) return std::nullopt;
     return request;
 }

@@ -1,0 +1,325 @@
+// SDF scenes without the program: the numbers of a scene as GLSL, computed from its parameters and the time.
+
+#include "exhibits/framework/table/written_expression.h"
+#include "exhibits/sdf_scenes/glsl_expression.h"
+#include "exhibits/sdf_scenes/scene_glsl.h"
+#include "exhibits/sdf_scenes/sdf_scenes.h"
+#include "render/failure.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine {
+namespace {
+
+using scenes::Node;
+using scenes::NodeKind;
+using scenes::none;
+using scenes::Number;
+using scenes::NumberExpression;
+using scenes::ProgramNode;
+using scenes::Scene;
+using scenes::SceneConstants;
+using scenes::SceneProgram;
+
+constexpr const char* sceneFunctions = R"(
+// Rotation around z, then y, then x.
+mat3 sceneTurn(vec3 angles)
+{
+    vec3 c = cos(angles), s = sin(angles);
+    mat3 x = mat3(1.0, 0.0, 0.0, 0.0, c.x, s.x, 0.0, -s.x, c.x);
+    mat3 y = mat3(c.y, 0.0, -s.y, 0.0, 1.0, 0.0, s.y, 0.0, c.y);
+    mat3 z = mat3(c.z, s.z, 0.0, -s.z, c.z, 0.0, 0.0, 0.0, 1.0);
+    return x * y * z;
+}
+
+float expressionPower(float x, float y)
+{
+    float power = pow(abs(x), y);
+    return x < 0.0 && mod(floor(y + 0.5), 2.0) > 0.5 ? -power : power;
+}
+
+vec3 sceneDirection(vec3 d)
+{
+    return length(d) > 0.0 ? normalize(d) : vec3(0.0, 1.0, 0.0);
+}
+)";
+
+/// Writes the words of a scene's program that depend on its parameters or on the time.
+class SceneNumberWriter {
+public:
+    /// `moment`: seconds of the scene when the shader's time is 0.
+    SceneNumberWriter(const scenes::ShownScene& shown, double moment, const std::vector<double>& numbers)
+        : scene_(*shown.scene), program_(*shown.program), moment_(moment), numbers_(numbers),
+          words_(program_.words(numbers)), isFolded_(program_.wordCount(), 1)
+    {
+    }
+
+    StandAloneNumbers write()
+    {
+        StandAloneNumbers result;
+        for (const scenes::SceneParameter& parameter : scene_.parameters())
+            result.inputs.push_back(
+                {parameter.name, parameter.name, parameter.unit, parameter.initial, parameter.low, parameter.high});
+        for (std::uint32_t m = 0; m < scene_.materials.size(); ++m) writeMaterial(m, result);
+        for (const ProgramNode& node : program_.nodes()) writeNode(node);
+        if (anyNode_) writeRanges();
+        const auto varies = [&](const scenes::Record& record) {
+            return anyVaries(record.numbers, numbersOfRecord(record));
+        };
+        if (varies(scene_.camera) || varies(scene_.environment) || varies(scene_.look) ||
+            std::any_of(scene_.lights.begin(), scene_.lights.end(), varies))
+            result.notes.push_back(message("Camera, lights and surroundings stay as they are now; shapes and materials "
+                                           "follow the inputs."));
+        result.functions = sceneFunctions;
+        result.assignments = std::move(lines_);
+        result.assigned = {"sceneValues"};
+        result.sources = scenes::generatedSources(
+            scenes::restingSceneGlsl(program_, words_, isFolded_, {"sdf_scenes/stage_block.glsl", "SceneStage stage"}));
+        return result;
+    }
+
+    /// Returns the box around all samples; empty if no node varies.
+    [[nodiscard]] const render::Box& box() const { return box_; }
+
+private:
+    [[nodiscard]] bool varies(std::uint32_t number) const { return scene_.numbers[number].expression != none; }
+    [[nodiscard]] bool anyVaries(std::uint32_t first, std::size_t count) const
+    {
+        for (std::size_t i = 0; i < count && first != none; ++i)
+            if (varies(first + static_cast<std::uint32_t>(i))) return true;
+        return false;
+    }
+    static std::size_t numbersOfRecord(const scenes::Record& record)
+    {
+        std::size_t count = 0;
+        for (const scenes::Field& field : record.kind->fields) count += scenes::numbersOf(field.type);
+        return count;
+    }
+
+    /// Returns a number of the scene as GLSL.
+    [[nodiscard]] std::string number(std::uint32_t index) const
+    {
+        if (!varies(index)) return scenes::floatLiteral(numbers_[index]);
+        const NumberExpression& expression = scene_.expressions[scene_.numbers[index].expression];
+        const std::vector<scenes::SceneParameter>& parameters = scene_.files[expression.file].parameters;
+        const WrittenNames names = [&](std::string_view name) -> std::optional<WrittenValue> {
+            if (name == "t") return WrittenValue{"(TIME + " + scenes::floatLiteral(moment_) + ')', Unit::none};
+            for (const scenes::SceneParameter& parameter : parameters)
+                if (parameter.name == name)
+                    return WrittenValue{expression.file == 0 ? '@' + parameter.name + '@'
+                                                             : scenes::floatLiteral(parameter.initial),
+                                        parameter.unit};
+            return std::nullopt;
+        };
+        std::optional<std::string> text = writtenExpression(expression.text, expression.unit, names);
+        if (!text)
+            throw Failure(ErrorKind::check,
+                          message("The expression “{1}” cannot be written as GLSL.", expression.text));
+        if (expression.whole) text = "floor(" + *text + " + 0.5)";
+        const bool isBounded = std::abs(expression.low) < 1e30 && std::abs(expression.high) < 1e30;
+        return isBounded ? "clamp(" + *text + ", " + scenes::floatLiteral(expression.low) + ", " +
+                               scenes::floatLiteral(expression.high) + ')'
+                         : *text;
+    }
+    [[nodiscard]] std::string vector(std::uint32_t first) const
+    {
+        return "vec3(" + number(first) + ", " + number(first + 1) + ", " + number(first + 2) + ')';
+    }
+    static std::string wordName(std::uint32_t at)
+    {
+        return "sceneValues[" + std::to_string(at / 4) + "]." + "xyzw"[at % 4];
+    }
+    void set(std::uint32_t word, const std::string& value)
+    {
+        isFolded_[word] = 0;
+        lines_ += "    " + wordName(word) + " = " + value + ";\n";
+    }
+    /// Sets the words of a vector or matrix that is computed once.
+    void setFrom(std::uint32_t word, const char* type, const std::string& value, int count)
+    {
+        const std::string name = "value" + std::to_string(word);
+        lines_ += "    " + std::string(type) + ' ' + name + " = " + value + ";\n";
+        for (int i = 0; i < count; ++i)
+            set(word + static_cast<std::uint32_t>(i),
+                count == 9 ? name + '[' + std::to_string(i / 3) + "][" + std::to_string(i % 3) + ']'
+                           : name + '[' + std::to_string(i) + ']');
+    }
+
+    void writeMaterial(std::uint32_t m, StandAloneNumbers& result)
+    {
+        const std::uint32_t word = program_.materialWord(m);
+        const scenes::Record& material = scene_.materials[m];
+        if (word == none || !anyVaries(material.numbers, numbersOfRecord(material))) return;
+        const bool isPhong = material.kind->name == "phong";
+        for (std::uint32_t i = 0; i < 3; ++i) set(word + i, number(material.numbers + i));
+        const std::size_t count = numbersOfRecord(material);
+        const std::uint32_t to = word + (isPhong ? 3 : 8);
+        for (std::uint32_t i = 3; i < count; ++i) {
+            if (!varies(material.numbers + i)) continue;
+            set(to + i - 3, number(material.numbers + i));
+            result.notes.push_back(
+                message("The material “{1}” follows its inputs in the look for which it is written.", material.name));
+        }
+        // A word is folded only together with its whole vector of four.
+        for (std::uint32_t i = 0; i < scenes::wordsOfMaterial; ++i)
+            if (isFolded_[word + i] != 0) set(word + i, scenes::floatLiteral(words_.words[word + i]));
+    }
+    void writeNode(const ProgramNode& node)
+    {
+        const Node& of = scene_.nodes[node.node];
+        std::uint32_t at = 0;
+        for (const scenes::Field& field : of.kind->fields) {
+            const auto count = static_cast<std::uint32_t>(scenes::numbersOf(field.type));
+            const bool isDirection = field.type == scenes::FieldType::direction;
+            if (isDirection && anyVaries(of.numbers + at, 3)) {
+                setFrom(node.numbers + at, "vec3", "sceneDirection(" + vector(of.numbers + at) + ')', 3);
+                anyNode_ = true;
+            }
+            for (std::uint32_t i = at; i < at + count && !isDirection; ++i) {
+                if (!varies(of.numbers + i)) continue;
+                set(node.numbers + i, number(of.numbers + i));
+                anyNode_ = true;
+            }
+            at += count;
+        }
+        for (std::uint32_t i = 0; i < 3 && node.translate != none; ++i) {
+            if (!varies(of.translate + i)) continue;
+            set(node.translate + i, number(of.translate + i));
+            anyNode_ = true;
+        }
+        if (node.rotate != none && anyVaries(of.rotate, 3)) {
+            setFrom(node.rotate, "mat3", "sceneTurn(" + vector(of.rotate) + ')', 9);
+            anyNode_ = true;
+        }
+        if (node.scale == none || !anyVaries(of.scale, 3)) return;
+        anyNode_ = true;
+        for (std::uint32_t i = 0; i < 3; ++i) set(node.scale + i, "1.0 / " + number(of.scale + i));
+        set(node.scale + 3,
+            "min(" + number(of.scale) + ", min(" + number(of.scale + 1) + ", " + number(of.scale + 2) + "))");
+    }
+
+    /// Sets what depends on the bounds of nodes to values that hold for many settings: the ends of all parameters, and
+    /// some in between, at several times.
+    void writeRanges()
+    {
+        const std::vector<std::vector<double>> samples = sampledWords();
+        for (const ProgramNode& node : program_.nodes()) {
+            const NodeKind& kind = program_.kind(node);
+            if (kind.form != scenes::Form::repeater) continue;
+            const auto w = static_cast<std::uint32_t>(node.numbers + kind.numbers());
+            const auto most = [&](std::uint32_t i) {
+                double value = samples[0][w + i];
+                for (const auto& each : samples) value = std::max(value, each[w + i]);
+                return value;
+            };
+            for (std::uint32_t i = 0; i < 7; ++i) keep(w + i, most(i));
+            for (const std::uint32_t first : {7U, 13U}) keepBox(w + first, samples);
+        }
+    }
+    void keep(std::uint32_t word, double value) { words_.words[word] = value; }
+    void keepBox(std::uint32_t word, const std::vector<std::vector<double>>& samples)
+    {
+        for (std::uint32_t axis = 0; axis < 3; ++axis) {
+            double low = 1e9, high = -1e9;
+            for (const auto& each : samples) {
+                low = std::min(low, each[word + axis] - each[word + axis + 3]);
+                high = std::max(high, each[word + axis] + each[word + axis + 3]);
+            }
+            keep(word + axis, 0.5 * (low + high));
+            keep(word + axis + 3, 0.5 * std::max(high - low, 0.0));
+        }
+    }
+    [[nodiscard]] std::vector<std::vector<double>> sampledWords();
+
+    const Scene& scene_;
+    const SceneProgram& program_;
+    const double moment_;
+    const std::vector<double>& numbers_;
+    SceneConstants words_;
+    std::vector<char> isFolded_;
+    std::string lines_;
+    bool anyNode_ = false;
+    render::Box box_{glm::dvec3(1e6), glm::dvec3(-1e6)};
+};
+
+std::vector<std::vector<double>> SceneNumberWriter::sampledWords()
+{
+    const std::vector<scenes::SceneParameter>& parameters = scene_.parameters();
+    std::vector<std::vector<double>> settings;
+    std::vector<double> present;
+    for (const scenes::SceneParameter& parameter : parameters) present.push_back(parameter.initial);
+    settings.push_back(present);
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+        for (const double end : {parameters[i].low, parameters[i].high}) {
+            settings.push_back(present);
+            settings.back()[i] = end;
+        }
+    // Further settings in between: a sequence without clumps (Roberts 2018), and corners.
+    constexpr double golden = 0.6180339887498949;
+    for (int k = 1; k <= 40; ++k) {
+        settings.emplace_back();
+        for (std::size_t i = 0; i < parameters.size(); ++i) {
+            const double share = std::fmod(k * std::pow(golden, static_cast<double>(i + 1)), 1.0);
+            const double at = k % 2 == 0 ? share : std::round(share);
+            settings.back().push_back(parameters[i].low + at * (parameters[i].high - parameters[i].low));
+        }
+    }
+    std::vector<std::vector<double>> samples;
+    for (std::size_t k = 0; k < settings.size(); ++k)
+        for (int time = 0; time < (scene_.animated() ? 4 : 1); ++time) {
+            const double t = moment_ + time * 7.3 + static_cast<double>(k) * 0.9;
+            SceneConstants made = program_.words(scene_.numbersAt(t, settings[k]));
+            if (!made.extents.empty()) {
+                box_.low = glm::min(box_.low, made.extents.front().box.low);
+                box_.high = glm::max(box_.high, made.extents.front().box.high);
+            }
+            samples.push_back(std::move(made.words));
+        }
+    return samples;
+}
+
+std::string boxLine(const char* name, const glm::dvec3& corner)
+{
+    std::string text = "    stage." + std::string(name) + " = vec3(";
+    for (int i = 0; i < 3; ++i) text += (i > 0 ? ", " : "") + scenes::floatLiteral(std::clamp(corner[i], -1e6, 1e6));
+    return text + ");\n";
+}
+
+}  // namespace
+
+ParameterValues SdfScenes::standAloneValues(const ParameterValues& values) const
+{
+    ParameterValues alone = values;
+    alone.set(table_.evaluation, SceneEvaluation::shapes);
+    alone.set(table_.split, false);
+    return alone;
+}
+
+StandAloneNumbers SdfScenes::standAloneNumbers(const ParameterValues& values) const
+{
+    const scenes::ShownScene& scene = shown(values);
+    const double moment = values[table_.moment];
+    const std::vector<double> numbers = numbersAt(values, 0);
+    if (scenes::isInBuffer(*scene.program))
+        throw Failure(ErrorKind::check,
+                      message("The scene has more numbers than a shader of your own can hold; export a part of it."));
+    SceneNumberWriter writer(scene, moment, numbers);
+    StandAloneNumbers result = writer.write();
+    const auto& table = static_cast<const Table&>(values.table());
+    for (std::size_t i = 0; i < result.inputs.size() && i < table.ofScene.size(); ++i) {
+        result.inputs[i].initial = values[table.ofScene[i]];
+        result.inputs[i].label = label(values.rows()[table.ofScene[i].row]);
+    }
+    if (const render::Box& box = writer.box(); box.low.x < box.high.x) {
+        const glm::dvec3 grow(1e-3);
+        result.assignments += boxLine("boxLow", box.low - grow) + boxLine("boxHigh", box.high + grow);
+        result.assigned.insert({"stage.boxLow", "stage.boxHigh"});
+    }
+    const scenes::SceneCamera camera = scenes::sceneCamera(*scene.scene, numbers, 0);
+    const Portal portal = portalAt(values, 0, numbers);
+    result.pivotDistance = glm::length(camera.target - camera.eye) / glm::length(glm::dvec3(portal.workFromExhibit[2]));
+    return result;
+}
+
+}  // namespace vitrine
