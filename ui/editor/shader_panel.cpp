@@ -1,11 +1,13 @@
 #include "ui/editor/shader_panel.h"
 
 #include "exhibits/framework/scene/text_document.h"
+#include "exhibits/your_shader/export/stand_alone.h"
 #include "render/failure.h"
 #include "ui/editor/code_colors.h"
 #include "ui/editor/document_file.h"
 #include "ui/editor/find_bar.h"
 #include "ui/editor/live_text.h"
+#include "ui/editor/shader_copy.h"
 #include "ui/kit/accessible_content.h"
 #include "ui/kit/flow_layout.h"
 #include "ui/kit/language.h"
@@ -48,8 +50,9 @@ QString titleOf(const PassText& text)
 }  // namespace
 
 ShaderPanel::ShaderPanel(Workbench& window, DocumentFile& file, QWidget* parent)
-    : QWidget(parent), window_(window), file_(file), live_(new LiveText(window, this)), layout_(new QVBoxLayout(this)),
-      choice_(new QComboBox), state_(new QLabel), find_(new FindBar)
+    : QWidget(parent), window_(window), file_(file), live_(new LiveText(window, this)),
+      copy_(new ShaderCopy(window, this)), layout_(new QVBoxLayout(this)), choice_(new QComboBox), state_(new QLabel),
+      find_(new FindBar)
 {
     layout_->setContentsMargins(0, 0, 0, 0);
     layout_->setSpacing(0);
@@ -108,6 +111,9 @@ QWidget* ShaderPanel::bar()
         button(tr("Open in my editor"),
                tr("Saves the text, and opens its file in the program that your desktop has for it. What you save "
                   "there is shown here."));
+    copyButton_ = button(tr("Copy as a shader of my own"), {});
+    copyButton_->setEnabled(false);
+    connect(copyButton_, &QToolButton::clicked, this, [this] { copy_->ask(subject_); });
     connect(save_, &QToolButton::clicked, this, [this] { file_.save(); });
     connect(outside_, &QToolButton::clicked, this, &ShaderPanel::openOutside);
     state_->setTextFormat(Qt::PlainText);
@@ -274,24 +280,37 @@ QString ShaderPanel::stateText() const
 void ShaderPanel::askForPasses()
 {
     if (planning_.valid() && planning_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
-    planning_ = std::async(std::launch::async, [this, &museum = window_.museum(), exhibit = subject_,
-                                                state = window_.history().sceneState(),
-                                                request = window_.viewport().presentRequest()] {
-        std::vector<PassText> passes;
-        try {
-            passes = passTexts(museum, state, request, exhibit);
-        } catch (const Failure&) {
-            // A file that is missing is reported with the picture.
-        }
-        QMetaObject::invokeMethod(
-            this, [this, exhibit, passes = std::move(passes)]() mutable { takePasses(exhibit, std::move(passes)); },
-            Qt::QueuedConnection);
-    });
+    planning_ = std::async(std::launch::async,
+                           [this, &museum = window_.museum(), exhibit = subject_,
+                            state = window_.history().sceneState(), request = window_.viewport().presentRequest()] {
+                               std::vector<PassText> passes;
+                               QString whyNoCopy = tr("This is a shader of your own already.");
+                               try {
+                                   passes = passTexts(museum, state, request, exhibit);
+                                   if (exhibit == hallIndex)
+                                       whyNoCopy = tr("The hall is drawn by many passes; visit an exhibit first.");
+                                   else if (!capability<HasText>(museum.subject(exhibit)))
+                                       whyNoCopy = translatedText(guest::whyNotAlone(museum, state, exhibit));
+                               } catch (const Failure&) {
+                                   // A file that is missing is reported with the picture.
+                               }
+                               QMetaObject::invokeMethod(
+                                   this,
+                                   [this, exhibit, whyNoCopy, passes = std::move(passes)]() mutable {
+                                       takePasses(exhibit, std::move(passes), whyNoCopy);
+                                   },
+                                   Qt::QueuedConnection);
+                           });
 }
 
-void ShaderPanel::takePasses(std::size_t exhibit, std::vector<PassText> passes)
+void ShaderPanel::takePasses(std::size_t exhibit, std::vector<PassText> passes, const QString& whyNoCopy)
 {
     if (exhibit != subject_) return askForPasses();
+    copyButton_->setEnabled(whyNoCopy.isEmpty());
+    copyButton_->setToolTip(whyNoCopy.isEmpty()
+                                ? tr("Writes the shader of this exhibit, with its present settings, into a file that "
+                                     "you can change, and shows it as a shader of your own.")
+                                : whyNoCopy);
     passes_ = std::move(passes);
     fillChoice();
 }

@@ -20,6 +20,7 @@ namespace vitrine::ui {
 class DocumentFile;
 class FindBar;
 class LiveText;
+class ShaderCopy;
 class Workbench;
 
 /// Panel with the shader of the visited exhibit. A visitor's shader is edited; the shaders of all passes are shown. The
@@ -34,6 +35,7 @@ public:
 
     void setSubject(std::size_t exhibit);
     [[nodiscard]] LiveText& live() const { return *live_; }
+    [[nodiscard]] ShaderCopy& copy() const { return *copy_; }
     /// Returns the view of the text; null before the panel was shown, or if its module is missing.
     [[nodiscard]] CodeView* view() const { return view_.get(); }
     /// Box with the edited text, if there is one, and the shaders of the passes.
@@ -57,7 +59,7 @@ private:
     void setState(const QString&);
     void showReplaced();
     void askForPasses();
-    void takePasses(std::size_t exhibit, std::vector<PassText>);
+    void takePasses(std::size_t exhibit, std::vector<PassText>, const QString& whyNoCopy);
     void fillChoice();
     void openOutside();
     void openMenu(const QPoint&);
@@ -66,13 +68,14 @@ private:
     Workbench& window_;
     DocumentFile& file_;
     LiveText* live_;
+    ShaderCopy* copy_;
     std::unique_ptr<CodeView> view_;
     std::size_t subject_ = 0;
     std::vector<PassText> passes_;
     std::future<void> planning_;
     QVBoxLayout* layout_;
     QComboBox* choice_;
-    QToolButton *templates_ = nullptr, *save_ = nullptr, *outside_ = nullptr;
+    QToolButton *templates_ = nullptr, *save_ = nullptr, *outside_ = nullptr, *copyButton_ = nullptr;
     QLabel* state_;
     FindBar* find_;
 };
