@@ -12,6 +12,7 @@
 #include <optional>
 #include <vector>
 
+class QHBoxLayout;
 class QLabel;
 class QScrollArea;
 class QToolButton;
@@ -57,6 +58,8 @@ public:
     /// Sets the time of the last picture, for animated parameters: their rows show the values at that time.
     void showMoment(const AnimationTime&);
 
+    /// Puts a widget beside the button "Changed", in the first line of the panel, which then owns it.
+    void setHeading(QWidget*);
     // The following functions take the index or the name of a parameter of the shown table.
     [[nodiscard]] QString keyOf(std::size_t row) const;
     [[nodiscard]] bool isLocked(std::size_t row) const;
@@ -119,6 +122,7 @@ private:
     [[nodiscard]] std::optional<std::size_t> rowAt(QObject*) const;
 
     History& history_;
+    QHBoxLayout* top_;
     QToolButton* onlyChanged_;
     QScrollArea* scroll_;
     QLabel* nothing_;

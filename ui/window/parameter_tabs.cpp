@@ -17,18 +17,19 @@
 namespace vitrine::ui {
 
 ParameterTabs::ParameterTabs(Subjects subjects, History& history, QWidget* parent)
-    : QWidget(parent), subjects_(subjects), tabs_(new QTabBar(this)), search_(new QToolButton(this)),
+    : QWidget(parent), subjects_(subjects), tabs_(new QTabBar), search_(new QToolButton),
       panel_(new ParameterPanel(history, this))
 {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    auto* top = new QHBoxLayout;
-    top->setContentsMargins(0, 0, 8, 0);
-    top->addWidget(tabs_, 1);
-    top->addWidget(search_);
-    layout->addLayout(top);
-    layout->addWidget(panel_, 1);
+    layout->addWidget(panel_);
+    auto* heading = new QWidget;
+    auto* line = new QHBoxLayout(heading);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->addWidget(tabs_, 1);
+    line->addWidget(search_);
+    panel_->setHeading(heading);
     tabs_->setDrawBase(false);
     tabs_->setExpanding(false);
     tabs_->setAccessibleName(tr("Parameters of"));
