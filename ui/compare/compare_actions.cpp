@@ -145,6 +145,14 @@ void CompareActions::refreshOffers()
     }
 }
 
+QAction* CompareActions::firstOffer() const
+{
+    const std::size_t chosen = controller_.workbench().chosen();
+    for (const auto& [subject, action] : offers_)
+        if (subject == chosen) return action;
+    return nullptr;
+}
+
 void CompareActions::addModes()
 {
     for (const ModeWords& words : modeWords) {

@@ -42,6 +42,8 @@ public:
     void refresh();
     /// Lists the comparisons that the visited subject offers.
     void refreshOffers();
+    /// Returns the first of them; null if there is none.
+    [[nodiscard]] QAction* firstOffer() const;
 
 private:
     QAction* add(const QString& text, const QKeySequence&, const QString& tip);

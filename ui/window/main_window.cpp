@@ -45,6 +45,7 @@
 #include "ui/window/session_keeper.h"
 #include "ui/window/status_line.h"
 #include "ui/window/table_reader.h"
+#include "ui/window/visit_card.h"
 #include "ui/window/window_actions.h"
 #include "ui/window/window_dialogs.h"
 #include "ui/window/window_docks.h"
@@ -108,6 +109,7 @@ MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* pare
     addGamepad();
     new TableReader(*this, this);
     new ExhibitThumbnails(*this, docks_->exhibits(), this);
+    visitCard_ = new VisitCard(*this);
     choose(hallIndex);
     keeper_ = new SessionKeeper(*this);
     if (!keeper_->restore()) viewport_->showHint(tr("W A S D to walk, click an exhibit to tune it"));
@@ -234,6 +236,7 @@ void MainWindow::choose(std::size_t exhibit)
     comparison_->actions().refreshOffers();
     presetController_->refresh();
     docks_->explore().follow();
+    if (visitCard_) visitCard_->follow(exhibit);
     if (keeper_) keeper_->noteLayout();
 }
 
@@ -276,6 +279,7 @@ void MainWindow::hidePanels(bool hidden)
     messages_->setBanned(hidden);
     comparison_->bar().setBanned(hidden);
     lessons_->bar().setBanned(hidden);
+    visitCard_->setBanned(hidden);
     if (actions_) actions_->panels->setChecked(hidden);
     viewport_->setFocus();
 }

@@ -22,6 +22,7 @@ class PresetController;
 class SessionKeeper;
 class StatusLine;
 class Viewport;
+class VisitCard;
 class WindowDialogs;
 class WindowDocks;
 class WindowPreferences;
@@ -103,6 +104,7 @@ private:
     WindowDialogs* dialogs_ = nullptr;
     WindowPreferences* preferences_;
     std::unique_ptr<WindowActions> actions_;
+    VisitCard* visitCard_ = nullptr;
     bool bare_ = false;  // Panels, menu and status line are hidden.
     std::size_t chosen_ = hallIndex;
 };

@@ -196,14 +196,20 @@ void WindowDocks::addExplore(PresetController& presetController)
     room->setWidgetResizable(true);
     room->setFrameShape(QFrame::NoFrame);
     room->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    QDockWidget* dock = add(tr("Explore"), "explore", room, Qt::RightDockWidgetArea);
-    window_.tabifyDockWidget(parametersDock_, dock);
-    dock->hide();
-    dock->toggleViewAction()->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_X));
-    connect(dock->toggleViewAction(), &QAction::triggered, dock, [dock](bool on) {
-        if (on) dock->raise();
+    exploreDock_ = add(tr("Explore"), "explore", room, Qt::RightDockWidgetArea);
+    window_.tabifyDockWidget(parametersDock_, exploreDock_);
+    exploreDock_->hide();
+    exploreDock_->toggleViewAction()->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_X));
+    connect(exploreDock_->toggleViewAction(), &QAction::triggered, exploreDock_, [this](bool on) {
+        if (on) exploreDock_->raise();
     });
     connect(parameters_, &ParameterTabs::turned, explore_, &ExploreDock::follow);
+}
+
+void WindowDocks::showExplore()
+{
+    exploreDock_->show();
+    exploreDock_->raise();
 }
 
 void WindowDocks::nameStacks()

@@ -63,6 +63,8 @@ public:
     void showStudy();
     /// Shows the charts of the visited exhibit, a tab of the study's dock.
     void showCharts();
+    /// Shows the exploration, in front of the docks that it is stacked with.
+    void showExplore();
     /// Shows the log, a tab of the frame report's dock.
     void showLog();
     /// Shows the shader of the visited exhibit, another tab there, large enough to be edited.
@@ -99,6 +101,7 @@ private:
     FrameReportDock* frameReport_ = nullptr;
     LogView* log_ = nullptr;
     ShaderPanel* shader_ = nullptr;
+    QDockWidget* exploreDock_ = nullptr;
     ExploreDock* explore_ = nullptr;
 };
 

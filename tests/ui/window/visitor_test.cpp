@@ -5,8 +5,10 @@
 #include "exhibits/museum/picture_settings.h"
 #include "render/image/image_io.h"
 #include "render/version.h"
+#include "ui/compare/compare_controller.h"
 #include "ui/export/picture_export.h"
 #include "ui/kit/message_strip.h"
+#include "ui/model/settings_b.h"
 #include "ui/parameters/number_field.h"
 #include "ui/presets/preset_controller.h"
 #include "ui/presets/scene_text.h"
@@ -16,6 +18,7 @@
 #include "ui/window/file_opener.h"
 #include "ui/window/parameter_tabs.h"
 #include "ui/window/status_line.h"
+#include "ui/window/visit_card.h"
 #include "ui/window/window_docks.h"
 
 #include <QDir>
@@ -143,6 +146,47 @@ private slots:
         QCOMPARE(window_->history().stack().index(), 2);
         QTest::keyClick(file, Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(window_->history().stack().index(), 1);
+    }
+
+    void theFirstVisitOfAnExhibitOffersWhatCanBeDoneThereOnce()
+    {
+        const auto* card = window_->findChild<VisitCard*>();
+        const auto press = [card](const char* face) {
+            for (QToolButton* button : card->findChildren<QToolButton*>())
+                if (button->text() == QLatin1String(face)) return QTest::mouseClick(button, Qt::LeftButton);
+            QFAIL(face);
+        };
+        QVERIFY2(!card->isVisible(), "the hall has the hint of the first start");
+        window_->visit(1);
+        QVERIFY(card->isVisible() && window_->viewport().rect().contains(card->geometry()));
+        press("Compare");
+        QVERIFY(!card->isVisible());
+        QVERIFY(window_->comparison().other().isSet());
+        window_->visit(0);
+        window_->visit(1);
+        QVERIFY2(!card->isVisible(), "once for each exhibit");
+
+        // Each start has a home of its own here: in the same one, the next window knows the exhibit, too.
+        closeWindow();
+        openWindow();
+        card = window_->findChild<VisitCard*>();
+        window_->visit(0);
+        window_->visit(1);
+        QVERIFY(!card->isVisible());
+    }
+
+    void aChangedValueAndTheBarePictureHideTheCardOfTheFirstVisit()
+    {
+        const auto* card = window_->findChild<VisitCard*>();
+        window_->hidePanels(true);
+        window_->visit(1);
+        QVERIFY(!card->isVisible());
+        window_->hidePanels(false);
+        window_->visit(0);
+        window_->visit(1);
+        QVERIFY2(card->isVisible(), "a visit of the bare picture does not count");
+        dragRoughness(30);
+        QTRY_VERIFY(!card->isVisible());
     }
 
     void pointingNamesWhatAClickVisitsAndAWallIsNothing()
