@@ -73,8 +73,9 @@ void drawCheckBox(QPainter* painter, const QStyleOption& option)
     if (on) {
         painter->setPen(
             QPen(theme().dark ? theme().window : QColor(Qt::white), 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-        const QPointF c = box.center();
-        const QPointF tick[3] = {c + QPointF(-3.4, 0.2), c + QPointF(-1, 2.8), c + QPointF(3.6, -2.8)};
+        painter->translate(box.center());
+        painter->scale(box.width() / 14, box.width() / 14);  // The tick grows with its box.
+        constexpr QPointF tick[3] = {{-3.4, 0.2}, {-1, 2.8}, {3.6, -2.8}};
         painter->drawPolyline(tick, 3);
     }
     painter->restore();

@@ -3,6 +3,7 @@
 #include "ui/kit/theme.h"
 #include "ui/kit/type_size.h"
 
+#include <QAbstractItemView>
 #include <QLineEdit>
 #include <QPainter>
 
@@ -36,14 +37,19 @@ QWidget* TileDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&
 
 void TileDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option, const QModelIndex&) const
 {
-    const int left = 12 + picture.width() + 8;
+    const int left = 12 + pictureBeside(option.fontMetrics).width() + 8;
     editor->setGeometry(option.rect.adjusted(left, 3, -4, -3));
+}
+
+QSize TileDelegate::pictureBeside(const QFontMetrics& metrics)
+{
+    return (picture + QSize(grown(picture.width(), metrics), grown(picture.height(), metrics))) / 2;
 }
 
 QSize TileDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const
 {
     const QFontMetrics metrics(option.font);
-    return {grown(160, metrics), std::max(picture.height(), grown(twoLines, metrics)) + 12};
+    return {grown(160, metrics), std::max(pictureBeside(metrics).height(), grown(twoLines, metrics)) + 12};
 }
 
 void TileDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const
@@ -62,7 +68,8 @@ void TileDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, 
     if (selected)
         painter->fillRect(QRect(option.rect.left(), option.rect.top(), 3, option.rect.height()), colors.accent);
 
-    const QRect frame(option.rect.left() + 12, option.rect.top() + 6, picture.width(), picture.height());
+    const QSize shown = pictureBeside(option.fontMetrics);
+    const QRect frame(QPoint(option.rect.left() + 12, option.rect.center().y() - shown.height() / 2), shown);
     const QIcon icon = index.data(Qt::DecorationRole).value<QIcon>();
     if (!icon.isNull()) {
         painter->setRenderHint(QPainter::SmoothPixmapTransform);
@@ -79,7 +86,7 @@ void TileDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, 
         painter->setFont(option.font);
     }
     const QString second = index.data(secondLine).toString();
-    QRect words = option.rect.adjusted(12 + picture.width() + 12, 6, -8, -6);
+    QRect words = option.rect.adjusted(12 + shown.width() + 12, 6, -8, -6);
     const QFontMetrics metrics(option.font);
     painter->setPen(enabled ? colors.text : colors.dim);
     const QString first = metrics.elidedText(index.data(Qt::DisplayRole).toString(), Qt::ElideRight, words.width());
@@ -88,8 +95,14 @@ void TileDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, 
     QFont small = option.font;
     small.setPointSizeF(small.pointSizeF() * 0.9);
     painter->setFont(small);
-    painter->drawText(words, Qt::AlignBottom | Qt::AlignLeft,
-                      QFontMetrics(small).elidedText(second, Qt::ElideRight, words.width()));
+    // Buttons may lie over the right end of the second line.
+    const auto* list = qobject_cast<const QAbstractItemView*>(option.widget);
+    const QWidget* buttons = list ? list->indexWidget(index) : nullptr;
+    const QFontMetrics smallMetrics(small);
+    const int room = words.width() - (buttons ? buttons->sizeHint().width() : 0);
+    if (!buttons || smallMetrics.horizontalAdvance(second) <= room)
+        painter->drawText(words, Qt::AlignBottom | Qt::AlignLeft,
+                          smallMetrics.elidedText(second, Qt::ElideRight, words.width()));
     if (option.state & QStyle::State_HasFocus) {
         painter->setPen(colors.accent);
         painter->setBrush(Qt::NoBrush);

@@ -12,7 +12,9 @@ class TileDelegate final : public QStyledItemDelegate {
 public:
     static constexpr int secondLine = Qt::UserRole + 1;  ///< Role of the faint line below the name.
     static constexpr int mark = Qt::UserRole + 2;        ///< Role of a word shown in place of a missing picture.
-    static constexpr QSize picture{64, 36};
+    static constexpr QSize picture{64, 36};              ///< Size of the pictures in pixels at the usual font size.
+    /// Returns their size beside text of this font: they grow half as fast, so that room for the text is left.
+    [[nodiscard]] static QSize pictureBeside(const QFontMetrics&);
 
     using QStyledItemDelegate::QStyledItemDelegate;
     void paint(QPainter*, const QStyleOptionViewItem&, const QModelIndex&) const override;

@@ -100,18 +100,22 @@ void SectionHeading::paintEvent(QPaintEvent*)
     line.setAlphaF(0.08F);
     painter.fillRect(QRect(0, 0, width(), 1), line);
 
-    const QPointF middle(11, height() / 2.0 + 1);
+    const double growth = grown(100, *this) / 100.0;
+    painter.save();
+    painter.translate(11 * growth, height() / 2.0 + 1);
+    painter.scale(growth, growth);
     painter.setPen(QPen(hasFocus() ? colors.accent : colors.dim, 1.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    const QPointF chevronOpen[3] = {middle + QPointF(-3, -1.5), middle + QPointF(0, 1.5), middle + QPointF(3, -1.5)};
-    const QPointF chevronClosed[3] = {middle + QPointF(-1.5, -3), middle + QPointF(1.5, 0), middle + QPointF(-1.5, 3)};
+    constexpr QPointF chevronOpen[3] = {{-3, -1.5}, {0, 1.5}, {3, -1.5}};
+    constexpr QPointF chevronClosed[3] = {{-1.5, -3}, {1.5, 0}, {-1.5, 3}};
     painter.drawPolyline(isChecked() ? chevronOpen : chevronClosed, 3);
+    painter.restore();
 
     QFont font = painter.font();
     font.setWeight(QFont::DemiBold);
     painter.setFont(font);
     const bool active = hasFocus() || underMouse();
     painter.setPen(active ? colors.text : colors.dim);
-    const QRect room = rect().adjusted(22, 1, -50, 0);
+    const QRect room = rect().adjusted(grown(22, *this), 1, -50, 0);
     const QString words = painter.fontMetrics().elidedText(text(), Qt::ElideRight, room.width());
     painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter, words);
     int right = room.left() + painter.fontMetrics().horizontalAdvance(words) + 10;

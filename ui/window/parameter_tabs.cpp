@@ -30,6 +30,11 @@ ParameterTabs::ParameterTabs(Subjects subjects, History& history, QWidget* paren
     line->addWidget(tabs_, 1);
     line->addWidget(search_);
     panel_->setHeading(heading);
+    // Beside large buttons there is no room for whole titles.
+    followType(*this, [this, line] {
+        constexpr int largest = 130;  // Percent of the usual font size up to which one line is enough.
+        line->setDirection(grown(100, *this) > largest ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    });
     tabs_->setDrawBase(false);
     tabs_->setExpanding(false);
     tabs_->setAccessibleName(tr("Parameters of"));

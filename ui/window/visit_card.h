@@ -4,11 +4,11 @@
 
 #include <cstddef>
 
-class QHBoxLayout;
 class QLabel;
 
 namespace vitrine::ui {
 
+class FlowLayout;
 class MainWindow;
 
 /// Card over the lower left corner of the picture that says what an exhibit is and what a visitor can do there: its
@@ -36,7 +36,7 @@ private:
 
     MainWindow& window_;
     QLabel *title_, *summary_;
-    QHBoxLayout* buttons_;
+    FlowLayout* buttons_;
     std::size_t exhibit_ = 0;
     bool banned_ = false;
 };

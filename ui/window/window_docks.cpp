@@ -54,7 +54,9 @@ WindowDocks::WindowDocks(QMainWindow& window, Workbench& workbench)
     window_.resizeDocks({docks_[0], docks_[1]}, {400, 300}, Qt::Vertical);
     // Wide enough for the longest label, up to 30 % of the window.
     const int labels = std::clamp(parameters_->widthForLabels(), 360, std::max(360, window_.width() * 3 / 10));
-    window_.resizeDocks({docks_[0], parametersDock_}, {240, labels}, Qt::Horizontal);
+    // Titles of exhibits and presets stay whole with a large font, up to 26 % of the window.
+    const int lists = std::clamp(grown(240, window_), 240, std::max(240, window_.width() * 26 / 100));
+    window_.resizeDocks({docks_[0], parametersDock_}, {lists, labels}, Qt::Horizontal);
     followType(window_, [this] { followSmallerType(); });
 }
 
