@@ -93,6 +93,9 @@ FurBody Coats::body(int index) const
     body.leastLength = static_cast<float>(values[rows.uniformity]);
     body.rootColor = glm::vec3(values[rows.root].value);
     body.tipColor = glm::vec3(values[rows.tip].value);
+    body.markColor = glm::vec3(values[rows.markColor].value);
+    body.markSize = static_cast<float>(values[rows.markSize]);
+    body.marking = static_cast<int>(FurMarking(values[rows.marking]));
     body.number = index + 1;
     body.shellCount = static_cast<float>(length > 0 ? values[table.shellCount] : 1);
     body.samplesBetween = values[table.silhouette] == FurSilhouette::march ? values[table.samplesBetween] : 1;

@@ -40,6 +40,8 @@ struct Planner {
         all.pitFromWorld = glm::mat4(glm::inverse(scene.context.worldFromExhibit));
         all.pitRadius = static_cast<float>(pitRadius);
         all.pitRim = static_cast<float>(pitRim);
+        all.rugRadius = static_cast<float>(values()[table.rugRadius]);
+        all.rugColor = glm::vec3(values()[table.rugColor].value);
     }
     [[nodiscard]] const ParameterValues& values() const { return scene.coats.values; }
     [[nodiscard]] render::Box bounds(int i) const { return scene.coats.bounds(i, scene.skins[i]->bounds); }
@@ -180,14 +182,17 @@ struct Planner {
 
     void floor() const
     {
-        Pass made = exhibitPass("fur/floor",
-                                scene.context.alone ? "they stand on something" : "the bodies keep light off the floor",
-                                values(), "fur/floor.vert", "fur/floor.frag");
+        Pass made =
+            exhibitPass("fur/floor",
+                        scene.context.alone             ? "they stand on something"
+                        : values()[table.rugRadius] > 0 ? "a rug lies on the floor, and the bodies keep light off it"
+                                                        : "the bodies keep light off the floor",
+                        values(), "fur/floor.vert", "fur/floor.frag");
         made.phase = render::PassPhase::transparent;
         if (scene.context.alone)
             made.shader.defines.emplace_back("ALONE");
-        else
-            made.bound = {1, 0, {}};  // The pass may block all light.
+        else if (values()[table.rugRadius] <= 0)
+            made.bound = {1, 0, {}};  // The pass may block all light, but adds none.
         made.colors = {Attachment::whole(radianceImage)};
         made.depth = Attachment::whole(depthImage);
         made.state = {.depthTest = render::DepthTest::nearer, .blend = render::Blend::premultiplied};

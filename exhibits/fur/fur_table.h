@@ -15,6 +15,8 @@ enum class FurRotation : int { matrixMix, nlerp, slerp };
 enum class FurSpring : int { explicitEuler, semiImplicit, closedForm };
 enum class FurSilhouette : int { none, fins, byAngle, march };
 enum class FurOrder : int { outerFirst, innerFirst };
+/// Values as MARKING_NONE and others in shaders/fur/body_block.glsl.
+enum class FurMarking : int { none, ticked, stripes, spots };
 
 /// Parameters of the coat of one body.
 struct CoatRows {
@@ -22,6 +24,9 @@ struct CoatRows {
     Count density;
     Real thickness;
     Color root, tip;
+    Choice<FurMarking> marking;
+    Color markColor;
+    Real markSize;
 };
 
 /// All parameters of the furry bodies. Lengths are in meters, or in strand lengths where the description says so.
@@ -90,6 +95,12 @@ struct FurTable final : Parameters {
                      "Strength of the lamp in the vault above the pit: 0 switches it off.");
     Direction lampDirection =
         direction("lampDirection", {-0.62, 0.62, -0.48}, "Direction from the pit to the lamp.", whenAbove(lamp, 0));
+
+    Group floor = group("Floor of the pit");
+    Real rugRadius = real("rugRadius", 1.4, meter, Range{0, 1.6}.soft(0, 1.55),
+                          "Radius of the braided rug on the floor of the pit; 0 leaves the floor bare.");
+    Color rugColor =
+        color("rugColor", {0.035, 0.062, 0.11}, "Color of the colored braids of the rug.", whenAbove(rugRadius, 0));
 
     Group jumping = group("Jump");
     Real jump = real("jump", 3.1, none, Range{0, 8}.soft(1, 5),
@@ -215,14 +226,14 @@ private:
         double length, uniformity;
         int density;
         double thickness;
-        glm::dvec3 root, tip;
+        glm::dvec3 root, tip, markColor;
     };
     static constexpr std::array<Element, furBodyCount> coatElements{
         {{"ball", "Coat of the ball"}, {"roll", "Coat of the roll"}, {"ring", "Coat of the ring"}}};
     static constexpr std::array<CoatInitial, furBodyCount> coatInitials{{
-        {0.2, 0.35, 60000, 0.0045, {0.24, 0.075, 0.03}, {0.95, 0.58, 0.31}},
-        {0.10, 0.5, 30000, 0.0048, {0.018, 0.022, 0.032}, {0.50, 0.55, 0.62}},
-        {0.075, 0.6, 42000, 0.0042, {0.10, 0.006, 0.016}, {0.78, 0.16, 0.20}},
+        {0.2, 0.35, 60000, 0.0045, {0.24, 0.075, 0.03}, {0.95, 0.58, 0.31}, {0.05, 0.02, 0.01}},
+        {0.10, 0.5, 30000, 0.0048, {0.018, 0.022, 0.032}, {0.50, 0.55, 0.62}, {0.03, 0.025, 0.022}},
+        {0.075, 0.6, 42000, 0.0042, {0.10, 0.006, 0.016}, {0.78, 0.16, 0.20}, {0.93, 0.80, 0.72}},
     }};
 
     CoatRows coat(std::size_t body, const CoatInitial& initial)
@@ -243,6 +254,15 @@ private:
         rows.root = color("root", initial.root, "Color of this coat at the skin.");
         rows.tip =
             color("tip", initial.tip, "Color of this coat at the tips of the strands.", whenAbove(rows.length, 0));
+        rows.marking = choice("marking", FurMarking::none, {"none", "ticked", "stripes", "spots"},
+                              "Marking of this coat in another color: a band below the tip of each strand, stripes "
+                              "around the body, or spots like a leopard's.",
+                              whenAbove(rows.length, 0));
+        const Condition marked = whenNot(rows.marking, FurMarking::none);
+        rows.markColor = color("markColor", initial.markColor, "Color of the markings of this coat.", marked);
+        rows.markSize = real("markSize", 0.13, meter, Range{0.02, 1, logarithmic}.soft(0.05, 0.4),
+                             "Distance between two stripes or spots of this coat.",
+                             when(rows.marking, {FurMarking::stripes, FurMarking::spots}));
         return rows;
     }
 };

@@ -2,6 +2,12 @@
 #define FUR_BODIES 3
 #define FUR_PLANES 4
 
+// Values of `marking`.
+#define MARKING_NONE 0
+#define MARKING_TICKED 1
+#define MARKING_STRIPES 2
+#define MARKING_SPOTS 3
+
 #define FUR_BODY_FIELDS(FIELD, ARRAY) \
     FIELD(mat4, worldFromBody) \
     FIELD(mat4, bodyFromWorld) \
@@ -18,6 +24,9 @@
     FIELD(int, number)            /* number of the body, from 1 */ \
     FIELD(vec3, tipColor)         /* linear Rec. 709 */ \
     FIELD(int, planeCount) \
+    FIELD(vec3, markColor)        /* linear Rec. 709 */ \
+    FIELD(float, markSize)        /* distance between two markings, meters */ \
+    FIELD(int, marking) \
     ARRAY(vec4, planes, FUR_PLANES)  /* pressing planes: xyz unit normal to the free side, body space; w distance */ \
     FIELD(float, shellCount)      /* may be fractional */ \
     FIELD(int, samplesBetween)    /* samples between two shells */ \
@@ -36,6 +45,8 @@ BLOCK_STRUCT(FurBody, FUR_BODY_FIELDS)
     FIELD(mat4, pitFromWorld) \
     FIELD(float, pitRadius)    /* meters */ \
     FIELD(float, pitRim)       /* height of its edge above its floor, meters */ \
+    FIELD(float, rugRadius)    /* meters; 0: no rug */ \
+    FIELD(vec3, rugColor)      /* linear Rec. 709 */ \
     FIELD(vec3, boxCenter)     /* center of the box around body 0 and its fur, body space */ \
     FIELD(vec3, boxHalfSize)
 BLOCK_STRUCT(FurBodies, FUR_SCENE_FIELDS)

@@ -4,6 +4,7 @@
 #include "fur/bodies.glsl"
 #include "fur/found.glsl"
 #include "fur/hair.glsl"
+#include "fur/marking.glsl"
 
 layout(binding = UNIT_EXHIBIT_A) uniform sampler2D coatFound;
 
@@ -50,14 +51,25 @@ vec3 directLight(vec3 irradiance, vec3 l, HairPoint p)
     return color + lit * exp(-crossed) * (mirrored + lobes.tt * (parameters.rimLight * p.height * fringe * fringe));
 }
 
-HairPoint hairPoint(FoundStrand found, vec3 toEye)
+// Color of a strand at the height where it was found. `world`: that point.
+vec3 strandColor(FoundStrand found, vec3 world)
+{
+    vec3 albedo = mix(fur.bodies[0].rootColor, fur.bodies[0].tipColor, powPositive(found.height, parameters.gradient));
+    // Markings follow the root. The strand leaves along the normal and ends along its direction at the top.
+    for (int once = 0; once < 1 && fur.bodies[0].marking != MARKING_NONE; ++once) {
+        vec3 root = (fur.bodies[0].bodyFromWorld * vec4(world, 1.0)).xyz - normalize(found.coatNormal + found.along) * (found.height * fur.bodies[0].strandLength);
+        albedo = mix(albedo, fur.bodies[0].markColor, markingShare(fur.bodies[0].marking, root, found.height, fur.bodies[0].markSize));
+    }
+    return clamp(albedo * (1.0 + parameters.colorVariation * (found.rank - 0.5)), 0.0, 1.0);
+}
+
+HairPoint hairPoint(FoundStrand found, vec3 toEye, vec3 world)
 {
     HairPoint p;
     mat3 outwards = transpose(mat3(fur.bodies[0].bodyFromWorld));
     p.height = found.height;
     p.bare = found.height <= 0.0;
-    p.albedo = mix(fur.bodies[0].rootColor, fur.bodies[0].tipColor, powPositive(found.height, parameters.gradient));
-    p.albedo = clamp(p.albedo * (1.0 + parameters.colorVariation * (found.rank - 0.5)), 0.0, 1.0);
+    p.albedo = strandColor(found, world);
     p.coatNormal = normalize(outwards * found.coatNormal);
     p.along = normalize(mat3(fur.bodies[0].worldFromBody) * found.along);
     p.toEye = toEye;
@@ -108,7 +120,7 @@ void main()
     if (found.body != fur.bodies[0].number) discard;
     vec3 ray = frameRay(gl_FragCoord.xy);
     vec3 world = frame.eye + ray * found.viewDepth;
-    HairPoint p = hairPoint(found, -normalize(ray));
+    HairPoint p = hairPoint(found, -normalize(ray), world);
     vec3 inPit = (fur.pitFromWorld * vec4(world, 1.0)).xyz;
     vec2 left = openAround(p, world, inPit);
     vec3 color = roomLight(p, world, inPit, left.x);

@@ -6,9 +6,13 @@
 
 namespace vitrine::test {
 
-/// Shot of the furry bodies alone: transparent, with depth and normals.
+/// Shot of the furry bodies alone, on a bare floor: transparent, with depth and normals.
 struct FurShot : ExhibitShot<FurTable> {
-    FurShot() : ExhibitShot("fur") { size(128, 80); }
+    FurShot() : ExhibitShot("fur")
+    {
+        values().set(table().rugRadius, 0.0);
+        size(128, 80);
+    }
     FurShot& shells(int count, FurSilhouette silhouette, FurOrder order = FurOrder::outerFirst)
     {
         values().set(table().shellCount, count);
