@@ -72,13 +72,22 @@ Surface bareSurface(Hit hit, FieldMaterial material)
     return s;
 }
 
+// An exhibit's field or material may define two macros. FIELD_BUMP(p, n, pixel) is the normal for shading at a point with
+// the unit normal `n`, local; `pixel` is the width of a pixel there. FIELD_AMBIENT(n) is the share of the room's light
+// that reaches a surface with this normal, local.
 Surface surfaceOf(Hit hit, FieldMaterial material)
 {
     Surface s = bareSurface(hit, material);
+#ifdef FIELD_BUMP
+    s.normal = worldNormalOf(FIELD_BUMP(hit.local, hit.localNormal, frame.pixelAngle * hit.traveled));
+#endif
     if (parameters.ambientOcclusion) {
         s.occlusion = fieldOcclusion(hit.local, hit.localNormal, 0.25 * length(object.boxHigh - object.boxLow));
         evaluations += 5;
     }
+#ifdef FIELD_AMBIENT
+    s.occlusion *= FIELD_AMBIENT(hit.localNormal);
+#endif
     s.ambient = ambientAt(s.position, s.normal) * s.occlusion;
     return s;
 }
