@@ -1,6 +1,7 @@
 #include "exhibits/ice_cream/ice_cream.h"
 
 #include "exhibits/framework/table/derive.h"
+#include "exhibits/ice_cream/backdrop_sheet.h"
 #include "exhibits/ice_cream/ice_cream_cpu.h"
 #include "exhibits/ice_cream/ice_cream_shape.h"
 #include "exhibits/ice_cream/sprinkles.h"
@@ -75,6 +76,9 @@ SdfBody IceCream::body(const ParameterValues& values, double time) const
                  .block = render::std140Bytes(shape),
                  .exhibitFromBody = standing(table_, values, time)};
     body.shape.assign(reinterpret_cast<const char*>(body.block.data()), body.block.size());
+    // The shape's key does not contain this direction, which changes while the ice cream turns.
+    patch(body.block, "towardsHall",
+          glm::vec3(glm::normalize(glm::transpose(glm::dmat3(body.exhibitFromBody)) * glm::dvec3(0, 0, 1))));
     body.switchedOff = notBuiltUp;
     body.ownLight = values[table_.lamp];
     if (values[table_.lighting] == IceCreamLighting::reference) {
@@ -143,6 +147,16 @@ render::Box IceCream::boxOverTime(const ParameterValues& values) const
     return box.transformed(standing(table_, values, 0));
 }
 
+render::Box IceCream::boundsOf(const ExhibitState& state) const
+{
+    render::Box box = bounds(state.values);
+    if (const render::Box sheet = backdropBox(table_, state.values); sheet.low.x <= sheet.high.x) {
+        box.include(sheet.low);
+        box.include(sheet.high);
+    }
+    return box;
+}
+
 bool IceCream::isGlass(const ParameterValues& values) const
 {
     return values[table_.material] == SdfMaterial::glass && values[table_.lighting] == IceCreamLighting::hall;
@@ -198,6 +212,9 @@ void IceCream::planBeside(const SdfScene& scene, render::FramePlan& plan) const
 {
     constexpr const char* ground = "ice_cream/ground";
     const ParameterValues& values = scene.body.values;
+    const double size = values[table_.size];
+    planBackdrop(table_, scene.context, {0, plinthTop - size * iceCreamPlinthHeight, behindTheWall},
+                 size * iceCreamPlinthRadius, plan);
     if (stageAt(table_, values, scene.context.time) < IceCreamStage::finished)
         plan.skip("ice_cream/antialiasing", notBuiltUp);
     if (values[table_.lighting] != IceCreamLighting::reference)

@@ -34,6 +34,8 @@ public:
     [[nodiscard]] int place() const override { return 8; }
     [[nodiscard]] bool isComplete() const override { return true; }
     [[nodiscard]] const Table& parameters() const override { return table_; }
+    /// Includes the backdrop, which is drawn whenever it may be visible.
+    [[nodiscard]] render::Box boundsOf(const ExhibitState&) const override;
     [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;
     [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;
     bool press(ParameterValues&) const override;

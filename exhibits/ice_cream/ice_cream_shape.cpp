@@ -15,7 +15,7 @@ using glm::dvec3;
 using glm::dvec4;
 
 constexpr double pi = std::numbers::pi;
-constexpr double plinthRadius = 0.28, plinthHeight = 0.26, plinthRounding = 0.012;
+constexpr double plinthRadius = iceCreamPlinthRadius, plinthHeight = iceCreamPlinthHeight, plinthRounding = 0.012;
 constexpr int waferParts = 1 << PART_FOOT | 1 << PART_COLLAR | 1 << PART_BOWL | 1 << PART_RINGS | 1 << PART_BARS;
 constexpr int allCandies = ((1 << candyCount) - 1) << PART_CANDY;
 

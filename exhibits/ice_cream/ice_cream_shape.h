@@ -11,6 +11,9 @@ namespace vitrine {
 
 #include "shaders/ice_cream/ice_cream_block.glsl"
 
+/// Size of the plinth in the shape's own space, meters.
+inline constexpr double iceCreamPlinthRadius = 0.28, iceCreamPlinthHeight = 0.26;
+
 /// Returns the shape at `time` seconds, without the grid of the sprinkles.
 [[nodiscard]] IceCreamShape iceCreamShape(const IceCreamRows&, const ParameterValues&, double time);
 

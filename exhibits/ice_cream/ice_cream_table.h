@@ -122,7 +122,7 @@ struct IceCreamRows : virtual Parameters {
     std::vector<CreamRows> layers =
         groups("layers", layerElements, [this](std::size_t i) { return layer(i, layerInitials[i]); });
     Group joints = group("Fillets of the cream");
-    Real layerBlend = real("layerBlend", 0.05, meter, Range{0, 0.5}.soft(0, 0.15),
+    Real layerBlend = real("layerBlend", 0.1, meter, Range{0, 0.5}.soft(0, 0.15),
                            "Width of the fillet between the two layers of cream; 0 joins them sharply.");
     Real waferBlend = real("waferBlend", 0.01, meter, Range{0, 0.5}.soft(0, 0.1),
                            "Width of the fillet between cream and wafer: wide looks melted.");
@@ -159,8 +159,23 @@ struct IceCreamRows : virtual Parameters {
     Color waferColor = color("waferColor", {0.7156, 0.3814, 0.0865}, "Color of the wafer.");
     Real waferRoughness =
         real("waferRoughness", 1.0, none, {0, 1}, "Roughness of the wafer: 0 is a mirror, 1 is chalk.");
+    Real toast = real("toast", 0.5, none, {0, 1},
+                      "Darkness of the wafer where it was hottest, on ridges and rims: 0 is pale, 1 is well toasted.",
+                      when(material, SdfMaterial::opaque));
+    Real pores = real("pores", 0.7, none, {0, 1}, "Depth of the pores in the wafer: 0 is smooth, 1 is coarse.",
+                      when(material, SdfMaterial::opaque));
     Real creamRoughness =
-        real("creamRoughness", 0.25, none, {0, 1}, "Roughness of the cream: low looks melting, high dry.");
+        real("creamRoughness", 0.45, none, {0, 1}, "Roughness of the cream: low looks melting, high dry.");
+    Real melt = real("melt", 0.45, none, {0, 1},
+                     "Share of the cream's surface that has begun to melt and shines: 0 is none, 1 is all of it.",
+                     when(material, SdfMaterial::opaque));
+    Real subsurface =
+        real("subsurface", 0.75, none, {0, 1},
+             "Share of the lamp's light that enters the cream and leaves it elsewhere: 0 is hard like porcelain, high "
+             "is soft and glows where it is thin.",
+             when(material, SdfMaterial::opaque) && whenLaterAbove("lamp", 0));
+    Real subsurfaceDepth = real("subsurfaceDepth", 0.06, meter, Range{0.002, 0.5, logarithmic}.soft(0.01, 0.2),
+                                "Depth to which light enters the cream.", whenAbove(subsurface, 0));
     Real candyRoughness =
         real("candyRoughness", 0.65, none, {0, 1}, "Roughness of candies and sprinkles: 0 is a mirror, 1 is chalk.");
     Real metalness = real("metalness", 0.0, none, {0, 1},
@@ -178,12 +193,17 @@ struct IceCreamRows : virtual Parameters {
         "Lighting of the ice cream: by the hall around it, or by the sun, ambient light and fog of the reference.",
         essential());
     Real lamp =
-        real("lamp", 1.1, none, Range{0, 100}.soft(0, 8),
+        real("lamp", 1.9, none, Range{0, 100}.soft(0, 8),
              "Strength of the lamp in front of the niche: 0 switches it off.", when(lighting, IceCreamLighting::hall));
     Color lampColor =
         color("lampColor", {1.0, 0.88, 0.74}, "Color of the lamp in front of the niche.", whenAbove(lamp, 0));
     Direction lampDirection = direction("lampDirection", {-0.85, 0.62, 0.42},
                                         "Direction from the ice cream to the lamp.", whenAbove(lamp, 0));
+    Real backdrop =
+        real("backdrop", 0.36, none, Range{0, 100}.soft(0, 3),
+             "Strength of the light on the backdrop behind the ice cream; 0 leaves the niche bare and dark.",
+             when(lighting, IceCreamLighting::hall));
+    Color backdropColor = color("backdropColor", {0.10, 0.30, 0.33}, "Color of the backdrop.", whenAbove(backdrop, 0));
     Choice<IceCreamHighlight> highlight = choice("highlight", IceCreamHighlight::blinnPhong, {"GGX", "Blinn-Phong"},
                                                  "Model of the highlights of the reference's sun: microfacets (GGX), "
                                                  "or Blinn-Phong with the exponent 2^(10 (1 - roughness)).",
@@ -216,15 +236,16 @@ struct IceCreamRows : virtual Parameters {
 private:
     struct CreamInitial {
         int lobes;
-        double radius, height, offsetX, offsetZ, raise, tilt, yaw, twist;
+        double radius, height, offsetX, offsetZ, raise, tilt, yaw, twist, blend;
     };
     static constexpr std::array<Element, creamLayerCount> layerElements{
         {{"lower", "Lower layer of cream"}, {"upper", "Upper layer of cream"}}};
-    // The reference raises the upper layer by the lower one's height less 0.05, along x and z as well as up.
+    // The reference raises the upper layer by the lower one's height less 0.05, along x and z as well as up. Here it is
+    // lower by another 0.046, and the fillets are wider, so that no holes are left between the cones.
     static constexpr double raised = 0.4 * 0.5403023058681398;
     static constexpr std::array<CreamInitial, creamLayerCount> layerInitials{{
-        {7, 0.16, 0.40, 0.1, 0.3, 0.03, -1.0, std::numbers::pi / 10, 5},
-        {5, 0.10, 0.60, 0.06 - raised, 0.3 - raised, 0.03 + raised - 0.05, -0.33, -std::numbers::pi / 3, 6},
+        {7, 0.16, 0.40, 0.1, 0.3, 0.03, -1.0, std::numbers::pi / 10, 5, 0.015},
+        {5, 0.10, 0.60, 0.06 - raised, 0.3 - raised, 0.03 + raised - 0.096, -0.33, -std::numbers::pi / 3, 6, 0.035},
     }};
     struct CandyInitial {
         double x, y, z;
@@ -244,15 +265,16 @@ private:
                                                                     {"candy10", "Candy 10, in the air"}}};
     static constexpr glm::dvec3 red{0.8796, 0.0158, 0.0137}, green{0.0173, 0.8456, 0.0092},
         blue{0.0155, 0.0754, 0.8796}, yellow{0.9266, 0.8796, 0.0053}, pink{0.6795, 0.0996, 0.2219};
+    // The fourth and the sixth candy are moved to the surface of this cream, by 5 and 23 mm.
     // In the reference, z of the first candy is 16 instead of .16, so it is out of sight. The fifth one, at (-.06, 1.1,
     // -.11), is inside the cream there; here it is moved out to the surface.
     static constexpr std::array<CandyInitial, candyCount> candyInitials{{
         {0.12, 1.0, 0.16, red, 1, 0, 0},
         {0.06, 1.2, -0.08, green, 2, 0, 0},
         {-0.16, 0.9, 0.11, blue, 3, 0, 0},
-        {-0.2, 0.84, -0.2, yellow, 4, 0, 0},
+        {-0.203, 0.842, -0.203, yellow, 4, 0, 0},
         {-0.0745, 1.1, -0.1365, pink, 5, 0, 0},
-        {0.168, 0.95, -0.156, yellow, 6, 0, 0},
+        {0.151, 0.95, -0.140, yellow, 6, 0, 0},
         {0.01, 0.94, 0.19, red, 7, 0, 0},
         // The last three float in the air. In the reference they are a meter from the axis; here they are nearer,
         // because of the walls.
@@ -283,7 +305,7 @@ private:
                         "Sideways rotation of the cones, by which they lean past the axis.");
         rows.twist = real("twist", initial.twist, perMeter, Range{-30, 30}.soft(-12, 12),
                           "Twist of the layer, in radians per meter of height: 0 is straight.", essential(which == 1));
-        rows.blend = real("blend", 0.01, meter, Range{0, 0.3}.soft(0, 0.08),
+        rows.blend = real("blend", initial.blend, meter, Range{0, 0.3}.soft(0, 0.08),
                           "Width of the fillet between neighboring cones: wide makes soft folds.");
         rows.color = color("color", {0.8388, 0.8468, 0.6939}, "Color of this layer.");
         return rows;

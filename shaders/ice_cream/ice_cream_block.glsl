@@ -91,5 +91,6 @@ BLOCK_STRUCT(Candy, CANDY_FIELDS)
     FIELD(float, gridCell)   /* width of its cells */ \
     FIELD(ivec3, gridCells)  /* number along each axis; 0: no sprinkles */ \
     FIELD(float, sprinkleRadius) \
-    FIELD(float, sprinkleReach)  /* how far one may extend beyond the cream */
+    FIELD(float, sprinkleReach)  /* how far one may extend beyond the cream */ \
+    FIELD(vec3, towardsHall)     /* unit vector out of the niche */
 BLOCK_STRUCT(IceCreamShape, ICE_CREAM_FIELDS)

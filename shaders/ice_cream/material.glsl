@@ -1,4 +1,6 @@
 // Material of each part; fieldPart is the part that the ray hit.
+#include "lib/hash.glsl"
+#include "ice_cream/surface_detail.glsl"
 
 vec3 sprinkleColor(int kind)
 {
@@ -16,6 +18,7 @@ vec3 partColor(int part)
 FieldMaterial fieldMaterial(vec3 p)
 {
     int part = fieldPart;
+    shadedPart = part;
     FieldMaterial m;
     m.refractiveIndex = parameters.refractiveIndex;
     m.specular = 0.5;
@@ -33,10 +36,10 @@ FieldMaterial fieldMaterial(vec3 p)
         m.roughness = parameters.plinthRoughness;
     } else if (part >= PART_CREAM) {
         m.baseColor = shape.layers[part - PART_CREAM].color;
-        m.roughness = parameters.creamRoughness;
+        m.roughness = mix(parameters.creamRoughness, 0.14, meltedShare(p));
         m.metalness = parameters.metalness;
     } else {
-        m.baseColor = parameters.waferColor;
+        m.baseColor = bakedColor(p, part);
         m.roughness = parameters.waferRoughness;
         m.metalness = parameters.metalness;
     }

@@ -24,6 +24,7 @@ using UniformBlocks = test::GlTest;
 #include "shaders/hall/antialiasing_block.glsl"
 #include "shaders/hall/bounce_block.glsl"
 #include "shaders/hall/probe_block.glsl"
+#include "shaders/ice_cream/backdrop_block.glsl"
 #include "shaders/ice_cream/ice_cream_block.glsl"
 #include "shaders/kit/floor_block.glsl"
 #include "shaders/kit/portal/portal_block.glsl"
@@ -147,6 +148,7 @@ const std::map<std::string, Described>& blocksOfCpp()
         {"FurBodies", described<FurBodies>()},
         {"FurBody", described<FurBody>()},
         {"GlareBlock", described<GlareBlock>()},
+        {"IceCreamBackdrop", described<IceCreamBackdrop>()},
         {"IceCreamShape", described<IceCreamShape>()},
         {"LakeBlock", described<LakeBlock>()},
         {"LightBlock", described<LightBlock>()},

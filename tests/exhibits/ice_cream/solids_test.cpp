@@ -5,6 +5,7 @@
 #include "exhibits/ice_cream/ice_cream_cpu32.h"
 #include "exhibits/ice_cream/ice_cream_table.h"
 #include "tests/exhibits/ice_cream/every_solid.h"
+#include "tests/exhibits/ice_cream/reference_shape.h"
 
 #include <gtest/gtest.h>
 
@@ -34,6 +35,7 @@ ParameterValues source()
         values.set(table().candies[7 + i].z, inTheAir[i].z);
     }
     values.set(table().lighting, IceCreamLighting::reference);
+    test::setReferenceShape(table(), values);
     return values;
 }
 
@@ -404,6 +406,14 @@ TEST(IceCreamDimensions, TheConesLeanAndTwistAsInTheReference)
     EXPECT_FLOAT_EQ(shape.layers[0].blend, 0.01F);
     EXPECT_FLOAT_EQ(shape.layerBlend, 0.05F);
     EXPECT_FLOAT_EQ(shape.waferBlend, 0.01F);
+}
+
+TEST(IceCreamDimensions, InitialCandiesLieOnTheInitialCream)
+{
+    const IceCreamShape shape = iceCreamShape(table(), table().initial(), 0);
+    const EverySolid every(shape);
+    for (std::size_t i = 0; i < 7; ++i)
+        EXPECT_NEAR(every.cream(dvec3(shape.candies[i].center)), 0, 0.012) << "candy " << i + 1;
 }
 
 TEST(IceCreamDimensions, NoCandyIsLostBehindTheCamera)
