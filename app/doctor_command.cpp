@@ -109,14 +109,17 @@ void addDoctorCommand(CLI::App& parser, Action& chosen)
         "--stability", given->stability,
         "Run the numerically difficult cases on this machine's driver, and print which pass and which fail");
     addNumber(*command, "--presets", given->options.presets, {1, 1e6},
-              "Number of random settings per exhibit, with --stability")
+              "Largest number of random settings per exhibit, with --stability")
+        ->capture_default_str();
+    addNumber(*command, "--minutes", given->options.minutes, {0.01, 1e5},
+              "Longest time in minutes, with --stability; fewer settings are tried then")
         ->capture_default_str();
     addNumber(*command, "--first-seed", given->options.firstSeed, {0, 9007199254740992.0},
               "Seed of the first random setting, with --stability; a failure prints its seed")
         ->capture_default_str();
     command->callback([&chosen, given, command] {
         chosen = [given, command] {
-            for (const char* option : {"--presets", "--first-seed"})
+            for (const char* option : {"--presets", "--first-seed", "--minutes"})
                 refuseWithout(*command, option, given->stability, "--stability");
             given->options.asJson = given->asJson;
             return given->stability ? stabilityReport(given->options) : doctor(given->asJson);

@@ -8,6 +8,7 @@
 #include "render/files/strict_json.h"
 #include "render/gl/context.h"
 #include "render/gl/renderer.h"
+#include "render/measure/clock.h"
 #include "render/version.h"
 
 #include <algorithm>
@@ -50,7 +51,7 @@ void printTable(const render::gl::ContextInfo& gl, const std::vector<StabilityRe
 }
 
 Json asJson(const render::gl::ContextInfo& gl, const StabilityOptions& options,
-            const std::vector<StabilityResult>& results)
+            const std::vector<StabilityResult>& results, bool limited)
 {
     Json cases = Json::array();
     for (const StabilityResult& r : results)
@@ -66,34 +67,77 @@ Json asJson(const render::gl::ContextInfo& gl, const StabilityOptions& options,
          Json{{"renderer", gl.renderer}, {"vendor", gl.vendor}, {"version", gl.version}, {"software", gl.software}}},
         {"presets", options.presets},
         {"firstSeed", options.firstSeed},
+        {"minutes", options.minutes},
+        {"limitedByTime", limited},
         {"cases", std::move(cases)}};
+}
+
+/// Shares the time among the steps of the report, and shows its progress.
+class Budget {
+public:
+    explicit Budget(double minutes) : end_(render::wallSeconds() + 60 * minutes) { line_.estimate(); }
+
+    /// Returns a callback for a step that may use this share of the time that is left. `from` and `to` are the parts of
+    /// the whole report, 0 to 1, where the step begins and ends.
+    [[nodiscard]] StabilityProgress step(double share, double from, double to)
+    {
+        const double now = render::wallSeconds();
+        const double until = now + share * std::max(end_ - now, 0.0);
+        return [this, until, from, to](double part) {
+            line_.show(from + (to - from) * part);
+            const bool over = render::wallSeconds() > until;
+            limited_ = limited_ || (over && part < 1);
+            return !over;
+        };
+    }
+    [[nodiscard]] bool limited() const { return limited_; }  ///< Something was left out for lack of time.
+
+private:
+    ProgressLine line_{"hard cases and random settings"};
+    double end_;
+    bool limited_ = false;
+};
+
+/// Runs all cases. Returns whether something was left out for lack of time.
+bool runCases(const StabilityOptions& options, std::vector<StabilityResult>& results)
+{
+    const Museum museum{allExhibits()};
+    render::gl::Renderer renderer;
+    Budget budget(options.minutes);
+    const std::size_t count = museum.subjects().size();
+    constexpr double pictures = 0.25;  // Part of the progress, and of the time, for everything but random settings.
+    results = arithmeticCases(renderer);
+    for (StabilityResult& r : pictureCases(museum, renderer, budget.step(pictures, 0.02, pictures)))
+        results.push_back(std::move(r));
+    const auto partAt = [&](std::size_t i) {
+        return pictures + (1 - pictures) * static_cast<double>(i) / static_cast<double>(count);
+    };
+    for (std::size_t i = 0; i < count; ++i)
+        results.push_back(
+            scanExhibit(museum, renderer, i, options.firstSeed, options.presets,
+                        budget.step(1 / static_cast<double>(count - i), partAt(i), partAt(i + 1))));
+    return budget.limited();
 }
 
 }  // namespace
 
 int stabilityReport(const StabilityOptions& options)
 {
+    std::fprintf(stderr,
+                 "vitrine: trying the hard cases, then up to %d random settings of each exhibit, for %g minutes at "
+                 "most.\n",
+                 options.presets, options.minutes);
     const render::gl::HeadlessContext context;
-    const Museum museum{allExhibits()};
-    render::gl::Renderer renderer;
-    std::fprintf(stderr, "vitrine: trying the hard cases, then %d random settings of each exhibit.\n", options.presets);
     std::vector<StabilityResult> results;
-    {
-        ProgressLine line("hard cases and random settings");
-        line.estimate();
-        const auto total = static_cast<double>(museum.subjects().size()) + 1;
-        results = arithmeticCases(renderer);
-        line.show(0.5 / total);
-        for (StabilityResult& r : pictureCases(museum, renderer)) results.push_back(std::move(r));
-        for (std::size_t i = 0; i < museum.subjects().size(); ++i)
-            results.push_back(scanExhibit(museum, renderer, i, options.firstSeed, options.presets, [&](int drawn) {
-                line.show((1 + static_cast<double>(i) + static_cast<double>(drawn) / options.presets) / total);
-            }));
-    }
+    const bool limited = runCases(options, results);
     if (options.asJson)
-        std::fputs(render::writeJson(asJson(context.info(), options, results)).c_str(), stdout);
+        std::fputs(render::writeJson(asJson(context.info(), options, results, limited)).c_str(), stdout);
     else
         printTable(context.info(), results);
+    if (!options.asJson && limited)
+        std::printf("The time of %g minutes was over before %d settings of each exhibit were tried; --minutes gives "
+                    "more.\n",
+                    options.minutes, options.presets);
     const bool good = std::all_of(results.begin(), results.end(), [](const StabilityResult& r) { return r.passed; });
     return good ? 0 : static_cast<int>(ErrorKind::check);
 }

@@ -19,6 +19,10 @@ struct StabilityResult {
     std::string detail;  ///< Place of the value, and result of plain code on this driver.
 };
 
+/// Progress of a group of cases, called after each step with the part that is done, 0 to 1. The cases end early if it
+/// returns false. Empty: they run to the end.
+using StabilityProgress = std::function<bool(double part)>;
+
 /// Compares the shader library on the backend's GPU with itself at float64: at inputs that break plain code, and at
 /// points all over space. Draws two pictures.
 [[nodiscard]] std::vector<StabilityResult> arithmeticCases(render::RenderBackend&);
@@ -26,13 +30,14 @@ struct StabilityResult {
 /// Tests properties of pictures that hold on any driver. A picture is bitwise equal when drawn twice, with every pass
 /// run, and over any garbage in memory. In tiles it is equal within half a level. A mean of thousands is right within
 /// 1e-6. Draws about eight small pictures of every exhibit.
-[[nodiscard]] std::vector<StabilityResult> pictureCases(const Museum&, render::RenderBackend&);
+/// If `progress` ends a case early, its `detail` says how many exhibits it tried.
+[[nodiscard]] std::vector<StabilityResult> pictureCases(const Museum&, render::RenderBackend&,
+                                                        const StabilityProgress& progress = {});
 
-/// Scans one exhibit (see stability_scan.h) with `count` seeds from `first` on. `value` is the number of faulty
-/// pictures; `detail` is the first fault with its seed and causes. Stops at the third fault. `progress` (may be empty)
-/// gets the number of pictures after each one.
+/// Scans one exhibit (see stability_scan.h) with up to `count` seeds from `first` on. `value` is the number of faulty
+/// pictures; `detail` is the first fault with its seed and causes; `what` says how many pictures were drawn. Stops at
+/// the third fault, or after the first picture for which `progress` returns false.
 [[nodiscard]] StabilityResult scanExhibit(const Museum&, render::RenderBackend&, std::size_t exhibit,
-                                          std::uint64_t first, int count,
-                                          const std::function<void(int)>& progress = {});
+                                          std::uint64_t first, int count, const StabilityProgress& progress = {});
 
 }  // namespace vitrine

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace vitrine {
 namespace {
@@ -59,19 +60,32 @@ render::Image over(const Poison& poison, const Museum& museum, render::RenderBac
     return backend.read("frame");
 }
 
-/// Computes a difference for every exhibit that must not exceed `limit`, and keeps the largest.
+/// Number, text and limit of a case that compares pictures of every exhibit.
+struct PictureCase {
+    std::string number, what;
+    double limit;
+};
+
+/// Computes a difference for every exhibit that must not exceed the limit, and keeps the largest.
 template <typename Difference>
-StabilityResult overExhibits(const Museum& museum, std::string number, std::string what, double limit,
+StabilityResult overExhibits(const Museum& museum, const PictureCase& c, const StabilityProgress& progress,
                              const Difference& differenceOf)
 {
-    StabilityResult result{std::move(number), std::move(what), true, 0, limit, {}};
-    for (const auto& [i, exhibit] : museum.exhibits()) {
+    StabilityResult result{c.number, c.what, true, 0, c.limit, {}};
+    const std::span<const MuseumExhibit> all = museum.exhibits();
+    std::size_t tried = 0;
+    for (const auto& [i, exhibit] : all) {
+        if (progress && !progress(static_cast<double>(tried) / static_cast<double>(all.size()))) break;
         const double d = differenceOf(i);
+        ++tried;
         if (d <= result.value) continue;
         result.value = d;
-        result.passed = d <= limit;
+        result.passed = d <= c.limit;
         result.detail = std::string(exhibit.name());
     }
+    if (tried < all.size())
+        result.detail += (result.detail.empty() ? "" : "; ") + std::to_string(tried) + " of " +
+                         std::to_string(all.size()) + " exhibits within the time";
     return result;
 }
 
@@ -117,57 +131,64 @@ StabilityResult meanOfThousands(render::RenderBackend& backend)
 
 }  // namespace
 
-std::vector<StabilityResult> pictureCases(const Museum& museum, render::RenderBackend& backend)
+std::vector<StabilityResult> pictureCases(const Museum& museum, render::RenderBackend& backend,
+                                          const StabilityProgress& progress)
 {
     std::vector<StabilityResult> results;
-    results.push_back(overExhibits(museum, "", "The same picture twice", 0, [&](std::size_t i) {
+    const auto add = [&](const PictureCase& c, const auto& differenceOf) {
+        const auto before = static_cast<double>(results.size());
+        StabilityProgress part;
+        if (progress) part = [&progress, before](double done) { return progress((before + done) / 4); };
+        results.push_back(overExhibits(museum, c, part, differenceOf));
+    };
+    add({"", "The same picture twice", 0}, [&](std::size_t i) {
         const Still s = still(museum, i);
         return difference(picture(museum, backend, s), picture(museum, backend, s));
-    }));
+    });
     // Rays are bitwise equal. Rasterized surfaces are interpolated from other corners, within half a level.
-    results.push_back(overExhibits(museum, "", "The same picture in tiles", 0.5 / 255, [&](std::size_t i) {
+    add({"", "The same picture in tiles", 0.5 / 255}, [&](std::size_t i) {
         Still s = still(museum, i);
         const render::Image whole = picture(museum, backend, s);
         s.request.largestTile = 16;
         return difference(whole, picture(museum, backend, s));
-    }));
-    results.push_back(overExhibits(museum, "", "The same picture with every pass run", 0, [&](std::size_t i) {
+    });
+    add({"", "The same picture with every pass run", 0}, [&](std::size_t i) {
         Still s = still(museum, i);
         const render::Image called = picture(museum, backend, s);
         s.request.frame.runEverything = true;
         return difference(called, picture(museum, backend, s));
-    }));
-    results.push_back(overExhibits(museum, "H108", "The same picture whatever was in memory", 0, [&](std::size_t i) {
+    });
+    add({"H108", "The same picture whatever was in memory", 0}, [&](std::size_t i) {
         const Still s = still(museum, i);
         const render::Image one = over(spreadingPoison(), museum, backend, s);
         return difference(one, over({glm::vec4(3e4F, -3e4F, 7, 0.5F), 0.25F}, museum, backend, s));
-    }));
+    });
     results.push_back(meanOfThousands(backend));
     return results;
 }
 
 StabilityResult scanExhibit(const Museum& museum, render::RenderBackend& backend, std::size_t exhibit,
-                            std::uint64_t first, int count, const std::function<void(int)>& progress)
+                            std::uint64_t first, int count, const StabilityProgress& progress)
 {
-    StabilityResult result{"",
-                           std::string(museum.subject(exhibit).name()) + ": NaN, infinity or unwritten texels in " +
-                               std::to_string(count) + " pictures",
-                           true,
-                           0,
-                           0,
-                           {}};
-    for (int i = 0; i < count && result.value < 3; ++i) {
-        const std::uint64_t seed = first + static_cast<std::uint64_t>(i);
+    StabilityResult result{"", {}, true, 0, 0, {}};
+    int drawn = 0;
+    while (drawn < count && result.value < 3) {
+        const std::uint64_t seed = first + static_cast<std::uint64_t>(drawn);
         const ScanCase c = scanCase(museum, exhibit, seed);
         const std::string fault = faultOf(museum, backend, c);
-        if (progress) progress(i + 1);
-        if (fault.empty()) continue;
-        result.passed = false;
-        result.value += 1;
-        if (!result.detail.empty()) continue;
-        result.detail = "seed " + std::to_string(seed) + ": " + fault + ", because of";
-        for (const std::string& cause : causesOf(museum, backend, c)) result.detail += " [" + cause + ']';
+        ++drawn;
+        if (!fault.empty()) {
+            result.passed = false;
+            result.value += 1;
+        }
+        if (!fault.empty() && result.detail.empty()) {
+            result.detail = "seed " + std::to_string(seed) + ": " + fault + ", because of";
+            for (const std::string& cause : causesOf(museum, backend, c)) result.detail += " [" + cause + ']';
+        }
+        if (progress && !progress(static_cast<double>(drawn) / count)) break;
     }
+    result.what = std::string(museum.subject(exhibit).name()) + ": NaN, infinity or unwritten texels in " +
+                  std::to_string(drawn) + (drawn == 1 ? " picture" : " pictures");
     return result;
 }
 
