@@ -12,8 +12,8 @@ struct StabilityOptions {
 };
 
 /// Runs the stability tests that need a GPU on this machine's driver and prints the results as a table or JSON.
-/// Progress goes to standard error. The time left is shared equally by the exhibits that are left; each tries at least
-/// one setting, and the table says how many. Returns the exit code: 0 if all tests pass, else that of
+/// Progress goes to standard error. The time left is shared equally by the exhibits that are left. The table says
+/// how many settings each tried, and what was not run. Returns the exit code: 0 if all tests pass, else that of
 /// ErrorKind::check. Throws Failure (ErrorKind::openGl) without OpenGL 4.5.
 int stabilityReport(const StabilityOptions&);
 

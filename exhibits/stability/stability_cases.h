@@ -11,16 +11,17 @@ namespace vitrine {
 
 /// One line of the table that `vitrine doctor --stability` prints.
 struct StabilityResult {
-    std::string number;  ///< Number of the hard case, as in tests/stability/README.md; empty if it has none.
-    std::string what;    ///< "A smooth union of width zero".
-    bool passed = false;
-    double value = 0;    ///< Measured value: the largest error, or the number of faults.
-    double limit = 0;    ///< The case passes if `value` is not above it.
-    std::string detail;  ///< Place of the value, and result of plain code on this driver.
+    std::string number;   ///< Number of the hard case, as in tests/stability/README.md; empty if it has none.
+    std::string what;     ///< "A smooth union of width zero".
+    bool passed = false;  ///< Always true if `tried` is false.
+    double value = 0;     ///< Measured value: the largest error, or the number of faults.
+    double limit = 0;     ///< The case passes if `value` is not above it.
+    std::string detail;   ///< Place of the value, and result of plain code on this driver.
+    bool tried = true;    ///< False: nothing was drawn for it, because `StabilityProgress` ended it before.
 };
 
-/// Progress of a group of cases, called after each step with the part that is done, 0 to 1. The cases end early if it
-/// returns false. Empty: they run to the end.
+/// Progress of a group of cases, called before each step with the part that is done, 0 to below 1. The cases end early
+/// if it returns false. Empty: they run to the end.
 using StabilityProgress = std::function<bool(double part)>;
 
 /// Compares the shader library on the backend's GPU with itself at float64: at inputs that break plain code, and at
@@ -36,7 +37,7 @@ using StabilityProgress = std::function<bool(double part)>;
 
 /// Scans one exhibit (see stability_scan.h) with up to `count` seeds from `first` on. `value` is the number of faulty
 /// pictures; `detail` is the first fault with its seed and causes; `what` says how many pictures were drawn. Stops at
-/// the third fault, or after the first picture for which `progress` returns false.
+/// the third fault, or when `progress` returns false.
 [[nodiscard]] StabilityResult scanExhibit(const Museum&, render::RenderBackend&, std::size_t exhibit,
                                           std::uint64_t first, int count, const StabilityProgress& progress = {});
 

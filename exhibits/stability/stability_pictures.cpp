@@ -83,6 +83,7 @@ StabilityResult overExhibits(const Museum& museum, const PictureCase& c, const S
         result.passed = d <= c.limit;
         result.detail = std::string(exhibit.name());
     }
+    result.tried = tried > 0 || all.empty();
     if (tried < all.size())
         result.detail += (result.detail.empty() ? "" : "; ") + std::to_string(tried) + " of " +
                          std::to_string(all.size()) + " exhibits within the time";
@@ -172,7 +173,7 @@ StabilityResult scanExhibit(const Museum& museum, render::RenderBackend& backend
 {
     StabilityResult result{"", {}, true, 0, 0, {}};
     int drawn = 0;
-    while (drawn < count && result.value < 3) {
+    while (drawn < count && result.value < 3 && (!progress || progress(static_cast<double>(drawn) / count))) {
         const std::uint64_t seed = first + static_cast<std::uint64_t>(drawn);
         const ScanCase c = scanCase(museum, exhibit, seed);
         const std::string fault = faultOf(museum, backend, c);
@@ -185,8 +186,8 @@ StabilityResult scanExhibit(const Museum& museum, render::RenderBackend& backend
             result.detail = "seed " + std::to_string(seed) + ": " + fault + ", because of";
             for (const std::string& cause : causesOf(museum, backend, c)) result.detail += " [" + cause + ']';
         }
-        if (progress && !progress(static_cast<double>(drawn) / count)) break;
     }
+    result.tried = drawn > 0;
     result.what = std::string(museum.subject(exhibit).name()) + ": NaN, infinity or unwritten texels in " +
                   std::to_string(drawn) + (drawn == 1 ? " picture" : " pictures");
     return result;
