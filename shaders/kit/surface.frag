@@ -49,7 +49,18 @@ vec3 bakedAmbient()
 void main()
 {
     turnDisk(framePixel(gl_FragCoord.xy));
+    // Levels of detail are undefined after a discard, and in a branch that not all pixels of a quad take.
     vec4 base = materialColor(tileUv);
+    vec3 emitted = materialEmission(tileUv);
+#ifdef NORMAL_MAP
+    vec3 m = texture(normalMap, mapUv(mapNormal, tileUv)).xyz * 2.0 - 1.0;
+#endif
+#ifdef ORM_MAP
+    vec3 orm = texture(ormMap, mapUv(mapRoughness, tileUv)).rgb;
+#endif
+#ifdef OCCLUSION_MAP
+    float ownOcclusion = texture(occlusionMap, mapUv(mapOcclusion, tileUv)).r;
+#endif
 #ifdef ALPHA_MASK
     if (base.a < object.alphaCutoff) discard;
 #endif
@@ -62,7 +73,6 @@ void main()
     if (dot(t, t) > 1e-8) {
         t = normalize(t);
         vec3 b = cross(n, t) * worldTangent.w;
-        vec3 m = texture(normalMap, tileUv).xyz * 2.0 - 1.0;
         n = normalize(t * (m.x * object.normalScale) + b * (m.y * object.normalScale) + n * max(m.z, 0.05));
     }
 #endif
@@ -75,13 +85,12 @@ void main()
     s.specular = object.specular;
     s.occlusion = 1.0;
 #ifdef ORM_MAP
-    vec3 orm = texture(ormMap, mapUv(mapRoughness, tileUv)).rgb;
     s.occlusion = mix(1.0, orm.r, object.occlusionStrength);
     s.roughness *= orm.g;
     s.metalness *= orm.b;
 #endif
 #ifdef OCCLUSION_MAP
-    s.occlusion *= mix(1.0, texture(occlusionMap, mapUv(mapOcclusion, tileUv)).r, object.ownOcclusionStrength);
+    s.occlusion *= mix(1.0, ownOcclusion, object.ownOcclusionStrength);
 #endif
     s.roughness = clamp(s.roughness, 0.045, 1.0);
 #ifdef LIGHTMAP
@@ -113,7 +122,7 @@ void main()
 #else
     float opacity = 1.0;
 #endif
-    color += materialEmission(tileUv);
+    color += emitted;
 #ifdef UNLIT
     if (object.unlit) color = base.rgb;
 #endif

@@ -29,7 +29,7 @@ bool isInShadowMap(vec3 position)
 // Share of the light that reaches `position` in one map, by one bilinear comparison.
 float shadowMapLight(sampler2DShadow map, vec3 position)
 {
-    return isInShadowMap(position) ? texture(map, position) : 1.0;
+    return isInShadowMap(position) ? textureLod(map, position, 0.0) : 1.0;
 }
 
 // The same with a tent filter over 3x3 or 5x5 texels, by 4 or 9 bilinear comparisons. Each lies between two texels in
@@ -62,7 +62,7 @@ float shadowTentLight(sampler2DShadow map, vec3 position, bool wanted)
         bvec2 isFirst = equal(at, ivec2(0)), isLast = equal(at, ivec2(across - 1));
         vec2 weight = mix(mix(w1, w2, isLast), w0, isFirst);
         vec2 offset = mix(mix(o1, o2, isLast), o0, isFirst);
-        lit += weight.x * weight.y * texture(map, vec3((base + offset) / size, position.z));
+        lit += weight.x * weight.y * textureLod(map, vec3((base + offset) / size, position.z), 0.0);
     }
     return taps > 0 ? lit / whole : 1.0;
 }
@@ -113,7 +113,7 @@ float shadowDiskLight(sampler2DShadow map, mat4 shadowFromWorld, vec3 world, vec
     float hidden = 0.0;
     for (float i = 0.0; i < looks; i += 1.0) {
         vec2 offset = diskPoint(i, looks) * widest;
-        hidden += 1.0 - texture(map, position + vec3(offset, dot(offset, rise)));
+        hidden += 1.0 - textureLod(map, position + vec3(offset, dot(offset, rise)), 0.0);
     }
     if (hidden <= 0.0) return 1.0;
     if (hidden >= looks) return 0.0;
@@ -127,7 +127,8 @@ float shadowDiskLight(sampler2DShadow map, mat4 shadowFromWorld, vec3 world, vec
         float farther = 0.0;
         for (float i = 0.0; i < looks; i += 1.0) {
             vec2 offset = diskPoint(i, looks) * widest;
-            farther += 1.0 - texture(map, position + vec3(offset, dot(offset, rise) + mix(last, d, within) * perMeter.z));
+            vec3 at = position + vec3(offset, dot(offset, rise) + mix(last, d, within) * perMeter.z);
+            farther += 1.0 - textureLod(map, at, 0.0);
         }
         mean += farther * (d - last);
         last = d;
@@ -136,7 +137,7 @@ float shadowDiskLight(sampler2DShadow map, mat4 shadowFromWorld, vec3 world, vec
     float lit = 0.0;
     for (float i = 0.0; i < samples; i += 1.0) {
         vec2 offset = diskPoint(i, samples) * radius;
-        lit += texture(map, position + vec3(offset, dot(offset, rise)));
+        lit += textureLod(map, position + vec3(offset, dot(offset, rise)), 0.0);
     }
     return lit / samples;
 }

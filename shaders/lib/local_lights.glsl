@@ -19,7 +19,8 @@ float localVisibility(LocalLightEntry light, vec3 place, vec3 normal)
     fromLight += normal * (1.5 * texel);
     vec3 position = localShadowPosition(fromLight, light.nearPlane);
     float layer = float(light.firstLayer + localShadowFace(fromLight));
-    return texture(localShadows, vec4(position.x, position.y, layer, position.z));
+    // The level is explicit, because not all pixels of a quad look here; this kind of sampler has no textureLod.
+    return textureGrad(localShadows, vec4(position.x, position.y, layer, position.z), vec2(0.0), vec2(0.0));
 }
 #else
 float localVisibility(LocalLightEntry light, vec3 place, vec3 normal)

@@ -128,7 +128,7 @@ PortalSeen ourClouds(PortalRay ray)
     vec3 sum = vec3(0.0);
     float weight = 0.0;
     float distance = 0.0;
-    float shift = parameters.jitter ? fract(texture(blueNoise, (floor(ray.pixel) + 0.5) / 64.0).r + work.sampleShift) : 0.5;
+    float shift = parameters.jitter ? fract(textureLod(blueNoise, (floor(ray.pixel) + 0.5) / 64.0, 0.0).r + work.sampleShift) : 0.5;
     vec3 sun = sunLight();
     vec3 above = skyAmbient(1.0);
     vec3 below = skyAmbient(-0.6) * 0.55;

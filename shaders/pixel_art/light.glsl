@@ -9,7 +9,7 @@ float sunlit(vec3 place, vec3 n, float width)
 #ifdef SHADOWS
     // Offset out of the surface by more than the width of a shadow map texel.
     vec4 at = pixel.shadowFromView * vec4(place + n * (0.6 * width + 0.02) + pixel.sun * 0.02, 1.0);
-    float reached = texture(shadowMap, at.xyz);
+    float reached = textureLod(shadowMap, at.xyz, 0.0);
     bool beyond = any(lessThan(at.xyz, vec3(0.0))) || any(greaterThan(at.xy, vec2(1.0)));
     return beyond ? 1.0 : reached;
 #else

@@ -7,5 +7,6 @@ in vec2 uvAt;
 
 void main()
 {
-    if (materialColor(uvAt).a < object.alphaCutoff) discard;
+    float opacity = materialColor(uvAt).a;
+    if (opacity < object.alphaCutoff) discard;
 }

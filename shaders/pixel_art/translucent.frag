@@ -18,12 +18,13 @@ void main()
     vec3 n = dot(viewNormal, viewNormal) > 0.0 ? normalize(viewNormal) : vec3(0.0, 0.0, 1.0);
     if (!gl_FrontFacing) n = -n;
     vec4 base = materialColor(uvAt);
+    vec3 emitted = materialEmission(uvAt);
     if (base.a <= 0.0) discard;
     vec3 world = (object.worldFromModel * vec4(modelPosition, 1.0)).xyz;
     vec3 place = (world - pixel.worldFromView[3].xyz) * mat3(pixel.worldFromView);
     float wide = pixel.orthographic ? 1.0 : -place.z;
     float width = 2.0 * pixel.halfExtent.y * wide / float(pixel.size.y);
-    vec3 lit = shaded(base.rgb, n, sunOn(place, n, width)) + materialEmission(uvAt);
+    vec3 lit = shaded(base.rgb, n, sunOn(place, n, width)) + emitted;
 #ifdef UNLIT
     if (object.unlit) lit = base.rgb;
 #endif

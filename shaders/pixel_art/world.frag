@@ -27,6 +27,8 @@ void main()
     // A user's model may have normals of length 0.
     vec3 n = dot(viewNormal, viewNormal) > 0.0 ? normalize(viewNormal) : vec3(0.0, 0.0, 1.0);
     float id = part.id;
+    vec4 base = materialColor(uvAt);
+    vec3 materialLight = materialEmission(uvAt);
     vec3 color;
     vec3 emitted = vec3(0.0);
     float glow = 0.0;
@@ -36,10 +38,9 @@ void main()
         glow = paintExtra.x + made.glow;
         id += paintColor.a;
     } else {
-        vec4 base = materialColor(uvAt);
         if (base.a < object.alphaCutoff) discard;
         color = base.rgb;
-        emitted = materialEmission(uvAt);
+        emitted = materialLight;
         if (!gl_FrontFacing) n = -n;
 #ifdef UNLIT
         if (object.unlit) {

@@ -4,10 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <regex>
+#include <set>
 #include <string>
+#include <vector>
 
 namespace vitrine {
 namespace {
@@ -52,6 +55,94 @@ TEST(Shaders, ReadNoOutParameterBeforeItIsWritten)
     EXPECT_EQ(readBeforeWritten("float f(out float d)\n{\n  return min(d, 1.0);\n}").size(), 1U);
     EXPECT_EQ(readBeforeWritten("float f(out float d)\n{\n  d = 1.0;\n  return d;\n}").size(), 0U);
     EXPECT_EQ(readBeforeWritten("layout(location = 0) out vec4 color; void main() { color = vec4(1.0); }").size(), 0U);
+}
+
+/// Body of a function, without comments and preprocessor lines.
+struct Function {
+    std::string name, body;
+};
+
+std::vector<Function> functionsOf(const std::string& source)
+{
+    static const std::regex head(R"(\b(\w+)\s*\([^(){};]*\)\s*\{)");
+    static const std::regex keyword("if|for|while|switch");
+    const std::string text =
+        std::regex_replace(test::withoutComments(source), std::regex(R"((^|\n)[ ]*#[^\n]*)"), "$1");
+    std::vector<Function> functions;
+    for (auto f = std::sregex_iterator(text.begin(), text.end(), head); f != std::sregex_iterator(); ++f) {
+        if (std::regex_match((*f)[1].str(), keyword)) continue;
+        const auto begin = static_cast<std::size_t>(f->position() + f->length());
+        std::size_t end = begin;
+        for (int depth = 1; end < text.size() && depth > 0; ++end)
+            depth += text[end] == '{' ? 1 : text[end] == '}' ? -1 : 0;
+        functions.push_back({(*f)[1], text.substr(begin, end - begin)});
+    }
+    return functions;
+}
+
+/// Returns the calls of these functions in a body that not every pixel of a quad may reach: behind a discard or return,
+/// in a nested block, or in a statement with a condition.
+std::vector<std::string> conditionalCalls(const std::string& body, const std::set<std::string>& names)
+{
+    static const std::regex call(R"(\b(\w+)\s*\()");
+    static const std::regex leaves(R"(\b(discard|return)\b[^;]*;)");
+    static const std::regex condition(R"(\b(if|for|while)\b|\?|&&|\|\|)");
+    std::vector<std::string> found;
+    for (auto c = std::sregex_iterator(body.begin(), body.end(), call); c != std::sregex_iterator(); ++c) {
+        if (!names.contains((*c)[1])) continue;
+        const std::string before = body.substr(0, static_cast<std::size_t>(c->position()));
+        const auto depth =
+            std::count(before.begin(), before.end(), '{') - std::count(before.begin(), before.end(), '}');
+        const std::size_t statement = before.find_last_of(";{}");
+        if (depth > 0 || std::regex_search(before, leaves) ||
+            std::regex_search(before.substr(statement == std::string::npos ? 0 : statement), condition))
+            found.push_back((*c)[1]);
+    }
+    return found;
+}
+
+/// Returns the functions that look up a texture at an implicit level of detail or take a derivative, in these sources,
+/// themselves or by a function that they call.
+std::set<std::string> functionsWithDerivatives(const std::vector<Function>& functions)
+{
+    std::set<std::string> names{"texture", "dFdx", "dFdy", "fwidth"};
+    for (std::size_t before = 0; before != names.size();) {
+        before = names.size();
+        for (const Function& function : functions)
+            for (const std::string& name : std::set<std::string>(names))
+                if (std::regex_search(function.body, std::regex("\\b" + name + R"(\s*\()")))
+                    names.insert(function.name);
+    }
+    return names;
+}
+
+TEST(Shaders, TakeDerivativesOnlyWhereAllPixelsOfAQuadDo)
+{
+    // OpenGL leaves derivatives and implicit levels of detail undefined in non-uniform control flow (GLSL 4.50, 8.9
+    // and 8.13.1).
+    std::vector<Function> all;
+    for (const std::string& file : test::sourceFiles("shaders", test::glslExtensions))
+        for (Function& function : functionsOf(test::sourceText(file))) all.push_back(std::move(function));
+    const std::set<std::string> names = functionsWithDerivatives(all);
+    EXPECT_TRUE(names.contains("materialColor"));
+    for (const Function& function : all)
+        for (const std::string& name : conditionalCalls(function.body, names))
+            ADD_FAILURE() << function.name << ": " << name
+                          << " is called where not every pixel of a quad may be; use textureLod, or call it earlier";
+
+    const auto found = [](const char* source) {
+        const std::vector<Function> functions = functionsOf(source);
+        std::size_t count = 0;
+        for (const Function& f : functions)
+            count += conditionalCalls(f.body, functionsWithDerivatives(functions)).size();
+        return count;
+    };
+    EXPECT_EQ(found("void main() { c = texture(map, uv); if (c.a < 0.5) discard; }"), 0U);
+    EXPECT_EQ(found("void main() { if (c.a < 0.5) discard; c = texture(map, uv); }"), 1U);
+    EXPECT_EQ(found("void main() { if (d > 0.0) { c = texture(map, uv); } }"), 1U);
+    EXPECT_EQ(found("void main() { float w = d > 0.0 ? fwidth(d) : 0.0; }"), 1U);
+    EXPECT_EQ(found("void main() { for (int i = 0; i < 3; ++i) c += textureLod(map, uv, 0.0); }"), 0U);
+    EXPECT_EQ(found("vec4 look() { return texture(map, uv); } void main() { if (d > 0.0) c = look(); }"), 1U);
 }
 
 TEST(Shaders, HashWithIntegersAndNeverWithSines)
