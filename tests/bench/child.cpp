@@ -9,8 +9,23 @@
 #include <unistd.h>
 
 #include <array>
+#include <filesystem>
 
 namespace vitrine::bench {
+namespace {
+
+/// Returns the program beside this one, as in the portable folder; else the one of the build tree.
+const std::string& programFile()
+{
+    static const std::string file = [] {
+        std::error_code error;
+        const auto beside = std::filesystem::read_symlink("/proc/self/exe", error).replace_filename("vitrine");
+        return std::filesystem::exists(beside, error) ? beside.string() : std::string(VITRINE_PROGRAM);
+    }();
+    return file;
+}
+
+}  // namespace
 
 Run runProgram(const std::vector<std::string>& arguments, const std::map<std::string, std::string>& changes,
                double longest)
@@ -24,12 +39,12 @@ Run runProgram(const std::vector<std::string>& arguments, const std::map<std::st
         ::dup2(pipe[1], 1);
         ::alarm(static_cast<unsigned>(longest));  // Ends the child by a signal; the alarm survives exec.
         for (const auto& [name, value] : changes) ::setenv(name.c_str(), value.c_str(), 1);
-        std::vector<std::string> words{VITRINE_PROGRAM};
+        std::vector<std::string> words{programFile()};
         words.insert(words.end(), arguments.begin(), arguments.end());
         std::vector<char*> pointers;
         for (std::string& word : words) pointers.push_back(word.data());
         pointers.push_back(nullptr);
-        ::execv(VITRINE_PROGRAM, pointers.data());
+        ::execv(words.front().c_str(), pointers.data());
         ::_exit(127);
     }
     ::close(pipe[1]);

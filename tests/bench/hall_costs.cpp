@@ -23,8 +23,8 @@ namespace {
 struct Row {
     std::string name;
     std::function<render::FrameReport()> draw;
-    std::vector<double> cpu, wall;
-    render::FrameReport last;
+    std::vector<double> cpu{}, wall{};
+    render::FrameReport last{};
 };
 
 void measure(std::vector<Row>& rows, int rounds)
@@ -109,17 +109,13 @@ bool hallCosts(const Options& options)
         };
     };
     std::vector<Row> rows;
-    rows.push_back({"empty hall, towards the door", drawEmpty(away), {}, {}, {}});
-    rows.push_back({"hall with all exhibits out of view, towards the door", draw(away), {}, {}, {}});
-    rows.push_back({"empty hall, above the door", drawEmpty(intoTheBeam), {}, {}, {}});
-    rows.push_back({"hall with the exhibits out of view but for a beam in the air, above the door",
-                    draw(intoTheBeam),
-                    {},
-                    {},
-                    {}});
-    rows.push_back({"empty hall, from the entrance", drawEmpty(entrance), {}, {}, {}});
-    rows.push_back({"hall with the exhibit in view, from the entrance", draw(entrance), {}, {}, {}});
-    rows.push_back({"hall, before the exhibit", draw(near), {}, {}, {}});
+    rows.push_back({"empty hall, towards the door", drawEmpty(away)});
+    rows.push_back({"hall with all exhibits out of view, towards the door", draw(away)});
+    rows.push_back({"empty hall, above the door", drawEmpty(intoTheBeam)});
+    rows.push_back({"hall with the exhibits out of view but for a beam in the air, above the door", draw(intoTheBeam)});
+    rows.push_back({"empty hall, from the entrance", drawEmpty(entrance)});
+    rows.push_back({"hall with the exhibit in view, from the entrance", draw(entrance)});
+    rows.push_back({"hall, before the exhibit", draw(near)});
     measure(rows, rounds);
     print("Cost of the hall", rows);
     const auto passes = [](const Row& row) { return static_cast<long long>(row.last.counters.at("passes")); };
@@ -131,40 +127,28 @@ bool hallCosts(const Options& options)
     const auto& table = static_cast<const SdfMorph&>(museum.exhibit(sdf)).parameters();
     double morph = 0;
     render::gl::Renderer morphRenderer;
-    sliders.push_back({"exhibit before the visitor: nothing moved", draw(near), {}, {}, {}});
-    sliders.push_back({"exhibit's slider (morph)",
-                       [&] {
+    sliders.push_back({"exhibit before the visitor: nothing moved", draw(near)});
+    sliders.push_back({"exhibit's slider (morph)", [&] {
                            SceneState changed = sceneState;
                            changed.values[sdf].set(table.morph, morph = morph < 0.9 ? morph + 0.05 : 0.0);
                            return morphRenderer.draw(
                                test::planned(museum, changed, near, morphRenderer.persistentState()));
-                       },
-                       {},
-                       {},
-                       {}});
+                       }});
     double exposure = 0;
-    sliders.push_back({"hall's slider that develops only (exposure)",
-                       [&] {
+    sliders.push_back({"hall's slider that develops only (exposure)", [&] {
                            SceneState changed = sceneState;
                            changed.hall().setRow(*changed.hall().table().find("exposure"),
                                                  exposure = exposure < 1 ? exposure + 0.1 : -1.0);
                            return renderer.draw(test::planned(museum, changed, near, renderer.persistentState()));
-                       },
-                       {},
-                       {},
-                       {}});
+                       }});
     double elevation = 0.3;
     render::gl::Renderer sunRenderer;  // Its own renderer, because a moving sun leaves nothing to cache.
-    sliders.push_back({"hall's slider that lights anew (sun elevation)",
-                       [&] {
+    sliders.push_back({"hall's slider that lights anew (sun elevation)", [&] {
                            SceneState changed = sceneState;
                            changed.hall().setRow(*changed.hall().table().find("sunElevation"),
                                                  elevation = elevation < 0.5 ? elevation + 0.01 : 0.3);
                            return sunRenderer.draw(test::planned(museum, changed, near, sunRenderer.persistentState()));
-                       },
-                       {},
-                       {},
-                       {}});
+                       }});
     measure(sliders, rounds);
     print("From a slider's change to the finished frame", sliders);
 
@@ -176,23 +160,15 @@ bool hallCosts(const Options& options)
     SceneState turning = sceneState;
     turning.values[rays].setRow(*turning.values[rays].table().find("animate"), 1.0);
     FrameRequest later = entrance;
-    mobile.push_back({"mobile at rest",
-                      [&] {
+    mobile.push_back({"mobile at rest", [&] {
                           return stillRenderer.draw(
                               test::planned(museum, sceneState, entrance, stillRenderer.persistentState()));
-                      },
-                      {},
-                      {},
-                      {}});
-    mobile.push_back({"mobile turning: its part of the sun's map anew in each frame",
-                      [&] {
+                      }});
+    mobile.push_back({"mobile turning: its part of the sun's map anew in each frame", [&] {
                           later.time += 1.0 / 30;
                           return turningRenderer.draw(
                               test::planned(museum, turning, later, turningRenderer.persistentState()));
-                      },
-                      {},
-                      {},
-                      {}});
+                      }});
     measure(mobile, rounds);
     print("The turning mobile", mobile);
     std::printf("\nA frame with the mobile turning takes %.2f times as long as one with it at rest.\n",
@@ -202,14 +178,10 @@ bool hallCosts(const Options& options)
     const auto variant = [&](const char* name, const std::function<void(ParameterValues&)>& change) {
         SceneState changed = sceneState;
         change(changed.values[sdf]);
-        variants.push_back({name,
-                            [&museum, &aloneRenderer, alone, changed] {
+        variants.push_back({name, [&museum, &aloneRenderer, alone, changed] {
                                 return aloneRenderer.draw(
                                     test::planned(museum, changed, alone, aloneRenderer.persistentState()));
-                            },
-                            {},
-                            {},
-                            {}});
+                            }});
     };
     variant("as it stands", [](ParameterValues&) {});
     variant("without cone pre-pass", [&](ParameterValues& v) { v.set(table.conePrepass, false); });

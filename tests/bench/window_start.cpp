@@ -22,7 +22,7 @@ struct Start {
 };
 
 /// Starts the program with the caches in `cache`. Returns nullopt if there was no picture.
-std::optional<Start> start(const std::string& cache)
+std::optional<Start> start(const std::string& cache, double longest)
 {
     const test::TemporaryFolder home;
     const Run run = runProgram({},
@@ -32,7 +32,7 @@ std::optional<Start> start(const std::string& cache)
                                 {"XDG_STATE_HOME", home / "state"},
                                 {"XDG_CONFIG_HOME", home / "config"},
                                 {"XDG_DATA_HOME", home / "data"}},
-                               120);
+                               longest);
     double shown = 0, all = 0;
     char size[64] = "";
     if (run.code != 0 ||
@@ -62,15 +62,16 @@ double row(const char* name, const std::vector<Start>& starts)
 
 }  // namespace
 
-bool windowStart(const Options& options)
+bool windowStart(const Options& options, double longest)
 {
     const int runs = options.runsOr(5);
     const test::TemporaryFolder caches;
     std::vector<Start> warm, cold;
-    (void)start(caches / "warm");  // Fills the cache, and loads the program's files into memory.
+    // Fills the cache, and loads the program's files into memory.
+    if (!start(caches / "warm", longest)) return false;
     for (int run = 0; run < runs; ++run) {
-        const std::optional<Start> first = start(caches / ("cold-" + std::to_string(run)));
-        const std::optional<Start> again = start(caches / "warm");
+        const std::optional<Start> first = start(caches / ("cold-" + std::to_string(run)), longest);
+        const std::optional<Start> again = start(caches / "warm", longest);
         if (!first || !again) {
             std::fprintf(stderr, "benchmarks: no picture was shown; is there a display?\n");
             return false;
