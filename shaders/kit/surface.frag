@@ -53,7 +53,7 @@ void main()
     vec4 base = materialColor(tileUv);
     vec3 emitted = materialEmission(tileUv);
 #ifdef NORMAL_MAP
-    vec3 m = texture(normalMap, mapUv(mapNormal, tileUv)).xyz * 2.0 - 1.0;
+    vec3 m = texture(normalMap, tileUv).xyz * 2.0 - 1.0;
 #endif
 #ifdef ORM_MAP
     vec3 orm = texture(ormMap, mapUv(mapRoughness, tileUv)).rgb;
