@@ -5,6 +5,7 @@
 #include "ui/compare/compare_actions.h"
 #include "ui/compare/compare_controller.h"
 #include "ui/kit/flat_style.h"
+#include "ui/kit/flow_layout.h"
 #include "ui/kit/ini_file.h"
 #include "ui/kit/language.h"
 #include "ui/kit/text.h"
@@ -50,7 +51,7 @@ bool noteVisit(const QString& exhibit)
 
 VisitCard::VisitCard(MainWindow& window)
     : QFrame(&window.viewport()), window_(window), title_(new QLabel(this)), summary_(new QLabel(this)),
-      buttons_(new QHBoxLayout)
+      buttons_(new FlowLayout)
 {
     setObjectName(QStringLiteral("visitCard"));
     setCursor(Qt::ArrowCursor);
@@ -128,7 +129,6 @@ void VisitCard::fill(std::size_t exhibit)
     add(tr("Variations"), tr("Show nine variations of the present settings"),
         [this] { window_.docks().showExplore(); });
     add(tr("About"), tr("About %1").arg(title), [this, exhibit] { window_.dialogs().openPage(exhibit); });
-    buttons_->addStretch(1);
 }
 
 void VisitCard::setBanned(bool banned)
