@@ -60,16 +60,16 @@ struct ListedTables {
 };
 
 /// Returns the values that a parameter takes, for a column of a table: "0..360 deg", "area|hard".
-std::string takenBy(const ParameterInfo& row)
+std::string takenBy(const ParameterInfo& parameter)
 {
-    switch (row.kind) {
+    switch (parameter.kind) {
     case Kind::real:
     case Kind::count: {
-        NumberRange range = rangeOf(row, row.unit);
-        range.whole = row.kind == Kind::count;
-        return typeName(range) + behindNumber(info(row.unit).storedSymbol);
+        NumberRange range = rangeOf(parameter, parameter.unit);
+        range.whole = parameter.kind == Kind::count;
+        return typeName(range) + behindNumber(info(parameter.unit).storedSymbol);
     }
-    case Kind::choice: return joined(row.choices, "|");
+    case Kind::choice: return joined(parameter.choices, "|");
     case Kind::toggle: return "on|off";
     case Kind::color: return "color";
     case Kind::direction: return "x,y,z";
@@ -96,18 +96,19 @@ int listOne(const std::string& name, bool asJson, const std::vector<std::string>
     }
     const std::span<const ParameterInfo> rows = tables.sceneState.values[*subject].rows();
     std::array<int, 3> widths{};
-    const auto cellsOf = [](const ParameterInfo& row) {
-        return std::array<std::string, 3>{std::string(row.name), formatValue(row, row.initial), takenBy(row)};
+    const auto cellsOf = [](const ParameterInfo& parameter) {
+        return std::array<std::string, 3>{std::string(parameter.name), formatValue(parameter, parameter.initial),
+                                          takenBy(parameter)};
     };
-    for (const ParameterInfo& row : rows)
+    for (const ParameterInfo& parameter : rows)
         for (std::size_t i = 0; i < widths.size(); ++i)
-            widths.at(i) = std::min(std::max(widths.at(i), static_cast<int>(cellsOf(row).at(i).size())), 24);
+            widths.at(i) = std::min(std::max(widths.at(i), static_cast<int>(cellsOf(parameter).at(i).size())), 24);
     std::string_view group;
-    for (const ParameterInfo& row : rows) {
-        if (row.group != group) std::printf("%s\n", std::string(group = row.group).c_str());
-        const auto [what, initial, taken] = cellsOf(row);
+    for (const ParameterInfo& parameter : rows) {
+        if (parameter.group != group) std::printf("%s\n", std::string(group = parameter.group).c_str());
+        const auto [what, initial, taken] = cellsOf(parameter);
         std::printf("  %-*s  %-*s  %-*s  %s\n", widths[0], what.c_str(), widths[1], initial.c_str(), widths[2],
-                    taken.c_str(), std::string(row.help).c_str());
+                    taken.c_str(), std::string(parameter.help).c_str());
     }
     return 0;
 }

@@ -52,9 +52,9 @@ render::Camera sharedCamera(const Museum& museum, const std::array<RequestedPict
     if (!jobs[0].cameraFromPreset && jobs[1].cameraFromPreset) {
         camera = jobs[1].request.frame.camera;
     } else if (!jobs[0].cameraFromPreset && jobs[0].subject == hallIndex) {
-        const std::vector<DifferingRow> rows = differingRows(jobs[0].sceneState, jobs[1].sceneState);
-        const auto exhibit =
-            std::find_if(rows.begin(), rows.end(), [](const DifferingRow& row) { return row.subject != hallIndex; });
+        const std::vector<DifferingParameter> rows = differingParameters(jobs[0].sceneState, jobs[1].sceneState);
+        const auto exhibit = std::find_if(rows.begin(), rows.end(),
+                                          [](const DifferingParameter& row) { return row.subject != hallIndex; });
         if (exhibit != rows.end())
             camera = museum.bestView(exhibit->subject, jobs[0].sceneState.values[exhibit->subject]);
     }
@@ -89,8 +89,8 @@ void readSubject(const Museum& museum, const CLI::App& command, SettingsOptions&
 std::size_t subjectOf(const Museum& museum, const RequestedPicture& job)
 {
     if (job.subject != hallIndex) return job.subject;
-    for (const DifferingRow& row :
-         differingRows(job.sceneState, museum.readTables(museum.initialSceneState()).sceneState))
+    for (const DifferingParameter& row :
+         differingParameters(job.sceneState, museum.readTables(museum.initialSceneState()).sceneState))
         if (row.subject != hallIndex) return row.subject;
     throw Failure(ErrorKind::usage,
                   "--with: these settings change no exhibit; say with --exhibit which one is compared.");

@@ -29,10 +29,10 @@ Json timeJson(const ComparedSide& side)
         {"median", side.time->median}, {"low", side.time->low}, {"high", side.time->high}, {"runs", side.time->runs}};
 }
 
-Json rowsJson(Subjects subjects, const std::vector<DifferingRow>& rows)
+Json parametersJson(Subjects subjects, const std::vector<DifferingParameter>& rows)
 {
     Json all = Json::array();
-    for (const DifferingRow& row : rows)
+    for (const DifferingParameter& row : rows)
         all.push_back(Json{{"exhibit", std::string(subjects[row.subject]->name())},
                            {"name", row.name},
                            {"a", row.a ? jsonFromValue(row.info, *row.a) : Json(nullptr)},
@@ -89,7 +89,7 @@ Json comparisonJson(Subjects subjects, const Comparison& comparison, const Compa
         {"machine", text.machine},
         {"clock", Json{{"method", result.sides[0].report.clock}, {"trusted", result.sides[0].report.clockTrusted}}},
         {"errors", errors},
-        {"rows", rowsJson(subjects, result.rows)},
+        {"rows", parametersJson(subjects, result.rows)},
         {"ms", Json{{"a", timeJson(result.sides[0])}, {"b", timeJson(result.sides[1])}}},
         {"passes", passes},
         {"counters", counters}};

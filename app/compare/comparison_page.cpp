@@ -125,13 +125,13 @@ std::string costTable(const ComparisonResult& result)
     return text + "</tbody></table></div>\n";
 }
 
-std::string rowTable(Subjects subjects, const std::vector<DifferingRow>& rows)
+std::string parameterTable(Subjects subjects, const std::vector<DifferingParameter>& rows)
 {
     if (rows.empty()) return "<div class=\"sheet\"><h2>A and B are identical</h2></div>\n";
     std::string text = "<div class=\"sheet scroll\"><h2>" + std::to_string(rows.size()) +
                        (rows.size() == 1 ? " parameter differs" : " parameters differ") +
                        "</h2><table><thead><tr><th>parameter</th><th>A</th><th>B</th><th></th></tr></thead><tbody>\n";
-    for (const DifferingRow& row : rows) {
+    for (const DifferingParameter& row : rows) {
         const auto value = [&](const std::optional<Value>& v) {
             return v ? escaped(valueWithUnit(row.info, *v)) : std::string("no such parameter");
         };
@@ -165,7 +165,7 @@ std::string comparisonPage(Subjects subjects, const Comparison& comparison, cons
     for (const auto& [metric, error] : result.errors)
         errors += (errors.empty() ? "" : " · ") + std::string(toString(metric)) + ' ' +
                   (std::isfinite(error) ? pageNumber(error, 3) : std::string("infinite"));
-    page += escaped(errors) + "</p>\n" + comparisonBody + costTable(result) + rowTable(subjects, result.rows);
+    page += escaped(errors) + "</p>\n" + comparisonBody + costTable(result) + parameterTable(subjects, result.rows);
     render::Json gains = render::Json::array();
     for (const int gain : comparisonGains) gains.push_back(gain);
     return page + with(comparisonScript, "@DATA@", scriptJson(render::Json{{"gains", gains}, {"gain", text.gain}}));

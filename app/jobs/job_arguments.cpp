@@ -35,12 +35,13 @@ std::string commandName(const jobs::Job& job)
 }
 
 /// Returns the parameters that options set one by one, and all that a document has changed.
-std::vector<jobs::SceneRow> pinnedRows(const jobs::JobScene& scene, const std::vector<std::string>& sets, bool like)
+std::vector<jobs::PinnedParameter> pinnedParameters(const jobs::JobScene& scene, const std::vector<std::string>& sets,
+                                                    bool like)
 {
-    std::vector<jobs::SceneRow> rows;
+    std::vector<jobs::PinnedParameter> rows;
     for (const std::string& set : sets) {
-        const NamedRow named =
-            namedRow(*scene.museum, scene.state, scene.subject, set.substr(0, set.find('=')), "--set");
+        const NamedParameter named =
+            namedParameter(*scene.museum, scene.state, scene.subject, set.substr(0, set.find('=')), "--set");
         rows.push_back({named.owner, named.row});
     }
     for (std::size_t subject = 0; like && subject < scene.state.values.size(); ++subject)
@@ -98,7 +99,7 @@ jobs::JobScene sceneOf(const CLI::App& command, const jobs::Job& job, const JobA
         if (picture.taken->language != language() && !ui::languageAsked())
             ui::setLanguage(QString::fromStdString(picture.taken->language));
     }
-    if (needs.anySettings) scene.pinned = pinnedRows(scene, options.sets, like != nullptr);
+    if (needs.anySettings) scene.pinned = pinnedParameters(scene, options.sets, like != nullptr);
     return scene;
 }
 

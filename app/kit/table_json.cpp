@@ -27,26 +27,27 @@ Json conditionJson(const Condition& condition, const Parameters& table)
 }
 
 /// Returns a parameter. Numbers are in SI units, and `unit` names that unit.
-Json rowJson(const ParameterInfo& row, const Parameters& table)
+Json parameterJson(const ParameterInfo& parameter, const Parameters& table)
 {
     Json choices = Json::array();
-    for (const std::string_view choice : row.choices) choices.push_back(std::string(choice));
+    for (const std::string_view choice : parameter.choices) choices.push_back(std::string(choice));
     Json quality = nullptr;
-    if (row.qualityReference) quality = Json{{"reference", jsonFromValue(row, *row.qualityReference)}};
+    if (parameter.qualityReference)
+        quality = Json{{"reference", jsonFromValue(parameter, *parameter.qualityReference)}};
     Json when = nullptr;
-    if (row.actsWhen) when = conditionJson(*row.actsWhen, table);
-    return Json{{"name", std::string(row.name)},
-                {"label", label(row)},
-                {"group", std::string(row.group)},
-                {"kind", std::string(toString(row.kind))},
-                {"unit", std::string(info(row.unit).storedSymbol)},
-                {"low", row.range.low},
-                {"high", row.range.high},
-                {"softLow", row.range.softLow},
-                {"softHigh", row.range.softHigh},
-                {"scale", std::string(toString(row.range.scale))},
-                {"initial", jsonFromValue(row, row.initial)},
-                {"help", std::string(row.help)},
+    if (parameter.actsWhen) when = conditionJson(*parameter.actsWhen, table);
+    return Json{{"name", std::string(parameter.name)},
+                {"label", label(parameter)},
+                {"group", std::string(parameter.group)},
+                {"kind", std::string(toString(parameter.kind))},
+                {"unit", std::string(info(parameter.unit).storedSymbol)},
+                {"low", parameter.range.low},
+                {"high", parameter.range.high},
+                {"softLow", parameter.range.softLow},
+                {"softHigh", parameter.range.softHigh},
+                {"scale", std::string(toString(parameter.range.scale))},
+                {"initial", jsonFromValue(parameter, parameter.initial)},
+                {"help", std::string(parameter.help)},
                 {"choices", choices},
                 {"quality", quality},
                 {"actsWhen", when}};
@@ -72,7 +73,7 @@ Json exhibitJson(std::string_view name, std::string_view title, std::string_view
                  const SceneObject* subject)
 {
     Json rows = Json::array();
-    for (const ParameterInfo& row : table.rows()) rows.push_back(rowJson(row, table));
+    for (const ParameterInfo& parameter : table.rows()) rows.push_back(parameterJson(parameter, table));
     const auto* exhibit = dynamic_cast<const Exhibit*>(subject);
     return Json{
         {"name", std::string(name)},   {"complete", !exhibit || exhibit->isComplete()},

@@ -197,7 +197,7 @@ Json Service::getValues(const Json& params, const Watch&)
         return Json{{"exhibit", exhibit}, {"values", valuesJson(values)}, {"motions", motionsJson(values)}};
     Json answer{{"exhibit", exhibit}, {"values", Json::object()}, {"motions", Json::object()}};
     for (const std::string& name : names) {
-        const NamedRow at = namedRow(museum_, sceneState_, subject, name, "names");
+        const NamedParameter at = namedParameter(museum_, sceneState_, subject, name, "names");
         const ParameterValues& owner = sceneState_.values[at.owner];
         answer["values"][name] = jsonFromValue(owner.rows()[at.row], owner.row(at.row));
         const Json motions = motionsJson(owner);
@@ -224,7 +224,7 @@ Json Service::setValues(const Json& params, const Watch&)
     Json now = Json::object();
     for (const std::string& assignment : values) {
         const std::string name = assignment.substr(0, assignment.find('='));
-        const NamedRow at = namedRow(museum_, next, subject, name, "values");
+        const NamedParameter at = namedParameter(museum_, next, subject, name, "values");
         now[name] = jsonFromValue(next.values[at.owner].rows()[at.row], next.values[at.owner].row(at.row));
     }
     become(std::move(next));

@@ -148,7 +148,7 @@ std::string studyPage(Subjects subjects, const StudyRequest& request, const Stud
             (result.clockTrusted ? ", trusted" : ", not trusted") + "; taking a time adds " +
             pageNumber(1000 * result.overheadMilliseconds, 2) + " µs to a picture.</p>\n";
     page += "<p class=\"dim\">" + escaped(result.convergence) + "</p>\n";
-    for (const std::string& sentence : situationSentences(subjects, request, result, RowNames::shown))
+    for (const std::string& sentence : situationSentences(subjects, request, result, ParameterNames::shown))
         page += "<p class=\"dim\">" + escaped(sentence) + "</p>\n";
     for (const StudyPageChart& chart : charts)
         if (const std::string law = lawSentence(costsAlong(chart.axis, request, result)); !law.empty())

@@ -142,7 +142,7 @@ void Comparison::finish()
     }
     const render::Image &a = result_.sides[0].picture, &b = result_.sides[1].picture;
     result_.errors = render::distances({a, b, request_.pixelsPerDegree});
-    result_.rows = differingRows(request_.settings[0], request_.settings[1]);
+    result_.rows = differingParameters(request_.settings[0], request_.settings[1]);
     result_.passes = passCosts(result_.sides[0].report, result_.sides[1].report);
     result_.counters = counterCosts(result_.sides[0].report, result_.sides[1].report);
     finished_ = true;

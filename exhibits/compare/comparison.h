@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/compare/differing_rows.h"
+#include "exhibits/compare/differing_parameters.h"
 #include "exhibits/compare/pass_costs.h"
 #include "exhibits/museum/picture.h"
 #include "render/measure/flip.h"
@@ -40,7 +40,7 @@ struct ComparedSide {
 struct ComparisonResult {
     std::array<ComparedSide, 2> sides;
     std::map<render::Metric, double> errors;  ///< Errors of B's colors relative to A.
-    std::vector<DifferingRow> rows;
+    std::vector<DifferingParameter> rows;
     std::vector<PassCost> passes;
     std::vector<CounterCost> counters;
 };

@@ -34,7 +34,7 @@ SceneState otherSide(const SceneState& a, std::size_t subject, const OfferedComp
     for (const auto& [name, value] : offered.rows) {
         const auto row = values.table().find(name);
         if (!row) continue;
-        values.setRow(*row, value);
+        values.setParameter(*row, value);
         values.setMotion(*row, std::nullopt);
     }
     return b;

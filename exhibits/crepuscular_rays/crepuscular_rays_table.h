@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exhibits/framework/table/parameters.h"
-#include "exhibits/framework/table/studied_rows.h"
+#include "exhibits/framework/table/studied_parameters.h"
 
 namespace vitrine {
 
@@ -122,7 +122,7 @@ struct CrepuscularRaysTable final : Parameters {
         choice("resolution", RayResolution::half, {"full", "half", "quarter"},
                "Resolution at which the beams are computed; lower ones are upsampled with regard to depth.",
                exactAt(RayResolution::full), anyBeams, essential());
-    StudiedRows studied{
+    StudiedParameters studied{
         *this,
         {{.name = "samples", .settles = "The polar grid has at most 4096 cells a side: four for each of 1024 samples."},
          {.name = "jitter", .exactInReference = {"volumeSteps", "samples"}}}};

@@ -75,7 +75,7 @@ FurBody Coats::body(int index) const
 {
     const auto which = static_cast<std::size_t>(index);
     const FurState& state = states[which];
-    const CoatRows rows = table.coats[static_cast<std::size_t>(index)];
+    const CoatParameters rows = table.coats[static_cast<std::size_t>(index)];
     const double length = values[rows.length];
     const glm::dquat bodyFromPit = glm::conjugate(state.rotation);
     FurBody body;

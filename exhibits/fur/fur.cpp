@@ -320,7 +320,7 @@ std::vector<StandingShape> Fur::reflectedShapes(const ParameterValues& values) c
     std::vector<StandingShape> shapes;
     for (int i = 0; i < furBodyCount; ++i) {
         const auto body = static_cast<std::size_t>(i);
-        const CoatRows& rows = table_.coats[body];
+        const CoatParameters& rows = table_.coats[body];
         const render::Box skin = skins_[body]->bounds;
         const glm::dvec3 half = coats.bounds(i, skin).halfSize();
         // Bare skin has the color of the roots.

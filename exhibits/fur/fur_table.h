@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exhibits/framework/table/parameters.h"
-#include "exhibits/framework/table/studied_rows.h"
+#include "exhibits/framework/table/studied_parameters.h"
 
 #include <array>
 #include <vector>
@@ -19,7 +19,7 @@ enum class FurOrder : int { outerFirst, innerFirst };
 enum class FurMarking : int { none, ticked, stripes, spots };
 
 /// Parameters of the coat of one body.
-struct CoatRows {
+struct CoatParameters {
     Real length, uniformity;
     Count density;
     Real thickness;
@@ -32,7 +32,7 @@ struct CoatRows {
 /// All parameters of the furry bodies. Lengths are in meters, or in strand lengths where the description says so.
 struct FurTable final : Parameters {
     /// Indexed by FurBodyIndex: ballLength, ... rollLength, ... ringLength, ...
-    std::vector<CoatRows> coats =
+    std::vector<CoatParameters> coats =
         groups("coats", coatElements, [this](std::size_t body) { return coat(body, coatInitials[body]); });
     Group ring = group("Coat of the ring");
     File ringModel =
@@ -208,7 +208,7 @@ struct FurTable final : Parameters {
                              "Number of spring steps per second: with few, the two Euler methods fail.", quality(240),
                              when(byHand, false));
 
-    StudiedRows studied{
+    StudiedParameters studied{
         *this,
         {{.name = "shellCount", .lifted = {"levelOfDetail"}},
          {.name = "samplesBetween", .settles = "No ray grazes a shell along this many cells."},
@@ -236,9 +236,9 @@ private:
         {0.075, 0.6, 42000, 0.0042, {0.10, 0.006, 0.016}, {0.78, 0.16, 0.20}, {0.93, 0.80, 0.72}},
     }};
 
-    CoatRows coat(std::size_t body, const CoatInitial& initial)
+    CoatParameters coat(std::size_t body, const CoatInitial& initial)
     {
-        CoatRows rows{};
+        CoatParameters rows{};
         rows.length =
             real("length", initial.length, meter, Range{0, 1}.soft(0, 0.4),
                  "Length of the longest strands of this coat: 0 leaves the bare skin.", essential(body == furBall));

@@ -41,9 +41,9 @@ std::shared_ptr<const PreparedHall> Hall::prepare(const ParameterValues& values,
 {
     auto made = std::make_shared<PreparedHall>();
     render::Hash files;
-    const auto warn = [&](const std::string& step, File row, const Message& failure) {
+    const auto warn = [&](const std::string& step, File parameter, const Message& failure) {
         if (!failure.empty())
-            made->unreadable.push_back({step, unreadableFile(values.rows()[row.row], title(), failure),
+            made->unreadable.push_back({step, unreadableFile(values.rows()[parameter.row], title(), failure),
                                         message("It is left out until it can be read.")});
     };
     if (const std::string path = values[table_.environment]; !path.empty()) {

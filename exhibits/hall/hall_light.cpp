@@ -287,7 +287,7 @@ std::uint64_t lightKey(const HallScene& scene)
           std::size_t{scene.table.supersamples.row}, std::size_t{scene.table.resolutionScale.row},
           std::size_t{scene.table.temporalAntialiasing.row}, std::size_t{scene.table.historyFrames.row},
           std::size_t{scene.table.contactShadows.row}, std::size_t{scene.table.floorMirror.row}})
-        lighting.resetRow(row);
+        lighting.resetParameter(row);
     derive::addToKey(hash, lighting);
     hash.addValue(scene.alone).addValue(scene.filesId);
     for (const ExhibitSlot& slot : scene.exhibits) hash.addValue(slot.place);

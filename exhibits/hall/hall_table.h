@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exhibits/framework/table/parameters.h"
-#include "exhibits/framework/table/studied_rows.h"
+#include "exhibits/framework/table/studied_parameters.h"
 #include "render/image/picture_formats.h"
 
 #include <array>
@@ -22,7 +22,7 @@ enum class ObjectStand : int { freePlinth, ownPlinth, floor };
 inline constexpr std::size_t mostOwnObjects = 4;
 
 /// Parameters of one object of the user.
-struct OwnObjectRows {
+struct OwnObjectParameters {
     File model;
     Real modelSize, modelRotation;
     Choice<ObjectStand> modelStand;
@@ -172,13 +172,13 @@ struct HallTable final : Parameters {
                quality(FloorMirror::shapes), when(reflectionProbe), essential());
 
     // Penumbrae are visible on the floor.
-    StudiedRows studied{*this,
-                        {{.name = "diskSamples", .views = {"along the floor", "best view"}},
-                         {.name = "glareLevels", .settles = "The picture is too small for wider halos."}}};
+    StudiedParameters studied{*this,
+                              {{.name = "diskSamples", .views = {"along the floor", "best view"}},
+                               {.name = "glareLevels", .settles = "The picture is too small for wider halos."}}};
 
     /// The first is on the free plinth; its parameters have no prefix: model, modelSize, ... The others are where their
     /// parameters say: secondModel, secondModelSize, ...
-    std::vector<OwnObjectRows> objects =
+    std::vector<OwnObjectParameters> objects =
         groups("objects", objectElements, [this](std::size_t which) { return object(which); });
 
 private:
@@ -190,7 +190,7 @@ private:
     static constexpr std::array<glm::dvec2, mostOwnObjects> objectSpots{
         {{4.8, -3.5}, {-4.9, -3.5}, {4.7, -0.5}, {-4.7, -10.2}}};
 
-    OwnObjectRows object(std::size_t which)
+    OwnObjectParameters object(std::size_t which)
     {
         const bool first = which == 0;
         const File model =

@@ -52,7 +52,7 @@ double plinthHalfWidth(const render::Model& model, double largestSide)
 
 /// Returns half the width and the height of an object's own plinth in meters; none if it has no plinth. They are
 /// rounded to millimeters, so a plinth that grows slowly is not remade for every frame.
-std::optional<glm::dvec2> plinthSize(const OwnObjectRows& rows, const ParameterValues& values,
+std::optional<glm::dvec2> plinthSize(const OwnObjectParameters& rows, const ParameterValues& values,
                                      const render::Model& model)
 {
     if (values[rows.modelStand] != ObjectStand::ownPlinth) return std::nullopt;
@@ -60,7 +60,7 @@ std::optional<glm::dvec2> plinthSize(const OwnObjectRows& rows, const ParameterV
     return glm::round(1000.0 * size) / 1000.0;
 }
 
-std::shared_ptr<const render::Mesh> plinthFor(const OwnObjectRows& rows, const ParameterValues& values,
+std::shared_ptr<const render::Mesh> plinthFor(const OwnObjectParameters& rows, const ParameterValues& values,
                                               const render::Model& model, render::AssetStore& assets)
 {
     const std::optional<glm::dvec2> size = plinthSize(rows, values, model);
@@ -70,7 +70,7 @@ std::shared_ptr<const render::Mesh> plinthFor(const OwnObjectRows& rows, const P
 }
 
 /// Returns the transform of the object's base: the top of the free plinth or of its own plinth, or the floor.
-glm::dmat4 worldFromStand(const HallModel& hall, const OwnObjectRows& rows, const ParameterValues& values,
+glm::dmat4 worldFromStand(const HallModel& hall, const OwnObjectParameters& rows, const ParameterValues& values,
                           const render::Model& model)
 {
     if (values[rows.modelStand] == ObjectStand::freePlinth) {
@@ -100,8 +100,8 @@ std::vector<Collider> collidersOf(const render::Box& turned, const glm::dmat4& w
 }
 
 /// Returns an object at the position of its parameters.
-OwnObject standing(const HallModel& hall, std::size_t which, const OwnObjectRows& rows, const ParameterValues& values,
-                   const PreparedObject& prepared)
+OwnObject standing(const HallModel& hall, std::size_t which, const OwnObjectParameters& rows,
+                   const ParameterValues& values, const PreparedObject& prepared)
 {
     const render::Model& model = *prepared.model;
     const render::Box& box = model.bounds;
@@ -165,7 +165,7 @@ void planOwnObject(const HallScene& scene, const OwnObject& object, const SceneL
 /// Returns why an object has nothing to draw.
 std::string whyNone(const HallScene& scene, std::size_t which)
 {
-    const OwnObjectRows& rows = scene.table.objects[which];
+    const OwnObjectParameters& rows = scene.table.objects[which];
     if (!scene.values[rows.model].empty()) return "its file has not been read";
     return which == 0 ? "the free plinth is empty" : "no file is chosen for it";
 }
@@ -183,7 +183,7 @@ std::array<PreparedObject, mostOwnObjects> preparedObjects(const HallTable& tabl
 {
     std::array<PreparedObject, mostOwnObjects> made;
     for (std::size_t which = 0; which < mostOwnObjects; ++which) {
-        const OwnObjectRows& rows = table.objects[which];
+        const OwnObjectParameters& rows = table.objects[which];
         const std::string path = values[rows.model];
         if (path.empty()) continue;
         const render::Asset<render::Model> found = assets.get<render::Model>("hall.model", path, readModel);

@@ -35,7 +35,7 @@ glm::dmat4 standing(const IceCreamTable& t, const ParameterValues& values, doubl
     return glm::scale(glm::rotate(placed, angle, glm::dvec3(0, 1, 0)), glm::dvec3(values[t.size]));
 }
 
-/// Returns the values with effects of later stages switched off, as far as parameters of SdfRows do it.
+/// Returns the values with effects of later stages switched off, as far as parameters of SdfParameters do it.
 ParameterValues builtUp(const IceCreamTable& t, const ParameterValues& values, IceCreamStage stage)
 {
     ParameterValues now = values;

@@ -44,7 +44,7 @@ public:
     [[nodiscard]] bool surrounds(const ParameterValues&) const override;
 
 private:
-    [[nodiscard]] const SdfRows& rows() const override { return table_; }
+    [[nodiscard]] const SdfParameters& rows() const override { return table_; }
     [[nodiscard]] bool isGlass(const ParameterValues&) const override;
     [[nodiscard]] render::Box boxOverTime(const ParameterValues&) const override;
     [[nodiscard]] std::shared_ptr<const PreparedPart> prepareBody(const PrepareContext&) const override;

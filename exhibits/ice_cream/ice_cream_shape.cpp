@@ -39,7 +39,8 @@ dvec4 hullOf(const dvec3& foot, const dvec3& tip, double radius, double corner, 
 }
 
 /// Returns a layer of cream. Features of stages after `stage` are left out.
-glsl::CreamLayer layerOf(const CreamRows& rows, const ParameterValues& values, double rim, int stage, double slack)
+glsl::CreamLayer layerOf(const CreamParameters& rows, const ParameterValues& values, double rim, int stage,
+                         double slack)
 {
     glsl::CreamLayer layer{};
     const double height = values[rows.height], radius = values[rows.radius];
@@ -80,7 +81,7 @@ glm::dquat tumbled(int number)
 
 /// Returns candy number `index` at `time` seconds. The index determines the axis of its spin, and the pace and phase of
 /// its bobbing.
-glsl::Candy candyOf(const CandyRows& rows, const ParameterValues& values, std::size_t index, double time)
+glsl::Candy candyOf(const CandyParameters& rows, const ParameterValues& values, std::size_t index, double time)
 {
     constexpr double pace[3]{0.15, 0.13, 0.17};  // Radians per second, from the reference.
     glsl::Candy candy{};
@@ -130,7 +131,7 @@ int partsOfStage(int stage)
     return parts;
 }
 
-void addWafer(const IceCreamRows& t, const ParameterValues& values, int stage, glsl::IceCreamShape& s)
+void addWafer(const IceCreamParameters& t, const ParameterValues& values, int stage, glsl::IceCreamShape& s)
 {
     const double foot = values[t.footHeight];
     s.foot = {values[t.footRadius], values[t.footTop], foot, 0};
@@ -160,7 +161,7 @@ double candySpin(double time)
     return 0.07 * time + 0.05 * std::sin(std::fmod(time, 2 * pi));
 }
 
-IceCreamStage stageAt(const IceCreamRows& t, const ParameterValues& values, double time)
+IceCreamStage stageAt(const IceCreamParameters& t, const ParameterValues& values, double time)
 {
     if (!values[t.buildUp] || !std::isfinite(time)) return values[t.stage];
     constexpr double stages = static_cast<double>(IceCreamStage::finished) + 1;
@@ -169,7 +170,7 @@ IceCreamStage stageAt(const IceCreamRows& t, const ParameterValues& values, doub
     return static_cast<IceCreamStage>(static_cast<int>(std::min(count, stages - 1)));
 }
 
-IceCreamShape iceCreamShape(const IceCreamRows& t, const ParameterValues& values, double time)
+IceCreamShape iceCreamShape(const IceCreamParameters& t, const ParameterValues& values, double time)
 {
     const double now = values[t.animate] && std::isfinite(time) ? time : 0;
     glsl::IceCreamShape s{};
@@ -221,7 +222,7 @@ render::Box boxOf(const IceCreamShape& s)
     return box;
 }
 
-render::Box boxOverTime(const IceCreamRows& t, const ParameterValues& values)
+render::Box boxOverTime(const IceCreamParameters& t, const ParameterValues& values)
 {
     if (!values[t.animate] && !values[t.buildUp]) return boxOf(iceCreamShape(t, values, 0));
     ParameterValues finished = values;
@@ -239,7 +240,7 @@ render::Box boxOverTime(const IceCreamRows& t, const ParameterValues& values)
     }
     if (!values[t.animate]) return box;
     double bob = 0;
-    for (const CandyRows& candy : t.candies) bob = std::max(bob, values[candy.bob]);
+    for (const CandyParameters& candy : t.candies) bob = std::max(bob, values[candy.bob]);
     box.low.y -= bob;
     box.high.y += bob;
     return box;

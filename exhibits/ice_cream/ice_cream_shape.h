@@ -15,15 +15,15 @@ namespace vitrine {
 inline constexpr double iceCreamPlinthRadius = 0.28, iceCreamPlinthHeight = 0.26;
 
 /// Returns the shape at `time` seconds, without the grid of the sprinkles.
-[[nodiscard]] IceCreamShape iceCreamShape(const IceCreamRows&, const ParameterValues&, double time);
+[[nodiscard]] IceCreamShape iceCreamShape(const IceCreamParameters&, const ParameterValues&, double time);
 
 /// Returns the stage of the build-up that is shown `time` seconds after it began.
-[[nodiscard]] IceCreamStage stageAt(const IceCreamRows&, const ParameterValues&, double time);
+[[nodiscard]] IceCreamStage stageAt(const IceCreamParameters&, const ParameterValues&, double time);
 
 /// Returns the bounding box in the shape's own space, without sprinkles.
 [[nodiscard]] render::Box boxOf(const IceCreamShape&);
 /// Returns the bounding box over all times and stages, with floating candies.
-[[nodiscard]] render::Box boxOverTime(const IceCreamRows&, const ParameterValues&);
+[[nodiscard]] render::Box boxOverTime(const IceCreamParameters&, const ParameterValues&);
 
 /// Returns the angle that the reference adds to a candy after `time` seconds, radians.
 [[nodiscard]] double candySpin(double time);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "exhibits/framework/table/studied_rows.h"
-#include "exhibits/kit/sdf_rows.h"
+#include "exhibits/framework/table/studied_parameters.h"
+#include "exhibits/kit/sdf_parameters.h"
 
 #include <array>
 #include <vector>
@@ -42,14 +42,14 @@ enum class IceCreamStage : int {
 };
 
 /// Parameters of one layer of cream. Lengths are in meters before scaling by `size`.
-struct CreamRows {
+struct CreamParameters {
     Count lobes;
     Real radius, height, corner, offsetX, offsetZ, raise, tilt, yaw, twist, blend;
     Color color;
 };
 
 /// Parameters of one candy. Lengths are in meters before scaling by `size`.
-struct CandyRows {
+struct CandyParameters {
     Real x, y, z, halfX, halfY, halfZ, corner;
     Color color;
     Count tumble;
@@ -59,7 +59,7 @@ struct CandyRows {
 /// Parameters of the soft serve: its shape, its materials, its two lights. Lengths are in meters before scaling by
 /// `size`; y is up from the wafer's foot. The colors are those of the reference, which displayed them without a gamma
 /// curve: here they are linear light.
-struct IceCreamRows : virtual Parameters {
+struct IceCreamParameters : virtual Parameters {
     Group whole = group("Ice cream");
     Choice<IceCreamStage> stage = choice(
         "stage", IceCreamStage::finished,
@@ -119,7 +119,7 @@ struct IceCreamRows : virtual Parameters {
              "Width of the fillet between the relief (bars and rings) and the foot; 0 joins them sharply.");
 
     /// Indexed by layer: lowerLobes, ... upperLobes, ...
-    std::vector<CreamRows> layers =
+    std::vector<CreamParameters> layers =
         groups("layers", layerElements, [this](std::size_t i) { return layer(i, layerInitials[i]); });
     Group joints = group("Fillets of the cream");
     Real layerBlend = real("layerBlend", 0.1, meter, Range{0, 0.5}.soft(0, 0.15),
@@ -128,7 +128,7 @@ struct IceCreamRows : virtual Parameters {
                            "Width of the fillet between cream and wafer: wide looks melted.");
 
     /// Indexed by candy: candy1X, ... candy10Bob.
-    std::vector<CandyRows> candies =
+    std::vector<CandyParameters> candies =
         groups("candies", candyElements, [this](std::size_t i) { return candy(candyInitials[i]); });
 
     Group sprinkling = group("Sprinkles");
@@ -283,9 +283,9 @@ private:
         {0.32, 1.32, -0.2, blue, 10, 1, 0.06},
     }};
 
-    CreamRows layer(std::size_t which, const CreamInitial& initial)
+    CreamParameters layer(std::size_t which, const CreamInitial& initial)
     {
-        CreamRows rows{};
+        CreamParameters rows{};
         rows.lobes = count("lobes", initial.lobes, {3, 12}, "Number of cones around the axis of this layer.");
         rows.radius =
             real("radius", initial.radius, meter, Range{0.01, 0.5}.soft(0.03, 0.3), "Radius of a cone at its base.");
@@ -310,9 +310,9 @@ private:
         rows.color = color("color", {0.8388, 0.8468, 0.6939}, "Color of this layer.");
         return rows;
     }
-    CandyRows candy(const CandyInitial& initial)
+    CandyParameters candy(const CandyInitial& initial)
     {
-        CandyRows rows{};
+        CandyParameters rows{};
         rows.x = real("x", initial.x, meter, Range{-20, 20}.soft(-1, 1),
                       "Sideways position of the candy, measured from the axis.");
         rows.y = real("y", initial.y, meter, Range{-20, 20}.soft(0, 1.5),
@@ -337,13 +337,13 @@ private:
 };
 
 /// All parameters of the exhibit.
-struct IceCreamTable final : IceCreamRows, SdfRows {
-    IceCreamTable() : SdfRows(0, when(lighting, IceCreamLighting::reference)) {}
+struct IceCreamTable final : IceCreamParameters, SdfParameters {
+    IceCreamTable() : SdfParameters(0, when(lighting, IceCreamLighting::reference)) {}
 
     // The hall's sun hardly reaches the niche, but the reference's sun does.
-    StudiedRows studied{*this,
-                        {{.name = "shadowMethod", .views = {"reference"}},
-                         {.name = "shadowRays", .with = {{"sunWidth", degrees(10)}}, .views = {"reference"}}}};
+    StudiedParameters studied{*this,
+                              {{.name = "shadowMethod", .views = {"reference"}},
+                               {.name = "shadowRays", .with = {{"sunWidth", degrees(10)}}, .views = {"reference"}}}};
 };
 
 }  // namespace vitrine

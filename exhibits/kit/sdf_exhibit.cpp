@@ -50,7 +50,7 @@ render::Box SdfExhibit::bounds(const ParameterValues& values) const
 
 bool SdfExhibit::isGlass(const ParameterValues& values) const
 {
-    const SdfMaterialRows* t = materialRows();
+    const SdfMaterialParameters* t = materialParameters();
     return t && values[t->material] == SdfMaterial::glass;
 }
 
@@ -125,7 +125,7 @@ std::vector<OfferedComparison> SdfExhibit::comparisons() const
 
 SdfScene SdfExhibit::sceneOf(const PlanContext& context, const SdfBody& now) const
 {
-    const SdfMaterialRows* material = materialRows();
+    const SdfMaterialParameters* material = materialParameters();
     const bool spreads =
         !material || (now.values[material->roughness] > 0 && now.values[material->refractiveIndex] > 1);
     const bool glass = isGlass(now.values);

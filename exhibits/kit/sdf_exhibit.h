@@ -2,7 +2,7 @@
 
 #include "exhibits/framework/scene/exhibit.h"
 #include "exhibits/framework/scene/offers_comparisons.h"
-#include "exhibits/kit/sdf_rows.h"
+#include "exhibits/kit/sdf_parameters.h"
 
 #include <functional>
 #include <memory>
@@ -15,7 +15,7 @@ struct SdfShaders {
     /// Defines `float fieldDistance(vec3 p)`: meters, negative inside, 1-Lipschitz, in the body's own space.
     std::string field;
     /// Defines `FieldMaterial fieldMaterial(vec3 p)` (shaders/kit/sdf/material.glsl) for a point of the surface. By
-    /// default it is uniform, from SdfMaterialRows.
+    /// default it is uniform, from SdfMaterialParameters.
     std::string material = "kit/sdf/even_material.glsl";
     /// Defines the shading (shaders/kit/sdf/shading.glsl). By default it is the hall's light on that material.
     std::string shading = "kit/sdf/plain_shading.glsl";
@@ -51,9 +51,9 @@ struct SdfBody {
 
 struct SdfScene;
 
-/// An exhibit that is a signed distance field. It supplies the field (`SdfShaders`, `body`), parameters with SdfRows,
-/// and a material. This class provides sphere tracing with its cone pre-pass, its shadow, the bounding box with its
-/// overlay, the rasterized mesh, and heat maps.
+/// An exhibit that is a signed distance field. It supplies the field (`SdfShaders`, `body`), parameters with
+/// SdfParameters, and a material. This class provides sphere tracing with its cone pre-pass, its shadow, the bounding
+/// box with its overlay, the rasterized mesh, and heat maps.
 class SdfExhibit : public Exhibit, public CastsGlassShadow, public OffersComparisons {
 public:
     [[nodiscard]] render::Box bounds(const ParameterValues&) const final;
@@ -85,9 +85,9 @@ protected:
     /// Adds passes beside the body's own, or the reasons for skipping them.
     virtual void planBeside(const SdfScene&, render::FramePlan&) const {}
 
-    [[nodiscard]] virtual const SdfRows& rows() const = 0;
+    [[nodiscard]] virtual const SdfParameters& rows() const = 0;
     /// Returns null if the parameters contain none; then the field's own material applies, and nothing is glass.
-    [[nodiscard]] virtual const SdfMaterialRows* materialRows() const { return nullptr; }
+    [[nodiscard]] virtual const SdfMaterialParameters* materialParameters() const { return nullptr; }
     /// Returns whether rays pass through the body; by default if the material is glass.
     [[nodiscard]] virtual bool isGlass(const ParameterValues&) const;
     /// Returns a box that contains the body at any time.

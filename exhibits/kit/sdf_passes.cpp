@@ -25,7 +25,7 @@ constexpr int pixelsOfCone = 8;  ///< Side of the block that one cone covers.
 struct SdfPlanner {
     const SdfScene& scene;
     render::FramePlan& plan;
-    const SdfRows& table = scene.table;
+    const SdfParameters& table = scene.table;
     const ParameterValues& values = scene.body.values;
 
     [[nodiscard]] std::string named(const char* step) const { return std::string(scene.exhibit) + '/' + step; }

@@ -14,7 +14,7 @@ namespace vitrine {
 /// A field at one time and place, from which its passes are planned.
 struct SdfScene {
     std::string_view exhibit;  ///< Passes are "EXHIBIT/march", images "EXHIBIT.cone".
-    const SdfRows& table;
+    const SdfParameters& table;
     bool glass;  ///< Whether rays pass through it.
     bool rough;  ///< Whether it is glass that scatters them.
     const PlanContext& context;

@@ -55,8 +55,8 @@ void readTables(const Museum& museum, SceneState& sceneState, std::vector<std::s
 }
 
 /// Returns the index of the named parameter in its table.
-std::size_t rowNamed(const Museum& museum, const SceneState& sceneState, const Assignment& assignment,
-                     const std::string& option)
+std::size_t parameterNamed(const Museum& museum, const SceneState& sceneState, const Assignment& assignment,
+                           const std::string& option)
 {
     const Parameters& table = sceneState.values[assignment.owner].table();
     const auto row = table.find(assignment.name);
@@ -72,13 +72,13 @@ std::size_t rowNamed(const Museum& museum, const SceneState& sceneState, const A
 }
 
 /// Formats a value like `typed`: plain numbers in SI units, others in the parameter's displayed unit.
-std::string valueAsTyped(const ParameterInfo& row, const Value& value, const std::string& typed)
+std::string valueAsTyped(const ParameterInfo& parameter, const Value& value, const std::string& typed)
 {
     const auto* number = std::get_if<double>(&value);
-    if (!number || !row.isNumeric()) return formatValue(row, value);
+    if (!number || !parameter.isNumeric()) return formatValue(parameter, value);
     const bool isPlain = evaluate(typed, Unit::none).has_value();
-    return render::shortestNumber(isPlain ? *number : shown(*number, row.unit)) +
-           behindNumber(isPlain ? info(row.unit).storedSymbol : info(row.unit).symbol);
+    return render::shortestNumber(isPlain ? *number : shown(*number, parameter.unit)) +
+           behindNumber(isPlain ? info(parameter.unit).storedSymbol : info(parameter.unit).symbol);
 }
 
 /// Makes the assignment, as described for `applySet`.
@@ -86,7 +86,7 @@ void assign(const Museum& museum, SceneState& sceneState, const Assignment& assi
 {
     const auto& [owner, name, text] = assignment;
     ParameterValues& values = sceneState.values[owner];
-    const std::size_t row = rowNamed(museum, sceneState, assignment, "--set");
+    const std::size_t row = parameterNamed(museum, sceneState, assignment, "--set");
     const ParameterInfo& info = values.rows()[row];
     const std::optional<Value> value = optionValue(info, text);
     if (!value && info.isNumeric()) refuseDecimalComma("--set " + name, text);
@@ -128,18 +128,18 @@ void applySet(const Museum& museum, SceneState& sceneState, std::size_t subject,
     assignments::assign(museum, sceneState, assignments::assignmentOf(museum, subject, assignment), notes);
 }
 
-NamedRow namedRow(const Museum& museum, const SceneState& sceneState, std::size_t subject, const std::string& name,
-                  const std::string& option)
+NamedParameter namedParameter(const Museum& museum, const SceneState& sceneState, std::size_t subject,
+                              const std::string& name, const std::string& option)
 {
     const assignments::Assignment a = assignments::assignmentOf(museum, subject, name + '=', option);
-    return {a.owner, assignments::rowNamed(museum, sceneState, a, option)};
+    return {a.owner, assignments::parameterNamed(museum, sceneState, a, option)};
 }
 
 void applyMotion(const Museum& museum, SceneState& sceneState, std::size_t subject, const std::string& assignment)
 {
     const assignments::Assignment a =
         assignments::assignmentOf(museum, subject, assignment, "--animate", "morph=sine:0.1:0.9:period=4");
-    const std::size_t row = assignments::rowNamed(museum, sceneState, a, "--animate");
+    const std::size_t row = assignments::parameterNamed(museum, sceneState, a, "--animate");
     ParameterValues& values = sceneState.values[a.owner];
     const ParameterInfo& info = values.rows()[row];
     values.setMotion(row, typedMotion(info, "--animate " + a.name, a.text,

@@ -20,12 +20,12 @@ void applySet(const Museum&, SceneState&, std::size_t subject, const std::string
               std::vector<std::string>& notes);
 
 /// Parameter index and the subject that it belongs to.
-struct NamedRow {
+struct NamedParameter {
     std::size_t owner, row;
 };
 /// Finds the parameter "name" of the subject, or "exhibit.name". Throws Failure (ErrorKind::usage) naming `option`.
-[[nodiscard]] NamedRow namedRow(const Museum&, const SceneState&, std::size_t subject, const std::string& name,
-                                const std::string& option);
+[[nodiscard]] NamedParameter namedParameter(const Museum&, const SceneState&, std::size_t subject,
+                                            const std::string& name, const std::string& option);
 
 /// Animates one parameter: "name=motion", in the notation of `typedMotion`. Throws Failure (ErrorKind::usage) naming
 /// the option.

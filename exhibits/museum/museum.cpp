@@ -66,12 +66,12 @@ SceneState Museum::initialSceneState() const
 PictureQuality pictureQuality(const ParameterValues& hall)
 {
     PictureQuality quality;
-    if (const auto row = hall.table().find(supersamplesRow))
+    if (const auto row = hall.table().find(supersamplesParameter))
         quality.supersamples = static_cast<int>(std::get<double>(hall.row(*row)));
-    if (const auto row = hall.table().find(resolutionScaleRow))
+    if (const auto row = hall.table().find(resolutionScaleParameter))
         quality.resolutionScale = std::get<double>(hall.row(*row));
-    const auto antialiasing = hall.table().find(temporalAntialiasingRow);
-    if (const auto row = hall.table().find(historyFramesRow);
+    const auto antialiasing = hall.table().find(temporalAntialiasingParameter);
+    if (const auto row = hall.table().find(historyFramesParameter);
         row && antialiasing && std::get<double>(hall.row(*antialiasing)) != 0)
         quality.historyFrames = static_cast<int>(std::get<double>(hall.row(*row)));
     return quality;

@@ -39,7 +39,7 @@ render::Camera widened(const render::Camera& camera, double aspect)
 
 int usualSamples(const ParameterValues& hall)
 {
-    const std::optional<std::size_t> row = hall.table().find(supersamplesRow);
+    const std::optional<std::size_t> row = hall.table().find(supersamplesParameter);
     return row && !hall.isInitial(*row) ? pictureQuality(hall).supersamples : 4;
 }
 

@@ -27,10 +27,10 @@ double degreesOf(double radians)
 }
 
 /// Formats a value for `--set`: numbers in SI units.
-std::string settingOf(const ParameterInfo& row, const Value& value)
+std::string settingOf(const ParameterInfo& parameter, const Value& value)
 {
     const auto* number = std::get_if<double>(&value);
-    return number && row.isNumeric() ? render::shortestNumber(*number) : formatValue(row, value);
+    return number && parameter.isNumeric() ? render::shortestNumber(*number) : formatValue(parameter, value);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exhibits/framework/table/parameters.h"
-#include "exhibits/framework/table/studied_rows.h"
+#include "exhibits/framework/table/studied_parameters.h"
 
 namespace vitrine {
 
@@ -187,12 +187,12 @@ struct NoiseTable final : Parameters {
                            "then look like grain, not like shells.",
                            quality(1), inClouds and physical);
 
-    StudiedRows studied{*this,
-                        {{.name = "march", .lifted = {"boundShare"}},
-                         {.name = "stepLimit", .settles = "Rays end before they have taken this many steps."},
-                         {.name = "hitTolerance", .lifted = {"stepLimit", "seaSteps"}},
-                         {.name = "seaSteps", .settles = "Rays find the water in fewer steps."},
-                         {.name = "jitter", .exactInReference = {"cloudSteps"}}}};
+    StudiedParameters studied{*this,
+                              {{.name = "march", .lifted = {"boundShare"}},
+                               {.name = "stepLimit", .settles = "Rays end before they have taken this many steps."},
+                               {.name = "hitTolerance", .lifted = {"stepLimit", "seaSteps"}},
+                               {.name = "seaSteps", .settles = "Rays find the water in fewer steps."},
+                               {.name = "jitter", .exactInReference = {"cloudSteps"}}}};
 };
 
 }  // namespace vitrine

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exhibits/framework/table/parameters.h"
-#include "exhibits/framework/table/studied_rows.h"
+#include "exhibits/framework/table/studied_parameters.h"
 #include "render/image/picture_formats.h"
 
 namespace vitrine {
@@ -193,7 +193,7 @@ struct PaperLanternsTable final : Parameters {
                              "that depth: high makes edges uneven.",
                              quality(0.01));
 
-    StudiedRows studied{
+    StudiedParameters studied{
         *this,
         // Excludes lanterns so far away that they are points of light, which the methods by cells leave out.
         {{.name = "repetition", .with = {{"lanterns", 16}, {"pointSize", 0.5}}},

@@ -13,7 +13,7 @@
 namespace vitrine {
 namespace {
 
-const PixelArtTable& methodRows()
+const PixelArtTable& methodParameters()
 {
     static const PixelArtTable table;
     return table;
@@ -21,12 +21,13 @@ const PixelArtTable& methodRows()
 
 std::size_t methodCount()
 {
-    return methodRows().rows()[methodRows().method.row].choices.size() - 1;  // All methods except the drawn normals.
+    return methodParameters().rows()[methodParameters().method.row].choices.size() -
+           1;  // All methods except the drawn normals.
 }
 
 std::string choiceOf(std::size_t row, int value)
 {
-    return std::string(methodRows().rows()[row].choices[static_cast<std::size_t>(value)]);
+    return std::string(methodParameters().rows()[row].choices[static_cast<std::size_t>(value)]);
 }
 
 /// Returns the angles in degrees, ascending, for all texels that show an object.
@@ -53,7 +54,8 @@ NormalErrors measureNormals(render::RenderBackend& backend, const ParameterValue
     NormalErrors m;
     std::map<std::string, std::vector<double>> times;
     for (int run = 0; run <= runs; ++run) {
-        PixelShot shot{methodRows(), values, pixelCamera(methodRows(), values, {0, 0}), 0.5, parts, 0, palette};
+        PixelShot shot{
+            methodParameters(), values, pixelCamera(methodParameters(), values, {0, 0}), 0.5, parts, 0, palette};
         shot.keepsLit = shot.seenSmaller = false;
         render::FramePlan plan;
         plan.view.raster.size = shot.camera.size;
@@ -90,7 +92,7 @@ MethodTable::MethodTable(std::vector<Scene> scenes, std::vector<Picture> picture
 MethodTable MethodTable::all(const ParameterValues& values)
 {
     std::vector<Scene> scenes{{"test scene", testParts(0.5)}, {"thin bars", barParts()}, {"isle", isleParts(0.5)}};
-    if (const std::string& model = values[methodRows().model]; !model.empty())
+    if (const std::string& model = values[methodParameters().model]; !model.empty())
         scenes.push_back({"a visitor's model", modelParts(render::loadGltf(model), 0)});
     return {std::move(scenes),
             {{PixelResolution::r240, DepthBits::float32},
@@ -109,7 +111,7 @@ double MethodTable::progress() const
 
 bool MethodTable::step(render::RenderBackend& backend)
 {
-    const PixelArtTable& t = methodRows();
+    const PixelArtTable& t = methodParameters();
     const std::size_t each = pictures_.size() * methodCount();
     const Scene& scene = scenes_[done_ / each];
     const Picture& picture = pictures_[done_ % each / methodCount()];

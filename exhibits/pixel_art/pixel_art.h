@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/scene/dragged_rows.h"
+#include "exhibits/framework/scene/dragged_parameters.h"
 #include "exhibits/framework/scene/exhibit.h"
 #include "exhibits/framework/table/measured_table.h"
 #include "exhibits/pixel_art/pixel_art_table.h"
@@ -13,7 +13,7 @@ namespace vitrine {
 class PixelArt final : public Exhibit,
                        public HasButton,
                        public HasSurroundings,
-                       public HasDraggedRows,
+                       public HasDraggedParameters,
                        public MeasuresTable {
 public:
     using Table = PixelArtTable;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exhibits/framework/table/parameters.h"
-#include "exhibits/framework/table/studied_rows.h"
+#include "exhibits/framework/table/studied_parameters.h"
 #include "render/image/picture_formats.h"
 
 namespace vitrine {
@@ -121,7 +121,7 @@ struct PixelArtTable final : Parameters {
         choice("depthOrder", DepthOrder::reversed, {"reversed", "standard"},
                "Order of the depth values: reversed has 1 near and 0 far, standard the opposite.",
                exactAt(DepthOrder::reversed));
-    StudiedRows studied{
+    StudiedParameters studied{
         *this,
         {{.name = "smoothing", .exactInReference = {"method"}},
          {.name = "depthOrder", .same = "Either order holds the same depths, so that the picture is the same."}}};

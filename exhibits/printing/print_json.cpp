@@ -35,8 +35,8 @@ ParameterValues valuesOf(const render::JsonDocument& document, std::vector<std::
     ParameterValues values = printTable().initial();
     for (const auto& [key, json] : document.root()["values"].items()) {
         if (const auto row = printTable().find(key))
-            values.setRow(*row,
-                          valueFromJson(values.rows()[*row], json, JsonPlace{document, "values." + key}, key, notes));
+            values.setParameter(
+                *row, valueFromJson(values.rows()[*row], json, JsonPlace{document, "values." + key}, key, notes));
         else
             notes.push_back("\"" + key + "\" is not known and was left out.");
     }
@@ -87,9 +87,9 @@ PrintSettings settingsFromJson(const render::JsonDocument& document)
 {
     requirePrint(document);
     const Json& root = document.root();
-    for (const ParameterInfo& row : printTable().rows())
-        if (row.group != "Views" && !row.isWritten() && !root["values"].contains(row.name))
-            throw document.failure("values", "\"" + std::string(row.name) +
+    for (const ParameterInfo& parameter : printTable().rows())
+        if (parameter.group != "Views" && !parameter.isWritten() && !root["values"].contains(parameter.name))
+            throw document.failure("values", "\"" + std::string(parameter.name) +
                                                  "\" is missing: this does not describe a lenticular "
                                                  "print; give a print, or the JSON beside it.");
     std::vector<std::string> notes;

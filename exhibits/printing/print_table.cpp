@@ -45,14 +45,16 @@ const PrintTable& printTable()
     return table;
 }
 
-bool rowActs(const ParameterInfo& row, const ParameterValues& values, bool chart)
+bool parameterActs(const ParameterInfo& parameter, const ParameterValues& values, bool chart)
 {
     const PrintTable& table = printTable();
-    const auto isAmong = [&](auto... parameters) { return ((row.name == table.rows()[parameters.row].name) || ...); };
+    const auto isAmong = [&](auto... parameters) {
+        return ((parameter.name == table.rows()[parameters.row].name) || ...);
+    };
     const ViewOrigin from = values[table.origin];
     if (isAmong(table.saveViews, table.viewFormat, table.sheet)) return false;  // The dialog has no use for these,
     if (isAmong(table.origin, table.files, table.quilt, table.places)) return false;  // and fields for these.
-    if (row.group == "Views") {
+    if (parameter.group == "Views") {
         if (chart)
             return isAmong(table.views) && values[table.chart] != ChartKind::pitch &&
                    values[table.chart] != ChartKind::phase;
@@ -60,9 +62,9 @@ bool rowActs(const ParameterInfo& row, const ParameterValues& values, bool chart
         if (isAmong(table.quiltColumns, table.quiltRows, table.quiltOrder)) return from == ViewOrigin::quilt;
         return isAmong(table.fitting, table.every, table.pingPong) == (from != ViewOrigin::shown);
     }
-    if (row.group == "Chart" && !chart) return false;
+    if (parameter.group == "Chart" && !chart) return false;
     if (chart && isAmong(table.border, table.compensate)) return false;
-    return !row.actsWhen || holds(*row.actsWhen, values);
+    return !parameter.actsWhen || holds(*parameter.actsWhen, values);
 }
 
 bool sameViews(const ParameterValues& a, const ParameterValues& b)
@@ -74,7 +76,7 @@ bool sameViews(const ParameterValues& a, const ParameterValues& b)
         if (is(table.places)) return !rendered;
         if (is(table.files)) return b[table.origin] == ViewOrigin::files;
         if (is(table.quilt)) return b[table.origin] == ViewOrigin::quilt;
-        if (row.group == "Views") return is(table.origin) || rowActs(row, b, false);
+        if (row.group == "Views") return is(table.origin) || parameterActs(row, b, false);
         // Pictures are fitted to the shape of the print when they are read.
         const bool shapes = row.name == "width" || row.name == "height" || row.name == "bleed";
         if (!rendered && shapes) return b[table.fitting] != Fitting::stretch;

@@ -216,7 +216,7 @@ struct PrintTable final : Parameters {
 [[nodiscard]] const PrintTable& printTable();
 
 /// Returns whether a parameter has an effect with these values, in a print of views or in a chart.
-[[nodiscard]] bool rowActs(const ParameterInfo&, const ParameterValues&, bool chart);
+[[nodiscard]] bool parameterActs(const ParameterInfo&, const ParameterValues&, bool chart);
 /// Returns whether views read or rendered for one set of values can be used for the other.
 [[nodiscard]] bool sameViews(const ParameterValues&, const ParameterValues&);
 /// Returns the pictures that the views are read from: those of `files`, or the quilt.

@@ -11,15 +11,15 @@ namespace vitrine::printing {
 namespace {
 
 /// Returns the value at `part` (0 to 1) between two; nothing if they cannot be interpolated.
-std::optional<Value> between(const ParameterInfo& row, const Value& from, const Value& to, double part)
+std::optional<Value> between(const ParameterInfo& parameter, const Value& from, const Value& to, double part)
 {
-    if (row.isNumeric()) {
+    if (parameter.isNumeric()) {
         const double a = std::get<double>(from);
         const double b = std::get<double>(to);
-        if (row.range.scale == Scale::logarithmic && a > 0 && b > 0) return a * std::pow(b / a, part);
+        if (parameter.range.scale == Scale::logarithmic && a > 0 && b > 0) return a * std::pow(b / a, part);
         return a + (b - a) * part;
     }
-    if (row.kind == Kind::color || row.kind == Kind::direction)
+    if (parameter.kind == Kind::color || parameter.kind == Kind::direction)
         return glm::mix(std::get<glm::dvec3>(from), std::get<glm::dvec3>(to), part);
     return std::nullopt;
 }
@@ -70,7 +70,7 @@ void sweep(std::vector<ViewShot>& shots, const SceneState& from, const SceneStat
                                   std::string(a.rows()[row].name) +
                                       " has no values between two others; let a number, a color or a direction run.");
                 shots[k].sceneState.values[exhibit].setMotion(row, std::nullopt);
-                shots[k].sceneState.values[exhibit].setRow(row, *value);
+                shots[k].sceneState.values[exhibit].setParameter(row, *value);
             }
         }
     }

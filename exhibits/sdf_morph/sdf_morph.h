@@ -36,8 +36,8 @@ public:
     [[nodiscard]] std::vector<StandingShape> standingShapes(const ParameterValues&) const override;
 
 private:
-    [[nodiscard]] const SdfRows& rows() const override { return table_; }
-    [[nodiscard]] const SdfMaterialRows* materialRows() const override { return &table_; }
+    [[nodiscard]] const SdfParameters& rows() const override { return table_; }
+    [[nodiscard]] const SdfMaterialParameters* materialParameters() const override { return &table_; }
     [[nodiscard]] render::Box boxOverTime(const ParameterValues&) const override;
 
     Table table_;

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "exhibits/framework/table/studied_rows.h"
-#include "exhibits/kit/sdf_rows.h"
+#include "exhibits/framework/table/studied_parameters.h"
+#include "exhibits/kit/sdf_parameters.h"
 
 namespace vitrine {
 
 /// Parameters of the melting torus-mug. Lengths are in meters, in its own space.
-struct TorusMugRows : virtual Parameters {
+struct TorusMugParameters : virtual Parameters {
     Group shape = group("Shape");
     Real morph =
         real("morph", 0.62, none, {0, 1}, "Shape between torus and mug: 0 is the torus, 1 is the mug.", essential());
@@ -35,9 +35,9 @@ struct TorusMugRows : virtual Parameters {
 };
 
 /// All parameters of the exhibit.
-struct SdfMorphTable final : TorusMugRows, SdfMaterialRows, SdfRows {
+struct SdfMorphTable final : TorusMugParameters, SdfMaterialParameters, SdfParameters {
     // Bare metal shows no shadow of its own, and a small sun hardly any penumbra.
-    StudiedRows studied{
+    StudiedParameters studied{
         *this,
         {{.name = "shadowMethod", .with = {{"metalness", 0}}, .views = {"best view", "into the mug, along its wall"}},
          {.name = "shadowRays",

@@ -12,7 +12,7 @@
 namespace vitrine::scenes {
 namespace {
 
-constexpr const char* materialRow = "material";
+constexpr const char* materialParameter = "material";
 
 /// Returns the value of a node at a path; nullopt if there is none.
 std::optional<std::uint32_t> objectAt(const render::JsonText& json, std::string_view path)
@@ -37,7 +37,7 @@ std::vector<std::string> materialNames(const render::JsonText& json)
     return names;
 }
 
-void addRowsOf(const std::vector<Field>& fields, std::vector<NodeRow>& rows)
+void addParametersOf(const std::vector<Field>& fields, std::vector<NodeParameter>& rows)
 {
     for (const Field& field : fields) {
         const bool whole = numbersOf(field.type) == 1 || field.type == FieldType::direction;
@@ -45,7 +45,7 @@ void addRowsOf(const std::vector<Field>& fields, std::vector<NodeRow>& rows)
     }
 }
 
-std::string rowName(const MadeTable& table, const NodeRow& row)
+std::string parameterName(const MadeTable& table, const NodeParameter& row)
 {
     std::string name(row.field->name);
     if (!row.whole) name += "XYZ"[row.component];
@@ -53,10 +53,10 @@ std::string rowName(const MadeTable& table, const NodeRow& row)
     return name;
 }
 
-void addRow(MadeTable& table, const NodeRow& row)
+void addRow(MadeTable& table, const NodeParameter& row)
 {
     const Field& field = *row.field;
-    const std::string name = rowName(table, row);
+    const std::string name = parameterName(table, row);
     const double initial = field.initial[row.component];
     const bool isSize = field.unit == Unit::meter && field.low > 0;
     const Range range =
@@ -131,7 +131,7 @@ private:
 
 double materialIndex(const render::JsonText& json, std::uint32_t value, const std::vector<std::string>& names)
 {
-    const auto material = json.member(value, materialRow);
+    const auto material = json.member(value, materialParameter);
     if (!material || json.value(*material).type != render::JsonSpan::Type::string) return 0;
     const auto found = std::find(names.begin() + 1, names.end(), json.string(*material));
     return found == names.end() ? 0 : static_cast<double>(found - names.begin());
@@ -139,63 +139,64 @@ double materialIndex(const render::JsonText& json, std::uint32_t value, const st
 
 }  // namespace
 
-std::vector<NodeRow> rowsOfNode(const Scene& scene, std::string_view path)
+std::vector<NodeParameter> parametersOfNode(const Scene& scene, std::string_view path)
 {
-    std::vector<NodeRow> rows;
+    std::vector<NodeParameter> rows;
     const render::JsonText& json = *scene.files.front().text;
     const auto value = objectAt(json, path);
     if (!value) return rows;
-    if (const NodeKind* kind = kindAt(json, *value)) addRowsOf(kind->fields, rows);
-    addRowsOf(placeFields(), rows);
+    if (const NodeKind* kind = kindAt(json, *value)) addParametersOf(kind->fields, rows);
+    addParametersOf(placeFields(), rows);
     rows.push_back({});
     return rows;
 }
 
-std::optional<TreeRows> nodeRows(const Scene& scene, const std::vector<double>& numbers, std::string_view path)
+std::optional<TreeParameters> nodeParameters(const Scene& scene, const std::vector<double>& numbers,
+                                             std::string_view path)
 {
     const render::JsonText& json = *scene.files.front().text;
     const auto value = objectAt(json, path);
     if (!value) return std::nullopt;
-    const std::vector<NodeRow> rows = rowsOfNode(scene, path);
+    const std::vector<NodeParameter> rows = parametersOfNode(scene, path);
     const std::vector<std::string> materials = materialNames(json);
     auto table = std::make_shared<MadeTable>();
     std::string heading = json.string(*json.member(*value, "kind"));
     heading.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(heading.front())));
     table->group(heading);
-    for (const NodeRow& row : rows) {
+    for (const NodeParameter& row : rows) {
         if (row.field == &placeFields().front() && row.component == 0) table->group("Place");
         if (!row.field) table->group("Material");
         if (row.field)
             addRow(*table, row);
         else
-            table->choice(materialRow, 0, materials,
+            table->choice(materialParameter, 0, materials,
                           "Material of the shape and of everything in it that sets no other.");
     }
-    TreeRows made{ParameterValues(std::shared_ptr<const Parameters>(table)), {}};
+    TreeParameters made{ParameterValues(std::shared_ptr<const Parameters>(table)), {}};
     FieldNumbers fields(scene, numbers, path, *value);
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const NodeRow& row = rows[i];
+        const NodeParameter& row = rows[i];
         if (!row.field)
-            made.values.setRow(i, materialIndex(json, *value, materials));
+            made.values.setParameter(i, materialIndex(json, *value, materials));
         else if (row.field->type == FieldType::direction)
-            made.values.setRow(
+            made.values.setParameter(
                 i, glm::dvec3(fields.at(*row.field, 0), fields.at(*row.field, 1), fields.at(*row.field, 2)));
         else
-            made.values.setRow(i, fields.at(*row.field, row.component));
+            made.values.setParameter(i, fields.at(*row.field, row.component));
     }
     if (!fields.computed.empty())
         made.note = "Expressions: " + fields.computed + ". Moving a slider replaces the expression by a number.";
     return made;
 }
 
-std::string textWithRow(const Scene& scene, std::string_view path, std::size_t index, const Value& value)
+std::string textWithParameter(const Scene& scene, std::string_view path, std::size_t index, const Value& value)
 {
-    const std::vector<NodeRow> rows = rowsOfNode(scene, path);
+    const std::vector<NodeParameter> rows = parametersOfNode(scene, path);
     if (index >= rows.size())
         throw Failure(ErrorKind::check, "Cannot change the value: the node no longer has it. Select another node.");
     const render::JsonText& json = *scene.files.front().text;
     const SceneEdit edit(json.text());
-    const NodeRow& row = rows[index];
+    const NodeParameter& row = rows[index];
     if (!row.field) {
         const std::vector<std::string> names = materialNames(json);
         const auto chosen = static_cast<std::size_t>(std::get<double>(value));

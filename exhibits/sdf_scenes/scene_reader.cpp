@@ -205,7 +205,7 @@ void SceneReader::readParameters(std::uint32_t file, std::uint32_t object)
     for (const std::uint32_t value : json.children(object)) {
         SceneParameter parameter = readParameter(file, value);
         parameter.name = json.key(value);
-        if (!isRowName(parameter.name))
+        if (!isParameterName(parameter.name))
             findings_.add(json, value, "a parameter's name has letters and digits, a letter first");
         else if (parameter.name == "t" || isExpressionWord(parameter.name))
             findings_.add(json, value, "this name is taken: expressions know it already; choose another");

@@ -14,19 +14,20 @@ namespace vitrine::scenes {
 [[nodiscard]] Tree treeOf(const Scene&);
 
 /// Parameter of a node: a field, or one number of a field. `field` is null for the material.
-struct NodeRow {
+struct NodeParameter {
     const Field* field = nullptr;
     std::size_t component = 0;
     bool whole = true;  ///< The parameter is the field's only number, or its direction.
 };
-[[nodiscard]] std::vector<NodeRow> rowsOfNode(const Scene&, std::string_view path);
+[[nodiscard]] std::vector<NodeParameter> parametersOfNode(const Scene&, std::string_view path);
 
 /// Returns the numbers of a node in its file as parameter values. A computed number has its value in `numbers`, which
 /// are those of `Scene::numbersAt`. Returns nothing if there is no node at this path.
-[[nodiscard]] std::optional<TreeRows> nodeRows(const Scene&, const std::vector<double>& numbers, std::string_view path);
+[[nodiscard]] std::optional<TreeParameters> nodeParameters(const Scene&, const std::vector<double>& numbers,
+                                                           std::string_view path);
 
 /// Returns the scene's text with another value of a parameter of a node.
-[[nodiscard]] std::string textWithRow(const Scene&, std::string_view path, std::size_t row, const Value&);
+[[nodiscard]] std::string textWithParameter(const Scene&, std::string_view path, std::size_t row, const Value&);
 /// Returns the scene's text with the differences between two transforms of a node.
 [[nodiscard]] std::string textWithPlace(const Scene&, std::string_view path, const TreePlace& before,
                                         const TreePlace& after);

@@ -413,11 +413,11 @@ Tree SdfScenes::tree(const ParameterValues& values) const
     return scenes::treeOf(*shown(values).scene);
 }
 
-std::optional<TreeRows> SdfScenes::rowsOf(const ParameterValues& values, std::string_view node) const
+std::optional<TreeParameters> SdfScenes::parametersOf(const ParameterValues& values, std::string_view node) const
 {
     const scenes::ShownScene& scene = shown(values);
     const std::vector<double> numbers = numbersAt(values, 0);
-    std::optional<TreeRows> rows = scenes::nodeRows(*scene.scene, numbers, node);
+    std::optional<TreeParameters> rows = scenes::nodeParameters(*scene.scene, numbers, node);
     const std::uint32_t at = scenes::nodeAt(*scene.scene, node);
     if (!rows || at == scenes::none) return rows;
     const std::string without = scenes::placeInScene(scene, numbers, at).without;
@@ -443,10 +443,10 @@ EditedTree SdfScenes::edited(const ParameterValues& values, const TreeEdit& want
     return {withText(values, std::move(made.text), assets), made.path};
 }
 
-ParameterValues SdfScenes::withRow(const ParameterValues& values, std::string_view node, std::size_t row,
-                                   const Value& value, render::AssetStore& assets) const
+ParameterValues SdfScenes::withParameter(const ParameterValues& values, std::string_view node, std::size_t row,
+                                         const Value& value, render::AssetStore& assets) const
 {
-    return withText(values, scenes::textWithRow(*shown(values).scene, node, row, value), assets);
+    return withText(values, scenes::textWithParameter(*shown(values).scene, node, row, value), assets);
 }
 
 ParameterValues SdfScenes::withPlace(const ParameterValues& values, std::string_view node, const TreePlace& from,

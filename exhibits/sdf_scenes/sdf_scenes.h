@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/scene/dragged_rows.h"
+#include "exhibits/framework/scene/dragged_parameters.h"
 #include "exhibits/framework/scene/exhibit.h"
 #include "exhibits/framework/scene/stands_alone.h"
 #include "exhibits/framework/scene/tree.h"
@@ -18,7 +18,7 @@ class SdfScenes final : public Exhibit,
                         public HasButton,
                         public HasSurroundings,
                         public TableFromFiles,
-                        public HasDraggedRows,
+                        public HasDraggedParameters,
                         public HasTree,
                         public StandsAlone {
 public:
@@ -60,10 +60,11 @@ public:
 
     // HasTree
     [[nodiscard]] Tree tree(const ParameterValues&) const override;
-    [[nodiscard]] std::optional<TreeRows> rowsOf(const ParameterValues&, std::string_view node) const override;
+    [[nodiscard]] std::optional<TreeParameters> parametersOf(const ParameterValues&,
+                                                             std::string_view node) const override;
     [[nodiscard]] EditedTree edited(const ParameterValues&, const TreeEdit&, render::AssetStore&) const override;
-    [[nodiscard]] ParameterValues withRow(const ParameterValues&, std::string_view node, std::size_t row, const Value&,
-                                          render::AssetStore&) const override;
+    [[nodiscard]] ParameterValues withParameter(const ParameterValues&, std::string_view node, std::size_t row,
+                                                const Value&, render::AssetStore&) const override;
     [[nodiscard]] ParameterValues withPlace(const ParameterValues&, std::string_view node, const TreePlace& from,
                                             const TreePlace& to, render::AssetStore&) const override;
     [[nodiscard]] std::string pick(const ExhibitState&, const render::Ray&) const override;

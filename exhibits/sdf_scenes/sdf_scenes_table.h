@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exhibits/framework/table/parameters.h"
-#include "exhibits/framework/table/studied_rows.h"
+#include "exhibits/framework/table/studied_parameters.h"
 
 #include <memory>
 #include <vector>
@@ -135,7 +135,7 @@ struct SdfScenesTable final : Parameters {
         "evaluation", SceneEvaluation::automatic, {"automatic", "what is near", "every shape"},
         "Shapes that the shader evaluates at a point: those that matter there, from lists of cells, or all of them.",
         exactAt(SceneEvaluation::shapes));
-    StudiedRows studied{
+    StudiedParameters studied{
         *this,
         {{.name = "bounces", .settles = "The scene asks for fewer mirror images of mirror images."},
          {.name = "hitTolerance", .lifted = {"stepLimit"}},

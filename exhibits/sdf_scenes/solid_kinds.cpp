@@ -1,4 +1,4 @@
-#include "exhibits/sdf_scenes/node_rows.h"
+#include "exhibits/sdf_scenes/node_parameters.h"
 
 #include <algorithm>
 #include <cmath>

@@ -110,7 +110,7 @@ ParameterValues randomLight(const Museum& museum, RandomNumbers& random)
     ParameterValues values = randomValues(table, random);
     if (random.chance(0.03)) return values;
     for (std::size_t i = 0; i < table.rows().size(); ++i)
-        if (table.rows()[i].kind == Kind::count) values.setRow(i, cheapest.row(i));
+        if (table.rows()[i].kind == Kind::count) values.setParameter(i, cheapest.row(i));
     return values;
 }
 
@@ -199,7 +199,7 @@ std::vector<std::string> causesOf(const Museum& museum, render::RenderBackend& b
             if (c.sceneState.values[table].row(row) == value) continue;
             const std::string name =
                 std::string(museum.subject(table).name()) + '.' + settingText(c.sceneState.values[table], row);
-            tryPlain(name, [&](ScanCase& s) { s.sceneState.values[table].setRow(row, value); });
+            tryPlain(name, [&](ScanCase& s) { s.sceneState.values[table].setParameter(row, value); });
         }
     }
     return causes;

@@ -52,7 +52,7 @@ Study::Study(const Museum& museum, render::RenderBackend& backend, StudyRequest 
     result_.exactInReference = situation_.exact;
     addViews();
     for (const StudyAxis& axis : request_.axes)
-        result_.exact.push_back(exactness(rowOf(request_.sceneState, axis)).exact);
+        result_.exact.push_back(exactness(parameterOf(request_.sceneState, axis)).exact);
     findDependentPasses();
     for (std::size_t view = 0; view < views_.size(); ++view) addReference(view, true);
     if (request_.axes.size() > 2) {
@@ -106,7 +106,7 @@ SceneState Study::lookAt(const std::vector<double>& axisValues, std::size_t view
     SceneState sceneState = situation_.sceneState;
     sceneState.values[request_.subject] = views_[view].view.values;
     for (std::size_t i = 0; i < request_.axes.size(); ++i)
-        sceneState.values[request_.axes[i].subject].setRow(request_.axes[i].row, axisValues[i]);
+        sceneState.values[request_.axes[i].subject].setParameter(request_.axes[i].row, axisValues[i]);
     sceneState.camera = views_[view].view.camera;
     if (!request_.alone && request_.subject != hallIndex)
         sceneState.camera = sceneState.camera.transformed(museum_.worldFromExhibit(request_.subject));
@@ -116,9 +116,9 @@ SceneState Study::lookAt(const std::vector<double>& axisValues, std::size_t view
 SceneState Study::referenceLook(std::size_t view) const
 {
     SceneState sceneState = lookAt(result_.exact, view);
-    for (const StudyRow& row : situation_.exact) {
+    for (const StudyParameter& row : situation_.exact) {
         ParameterValues& values = sceneState.values[row.subject];
-        values.setRow(row.row, *values.rows()[row.row].qualityReference);
+        values.setParameter(row.row, *values.rows()[row.row].qualityReference);
     }
     return sceneState;
 }
@@ -128,7 +128,7 @@ SceneState Study::sceneStateOf(const StudyPoint& point) const
     SceneState sceneState = request_.sceneState;
     const std::vector<double> values = valuesOf(point.setting);
     for (std::size_t i = 0; i < request_.axes.size(); ++i)
-        sceneState.values[request_.axes[i].subject].setRow(request_.axes[i].row, values[i]);
+        sceneState.values[request_.axes[i].subject].setParameter(request_.axes[i].row, values[i]);
     return sceneState;
 }
 
@@ -156,7 +156,7 @@ bool Study::refineReference()
     if (tellsAll || doublings_ >= mostDoublings) return false;
     std::vector<double> doubled;
     for (const StudyAxis& axis : request_.axes)
-        doubled.push_back(exactness(rowOf(request_.sceneState, axis), doublings_ + 1).exact);
+        doubled.push_back(exactness(parameterOf(request_.sceneState, axis), doublings_ + 1).exact);
     if (doubled == result_.exact) return false;
     ++doublings_;
     result_.exact = doubled;
@@ -224,7 +224,7 @@ void Study::addExactReferences()
         SceneState sceneState = lookAt(result_.exact, view);
         sceneState.values[request_.subject] = atReference(sceneState.values[request_.subject]);
         for (std::size_t i = 0; i < request_.axes.size(); ++i)
-            sceneState.values[request_.axes[i].subject].setRow(request_.axes[i].row, result_.exact[i]);
+            sceneState.values[request_.axes[i].subject].setParameter(request_.axes[i].row, result_.exact[i]);
         addPicture({"exact_" + std::to_string(view) + "_" + std::to_string(doublings_),
                     "everything exact, " + views_[view].view.name, sceneState, referenceRequest(sceneState, view)},
                    [this, view](StudyMeasure measure) {
@@ -530,7 +530,7 @@ PictureRequest Study::pictureRequest(const SceneState& sceneState, std::size_t v
     PictureRequest request;
     const PictureQuality quality = pictureQuality(sceneState.hall());
     const bool supersampled = std::any_of(request_.axes.begin(), request_.axes.end(), [&](const StudyAxis& a) {
-        return a.subject == hallIndex && rowOf(request_.sceneState, a).name == supersamplesRow;
+        return a.subject == hallIndex && parameterOf(request_.sceneState, a).name == supersamplesParameter;
     });
     request.samples = supersampled ? quality.supersamples : 1;
     request.frame.raster.size =
@@ -559,7 +559,7 @@ PictureRequest Study::referenceRequest(const SceneState& sceneState, std::size_t
     if (!studiesMotion()) return request;
     request.motion.clear();
     const ParameterValues& hall = sceneState.hall();
-    if (const auto row = hall.table().find(supersamplesRow))
+    if (const auto row = hall.table().find(supersamplesParameter))
         request.samples = static_cast<int>(hall.rows()[*row].qualityReference.value_or(64));
     return request;
 }

@@ -10,26 +10,26 @@
 
 namespace vitrine {
 
-const ParameterInfo& rowOf(const SceneState& sceneState, const StudyAxis& axis)
+const ParameterInfo& parameterOf(const SceneState& sceneState, const StudyAxis& axis)
 {
     return sceneState.values[axis.subject].rows()[axis.row];
 }
 
 std::string axisName(Subjects subjects, const SceneState& sceneState, std::size_t subject, const StudyAxis& axis)
 {
-    const std::string name(rowOf(sceneState, axis).name);
+    const std::string name(parameterOf(sceneState, axis).name);
     return axis.subject == subject ? name : std::string(subjects[axis.subject]->name()) + '.' + name;
 }
 
 std::string axisLabel(Subjects subjects, const SceneState& sceneState, std::size_t subject, const StudyAxis& axis)
 {
-    const std::string name = label(rowOf(sceneState, axis));
+    const std::string name = label(parameterOf(sceneState, axis));
     return axis.subject == subject ? name : std::string(subjects[axis.subject]->title()) + ": " + name;
 }
 
 std::string axisValueText(const SceneState& sceneState, const StudyAxis& axis, double value)
 {
-    const ParameterInfo& row = rowOf(sceneState, axis);
+    const ParameterInfo& row = parameterOf(sceneState, axis);
     const std::string unit(info(row.unit).symbol);
     std::string text = formatValue(row, value);
     if (row.kind == Kind::real) {
@@ -44,7 +44,7 @@ std::string axisValueText(const SceneState& sceneState, const StudyAxis& axis, d
 std::optional<StudyAxis> studyAxis(const SceneState& sceneState, std::size_t subject, std::size_t row, int points)
 {
     StudyAxis axis{subject, row, {}};
-    const ParameterInfo& info = rowOf(sceneState, axis);
+    const ParameterInfo& info = parameterOf(sceneState, axis);
     if (!info.qualityReference) return std::nullopt;
     // One value is reserved for the initial one, unless the sweep contains it anyway.
     axis.values = derive::sweep(info, std::max(points - 1, 2));
@@ -58,8 +58,10 @@ std::vector<StudyAxis> qualityAxes(const SceneState& sceneState, std::size_t sub
 {
     const auto& rows = sceneState.values[subject].rows();
     if (points == 0)
-        points = usualPoints(static_cast<std::size_t>(std::count_if(
-            rows.begin(), rows.end(), [](const ParameterInfo& row) { return row.qualityReference.has_value(); })));
+        points = usualPoints(
+            static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), [](const ParameterInfo& parameter) {
+                return parameter.qualityReference.has_value();
+            })));
     std::vector<StudyAxis> axes;
     for (std::size_t row = 0; row < rows.size(); ++row)
         if (auto axis = studyAxis(sceneState, subject, row, points)) axes.push_back(std::move(*axis));
@@ -69,21 +71,21 @@ std::vector<StudyAxis> qualityAxes(const SceneState& sceneState, std::size_t sub
 ParameterValues atReference(ParameterValues values)
 {
     for (std::size_t row = 0; row < values.rows().size(); ++row)
-        if (const auto reference = values.rows()[row].qualityReference) values.setRow(row, *reference);
+        if (const auto reference = values.rows()[row].qualityReference) values.setParameter(row, *reference);
     return values;
 }
 
-Exactness exactness(const ParameterInfo& row, int doublings)
+Exactness exactness(const ParameterInfo& parameter, int doublings)
 {
-    const double initial = row.isNumeric() ? std::get<double>(row.initial) : 0;
-    Exactness result{row.qualityReference.value_or(initial), {}, row.exactByMeaning, {}};
-    if (row.exactByMeaning || !row.isNumeric()) return result;
-    const bool byFactors = row.range.scale == Scale::logarithmic;
-    if (!byFactors && row.kind != Kind::count) return result;
-    const auto legal = [&](double x) { return x >= row.range.low && x <= row.range.high; };
+    const double initial = parameter.isNumeric() ? std::get<double>(parameter.initial) : 0;
+    Exactness result{parameter.qualityReference.value_or(initial), {}, parameter.exactByMeaning, {}};
+    if (parameter.exactByMeaning || !parameter.isNumeric()) return result;
+    const bool byFactors = parameter.range.scale == Scale::logarithmic;
+    if (!byFactors && parameter.kind != Kind::count) return result;
+    const auto legal = [&](double x) { return x >= parameter.range.low && x <= parameter.range.high; };
     const auto moved = [&](double x, bool up) {
         const double to = byFactors ? x * (up ? 2 : 0.5) : x + (up ? 1 : -1);
-        return row.kind == Kind::count ? std::round(to) : to;
+        return parameter.kind == Kind::count ? std::round(to) : to;
     };
     const auto check = [&](bool up) {
         if (const double to = moved(result.exact, up); legal(to) && to != result.exact) result.neighbors.push_back(to);
@@ -109,7 +111,7 @@ std::vector<std::vector<double>> neighborsOf(const SceneState& sceneState, const
 {
     std::vector<double> exact, first, last;
     for (const StudyAxis& axis : axes) {
-        const Exactness e = exactness(rowOf(sceneState, axis), doublings);
+        const Exactness e = exactness(parameterOf(sceneState, axis), doublings);
         exact.push_back(e.exact);
         first.push_back(e.neighbors.empty() ? e.exact : e.neighbors.front());
         last.push_back(e.neighbors.empty() ? e.exact : e.neighbors.back());

@@ -24,7 +24,7 @@ using Setting = std::vector<std::size_t>;
 
 /// Returns the parameter that an axis varies, from the table of the scene state's values. The scene state must outlive
 /// it.
-[[nodiscard]] const ParameterInfo& rowOf(const SceneState&, const StudyAxis&);
+[[nodiscard]] const ParameterInfo& parameterOf(const SceneState&, const StudyAxis&);
 
 /// Returns "stepLimit", or "hall.shadowMapSize" if the hall is not the subject.
 [[nodiscard]] std::string axisName(Subjects, const SceneState&, std::size_t subject, const StudyAxis&);

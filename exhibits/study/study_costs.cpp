@@ -109,7 +109,7 @@ StudyCosts costsAlong(CostAxis axis, const StudyRequest& request, const StudyRes
         settings.push_back(setting);
     }
     const bool numeric = std::any_of(request.axes.begin(), request.axes.end(), [&](const StudyAxis& each) {
-        return rowOf(request.sceneState, each).isNumeric();
+        return parameterOf(request.sceneState, each).isNumeric();
     });
     return judged(std::move(costs), settings, numeric);
 }

@@ -25,7 +25,7 @@ std::vector<StudyAxis> uncheckedAxes(const SceneState& sceneState, const std::ve
 {
     std::vector<StudyAxis> found;
     for (const StudyAxis& axis : axes)
-        if (const Exactness e = exactness(rowOf(sceneState, axis)); !e.byMeaning && e.neighbors.empty())
+        if (const Exactness e = exactness(parameterOf(sceneState, axis)); !e.byMeaning && e.neighbors.empty())
             found.push_back(axis);
     return found;
 }
@@ -46,8 +46,8 @@ std::optional<render::Summary> timeOf(const StudyPoint& point)
 bool studiesMotion(const StudyRequest& request)
 {
     return std::any_of(request.axes.begin(), request.axes.end(), [&](const StudyAxis& axis) {
-        const std::string_view name = rowOf(request.sceneState, axis).name;
-        return axis.subject == hallIndex && (name == historyFramesRow || name == temporalAntialiasingRow);
+        const std::string_view name = parameterOf(request.sceneState, axis).name;
+        return axis.subject == hallIndex && (name == historyFramesParameter || name == temporalAntialiasingParameter);
     });
 }
 
@@ -86,7 +86,7 @@ std::string StudyJudge::samenessSentence() const
 {
     std::string names;
     for (const StudyAxis& axis : request_.axes) {
-        if (const StudiedRow declared = declaredOf(request_.sceneState, axis); !declared.same.empty())
+        if (const StudiedParameter declared = declaredOf(request_.sceneState, axis); !declared.same.empty())
             return std::string(declared.same);
         names += (names.empty() ? "" : " or ") + axisName(subjects_, request_.sceneState, request_.subject, axis);
     }
@@ -137,7 +137,7 @@ std::string StudyJudge::convergenceSentence(const StudyResult& result, std::size
     if (studiesMotion(request_)) return "The reference is the picture without motion, whose own error is not checked.";
     const std::vector<StudyAxis> unchecked = uncheckedAxes(request_.sceneState, request_.axes);
     std::vector<double> takenFor;
-    for (const StudyAxis& axis : unchecked) takenFor.push_back(exactness(rowOf(request_.sceneState, axis)).exact);
+    for (const StudyAxis& axis : unchecked) takenFor.push_back(exactness(parameterOf(request_.sceneState, axis)).exact);
     const std::string onTrust =
         unchecked.empty() ? "" : "What counts as exact is not checked: " + listed(unchecked, takenFor) + '.';
     const auto neighbors = neighborsOf(request_.sceneState, request_.axes);
@@ -162,7 +162,7 @@ std::string StudyJudge::convergenceSentence(const StudyResult& result, std::size
                     : ".";
     if (result.uncertainty == 0)
         for (const StudyAxis& axis : request_.axes)
-            if (const StudiedRow declared = declaredOf(request_.sceneState, axis); !declared.settles.empty())
+            if (const StudiedParameter declared = declaredOf(request_.sceneState, axis); !declared.settles.empty())
                 text += ' ' + std::string(declared.settles);
     return text + (onTrust.empty() ? "" : ' ' + onTrust);
 }
@@ -206,7 +206,7 @@ void StudyJudge::fitLaw(StudyResult& result, std::span<const render::CostAndErro
 {
     result.law.reset();
     const bool numeric = std::any_of(request_.axes.begin(), request_.axes.end(), [&](const StudyAxis& axis) {
-        return rowOf(request_.sceneState, axis).isNumeric();
+        return parameterOf(request_.sceneState, axis).isNumeric();
     });
     if (request_.axes.size() > 2 || !numeric) return;
     std::vector<double> errors;

@@ -16,10 +16,10 @@
 namespace vitrine {
 
 /// Index of a parameter of a subject.
-struct StudyRow {
+struct StudyParameter {
     std::size_t subject = 0, row = 0;
 
-    bool operator==(const StudyRow&) const = default;
+    bool operator==(const StudyParameter&) const = default;
 };
 
 /// Setting that a study changed, so one of its parameters has an effect.
@@ -29,7 +29,7 @@ struct StudyChange {
         shows,  ///< The table declares that the parameter is visible only with this value.
         limits  ///< Any other value caps or overrides the parameter.
     };
-    StudyRow row;
+    StudyParameter row;
     double from = 0, to = 0;
     std::size_t axis = 0;  ///< Index of the affected parameter's axis.
     Why why = Why::acts;
@@ -47,13 +47,13 @@ struct StudyRequest {
     int runs = 7;                                  ///< Timed frames per setting and view, after one that is not timed.
     render::Metric metric = render::Metric::rmse;  ///< For fronts and choices; never psnr, which is rmse in decibels.
     double pixelsPerDegree = 67;                   ///< For FLIP.
-    bool alone = false;                 ///< Without the hall, in the environment's light; not for the hall itself.
-    bool needsFiles = false;            ///< As in FrameRequest.
-    bool modelError = true;             ///< Measure relative to everything exact, too.
-    bool asSet = false;                 ///< Change no setting, even if a parameter has no effect.
-    std::vector<StudyRow> pinned = {};  ///< Parameters whose values the user named, so no study changes them.
-    int largestTile = 2048;             ///< Side in pixels; smaller tiles make shorter steps.
-    int settings = 60;                  ///< Largest number of settings in a search over three axes or more.
+    bool alone = false;       ///< Without the hall, in the environment's light; not for the hall itself.
+    bool needsFiles = false;  ///< As in FrameRequest.
+    bool modelError = true;   ///< Measure relative to everything exact, too.
+    bool asSet = false;       ///< Change no setting, even if a parameter has no effect.
+    std::vector<StudyParameter> pinned = {};  ///< Parameters whose values the user named, so no study changes them.
+    int largestTile = 2048;                   ///< Side in pixels; smaller tiles make shorter steps.
+    int settings = 60;                        ///< Largest number of settings in a search over three axes or more.
     /// Limit of a choice. With `maxError`, it is the cheapest setting with at most this error in every view. With
     /// `maxMilliseconds`, it is the most exact setting whose frame takes no longer. At most one may be set.
     std::optional<double> maxError, maxMilliseconds;
@@ -107,13 +107,13 @@ struct StudyChoice {
 /// Result of a study so far; complete once the study is finished.
 struct StudyResult {
     std::vector<std::string> views;
-    std::vector<StudyChange> changes;        ///< Settings that differ from the request, in every view.
-    std::vector<StudyRow> exactInReference;  ///< Parameters with their most exact value in the references only.
-    std::vector<render::Image> references;   ///< By view.
-    std::vector<double> exact;               ///< Exact value of each axis in the reference.
-    double uncertainty = 0;                  ///< Difference of the reference from one half (or twice) as exact.
-    bool converged = true;                   ///< Whether every error except 0 is at least four times the uncertainty.
-    std::string convergence;                 ///< `converged` as a sentence.
+    std::vector<StudyChange> changes;              ///< Settings that differ from the request, in every view.
+    std::vector<StudyParameter> exactInReference;  ///< Parameters with their most exact value in the references only.
+    std::vector<render::Image> references;         ///< By view.
+    std::vector<double> exact;                     ///< Exact value of each axis in the reference.
+    double uncertainty = 0;                        ///< Difference of the reference from one half (or twice) as exact.
+    bool converged = true;    ///< Whether every error except 0 is at least four times the uncertainty.
+    std::string convergence;  ///< `converged` as a sentence.
     std::vector<StudyPoint> points;
     /// Counter that distinguishes the settings' work. It is chosen once all of them are drawn, and then kept. Empty
     /// before, and if no counter differs.

@@ -20,11 +20,11 @@ constexpr std::size_t coarseValues = 5;
 constexpr std::size_t pointsLookedAround = 4;
 
 /// Returns whether the first round includes this value. Choices have no order, so all of theirs are included.
-bool isCoarse(const StudyAxis& axis, const ParameterInfo& row, std::size_t i)
+bool isCoarse(const StudyAxis& axis, const ParameterInfo& parameter, std::size_t i)
 {
     const std::size_t count = axis.values.size();
     const std::size_t stride =
-        row.isNumeric() && count > coarseValues ? (count - 1 + coarseValues - 2) / (coarseValues - 1) : 1;
+        parameter.isNumeric() && count > coarseValues ? (count - 1 + coarseValues - 2) / (coarseValues - 1) : 1;
     return i % stride == 0 || i + 1 == count;
 }
 
@@ -79,7 +79,7 @@ void StudySearch::addEachAlone()
         const StudyAxis& axis = request_.axes[a];
         const std::size_t exact = nearest(axis.values, result_.exact[a]);
         for (std::size_t i = 0; i < axis.values.size(); ++i) {
-            if (i != exact && !isCoarse(axis, rowOf(request_.sceneState, axis), i)) continue;
+            if (i != exact && !isCoarse(axis, parameterOf(request_.sceneState, axis), i)) continue;
             Setting setting = present;
             setting[a] = i;
             add_(setting);

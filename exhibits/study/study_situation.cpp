@@ -9,25 +9,25 @@
 namespace vitrine {
 namespace {
 
-bool isAxis(const StudyRequest& request, const StudyRow& row)
+bool isAxis(const StudyRequest& request, const StudyParameter& row)
 {
     return std::any_of(request.axes.begin(), request.axes.end(), [&](const StudyAxis& axis) {
-        return StudyRow{axis.subject, axis.row} == row;
+        return StudyParameter{axis.subject, axis.row} == row;
     });
 }
 
-bool isPinned(const StudyRequest& request, const StudyRow& row)
+bool isPinned(const StudyRequest& request, const StudyParameter& row)
 {
     return std::find(request.pinned.begin(), request.pinned.end(), row) != request.pinned.end();
 }
 
 /// Returns the parameters of a subject that keep their values.
-std::vector<std::size_t> fixedRows(const StudyRequest& request, std::size_t subject)
+std::vector<std::size_t> fixedParameters(const StudyRequest& request, std::size_t subject)
 {
     std::vector<std::size_t> rows;
     for (const StudyAxis& axis : request.axes)
         if (axis.subject == subject) rows.push_back(axis.row);
-    for (const StudyRow& pinned : request.pinned)
+    for (const StudyParameter& pinned : request.pinned)
         if (pinned.subject == subject) rows.push_back(pinned.row);
     return rows;
 }
@@ -42,20 +42,20 @@ public:
         const StudyAxis& studied = request_.axes[axis];
         ParameterValues values = valuesOf(studied);
         if (actsWithOthers(studied)) return;
-        if (makeAct(values, studied.row, fixedRows(request_, studied.subject)))
+        if (makeAct(values, studied.row, fixedParameters(request_, studied.subject)))
             take(axis, values, StudyChange::Why::acts);
     }
 
     void arrange(std::size_t axis)
     {
         const StudyAxis& studied = request_.axes[axis];
-        const StudiedRow declared = declaredOf(request_.sceneState, studied);
+        const StudiedParameter declared = declaredOf(request_.sceneState, studied);
         for (const std::string_view name : declared.lifted) {
             const std::optional<std::size_t> row = valuesOf(studied).table().find(name);
             const std::optional<double> exact = row ? valuesOf(studied).rows()[*row].qualityReference : std::nullopt;
             if (exact && acts(valuesOf(studied), *row)) set(axis, *row, *exact, StudyChange::Why::limits);
         }
-        for (const StudiedRow::Setting& setting : declared.with)
+        for (const StudiedParameter::Setting& setting : declared.with)
             if (const std::optional<std::size_t> row = valuesOf(studied).table().find(setting.row))
                 set(axis, *row, setting.value, StudyChange::Why::shows);
     }
@@ -73,7 +73,7 @@ private:
             if (other == studied || other.subject != studied.subject) return false;
             ParameterValues values = valuesOf(studied);
             return std::any_of(other.values.begin(), other.values.end(), [&](double value) {
-                values.setRow(other.row, value);
+                values.setParameter(other.row, value);
                 return acts(values, studied.row);
             });
         });
@@ -84,7 +84,7 @@ private:
         const StudyAxis& studied = request_.axes[axis];
         if (isAxis(request_, {studied.subject, row}) || isPinned(request_, {studied.subject, row})) return;
         ParameterValues values = valuesOf(studied);
-        values.setRow(row, value);
+        values.setParameter(row, value);
         take(axis, values, why);
     }
 
@@ -94,7 +94,7 @@ private:
         ParameterValues& values = situation_.sceneState.values[subject];
         for (std::size_t row = 0; row < values.rows().size(); ++row) {
             if (values.row(row) == changed.row(row)) continue;
-            values.setRow(row, changed.row(row));
+            values.setParameter(row, changed.row(row));
             values.setMotion(row, std::nullopt);
             note({{subject, row},
                   std::get<double>(request_.sceneState.values[subject].row(row)),
@@ -131,7 +131,7 @@ std::vector<StudyView> declaredViews(const StudyRequest& request, const std::vec
     std::vector<StudyView> views;
     for (const StudyAxis& axis : request.axes) {
         if (axis.subject != request.subject) continue;
-        const StudiedRow declared = declaredOf(request.sceneState, axis);
+        const StudiedParameter declared = declaredOf(request.sceneState, axis);
         for (const StudyView& view : all) {
             const bool isNamed =
                 std::find(declared.views.begin(), declared.views.end(), view.name) != declared.views.end();
@@ -144,9 +144,9 @@ std::vector<StudyView> declaredViews(const StudyRequest& request, const std::vec
 }
 
 /// Returns the acting parameters that are exact in the reference only.
-std::vector<StudyRow> exactRows(const StudyRequest& request, const SceneState& sceneState)
+std::vector<StudyParameter> exactParameters(const StudyRequest& request, const SceneState& sceneState)
 {
-    std::vector<StudyRow> rows;
+    std::vector<StudyParameter> rows;
     for (const StudyAxis& axis : request.axes) {
         const ParameterValues& values = sceneState.values[axis.subject];
         for (const std::string_view name : declaredOf(sceneState, axis).exactInReference) {
@@ -159,27 +159,27 @@ std::vector<StudyRow> exactRows(const StudyRequest& request, const SceneState& s
     return rows;
 }
 
-std::string nameOf(Subjects subjects, const StudyRequest& request, const StudyRow& row)
+std::string nameOf(Subjects subjects, const StudyRequest& request, const StudyParameter& row)
 {
     return axisName(subjects, request.sceneState, request.subject, {row.subject, row.row, {}});
 }
 
-std::string textOf(const StudyRequest& request, const StudyRow& row, double value)
+std::string textOf(const StudyRequest& request, const StudyParameter& row, double value)
 {
     return axisValueText(request.sceneState, {row.subject, row.row, {}}, value);
 }
 
 /// Returns the name of a parameter in quotes.
-std::string quoted(Subjects subjects, const StudyRequest& request, const StudyRow& row, RowNames names)
+std::string quoted(Subjects subjects, const StudyRequest& request, const StudyParameter& row, ParameterNames names)
 {
     const StudyAxis at{row.subject, row.row, {}};
     return "“" +
-           (names == RowNames::shown ? axisLabel(subjects, request.sceneState, request.subject, at)
-                                     : axisName(subjects, request.sceneState, request.subject, at)) +
+           (names == ParameterNames::shown ? axisLabel(subjects, request.sceneState, request.subject, at)
+                                           : axisName(subjects, request.sceneState, request.subject, at)) +
            "”";
 }
 
-std::string sentenceOf(Subjects subjects, const StudyRequest& request, const StudyChange& change, RowNames names)
+std::string sentenceOf(Subjects subjects, const StudyRequest& request, const StudyChange& change, ParameterNames names)
 {
     const StudyAxis& axis = request.axes[change.axis];
     const std::string parameter = quoted(subjects, request, {axis.subject, axis.row}, names);
@@ -198,9 +198,9 @@ std::string sentenceOf(Subjects subjects, const StudyRequest& request, const Stu
 }
 
 /// Returns a value in the form that `--set` reads: plain numbers are in SI units.
-std::string optionText(const ParameterInfo& row, const Value& value)
+std::string optionText(const ParameterInfo& parameter, const Value& value)
 {
-    return row.isNumeric() ? render::shortestNumber(std::get<double>(value)) : formatValue(row, value);
+    return parameter.isNumeric() ? render::shortestNumber(std::get<double>(value)) : formatValue(parameter, value);
 }
 
 }  // namespace
@@ -210,9 +210,9 @@ bool keepsSettings(const StudyRequest& request)
     return request.asSet || request.axes.size() > 2 || request.maxError || request.maxMilliseconds;
 }
 
-StudiedRow declaredOf(const SceneState& sceneState, const StudyAxis& axis)
+StudiedParameter declaredOf(const SceneState& sceneState, const StudyAxis& axis)
 {
-    return StudiedRows::of(sceneState.values[axis.subject].table(), rowOf(sceneState, axis).name);
+    return StudiedParameters::of(sceneState.values[axis.subject].table(), parameterOf(sceneState, axis).name);
 }
 
 StudySituation studySituation(Subjects subjects, const StudyRequest& request)
@@ -229,7 +229,7 @@ StudySituation studySituation(Subjects subjects, const StudyRequest& request)
     for (std::size_t axis = 0; axis < request.axes.size(); ++axis) arrangement.arrange(axis);
     for (std::size_t axis = 0; axis < request.axes.size(); ++axis) arrangement.makeActing(axis);
 
-    situation.exact = exactRows(request, situation.sceneState);
+    situation.exact = exactParameters(request, situation.sceneState);
     const std::vector<StudyView> all = subject.studyViews(situation.sceneState.values[request.subject]);
     situation.views = declaredViews(request, all);
     std::erase_if(situation.views, [&](const StudyView& view) { return !showsAll(request, situation, view); });
@@ -242,7 +242,7 @@ StudySituation studySituation(Subjects subjects, const StudyRequest& request)
 }
 
 std::vector<std::string> situationSentences(Subjects subjects, const StudyRequest& request, const StudyResult& result,
-                                            RowNames names)
+                                            ParameterNames names)
 {
     std::vector<std::string> sentences;
     for (const StudyChange& change : result.changes) sentences.push_back(sentenceOf(subjects, request, change, names));
@@ -251,7 +251,7 @@ std::vector<std::string> situationSentences(Subjects subjects, const StudyReques
         for (const std::string_view name : declaredOf(request.sceneState, axis).lifted) {
             const std::optional<std::size_t> found = values.table().find(name);
             if (!found || !acts(values, *found)) continue;
-            const StudyRow row{axis.subject, *found};
+            const StudyParameter row{axis.subject, *found};
             if (isAxis(request, row) || (!keepsSettings(request) && !isPinned(request, row))) continue;
             const double present = std::get<double>(values.row(*found));
             if (present == values.rows()[*found].qualityReference) continue;
@@ -260,7 +260,7 @@ std::vector<std::string> situationSentences(Subjects subjects, const StudyReques
                                 ": see the error against everything exact.");
         }
     }
-    for (const StudyRow& row : result.exactInReference) {
+    for (const StudyParameter& row : result.exactInReference) {
         const double exact = *request.sceneState.values[row.subject].rows()[row.row].qualityReference;
         sentences.push_back("In the reference, " + quoted(subjects, request, row, names) + " is at " +
                             textOf(request, row, exact) + ".");
@@ -272,7 +272,7 @@ std::vector<std::string> settingsToRepeat(Subjects subjects, const StudyRequest&
 {
     SceneState sceneState = request.sceneState;
     for (const StudyChange& change : result.changes)
-        sceneState.values[change.row.subject].setRow(change.row.row, change.to);
+        sceneState.values[change.row.subject].setParameter(change.row.row, change.to);
     std::vector<std::string> settings;
     for (std::size_t subject = 0; subject < sceneState.values.size(); ++subject) {
         // Other exhibits are not in the picture if the subject is alone.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/table/studied_rows.h"
+#include "exhibits/framework/table/studied_parameters.h"
 #include "exhibits/study/study_result.h"
 
 #include <cstdint>
@@ -11,14 +11,14 @@ namespace vitrine {
 
 /// Settings and views of a study in which its parameters have an effect.
 struct StudySituation {
-    SceneState sceneState;             ///< The request's, changed so that parameters have an effect.
-    std::vector<StudyChange> changes;  ///< Changed settings, and the reasons.
-    std::vector<StudyRow> exact;       ///< Parameters with their most exact value in the reference only.
-    std::vector<StudyView> views;      ///< Views of the request's subject; never empty.
+    SceneState sceneState;              ///< The request's, changed so that parameters have an effect.
+    std::vector<StudyChange> changes;   ///< Changed settings, and the reasons.
+    std::vector<StudyParameter> exact;  ///< Parameters with their most exact value in the reference only.
+    std::vector<StudyView> views;       ///< Views of the request's subject; never empty.
 };
 
 /// Finds the situation of a study from the conditions of its parameters (`ParameterInfo::actsWhen`) and from what
-/// tables declare about them (`StudiedRow`). Studied and pinned parameters keep their values.
+/// tables declare about them (`StudiedParameter`). Studied and pinned parameters keep their values.
 [[nodiscard]] StudySituation studySituation(Subjects, const StudyRequest&);
 
 /// Returns whether a study leaves all settings unchanged. It does on request, or if it looks for the best setting of
@@ -26,10 +26,10 @@ struct StudySituation {
 [[nodiscard]] bool keepsSettings(const StudyRequest&);
 
 /// Returns what the table declares of an axis's parameter.
-[[nodiscard]] StudiedRow declaredOf(const SceneState&, const StudyAxis&);
+[[nodiscard]] StudiedParameter declaredOf(const SceneState&, const StudyAxis&);
 
 /// Form of parameter names in sentences.
-enum class RowNames : std::uint8_t {
+enum class ParameterNames : std::uint8_t {
     typed,  ///< As on the command line: "levelOfDetail".
     shown   ///< As in the interface: "Level of detail".
 };
@@ -38,7 +38,7 @@ enum class RowNames : std::uint8_t {
 /// “shellCount”." Further sentences name parameters that limit another one and were not changed, and parameters that
 /// are exact in the reference only.
 [[nodiscard]] std::vector<std::string> situationSentences(Subjects, const StudyRequest&, const StudyResult&,
-                                                          RowNames = RowNames::typed);
+                                                          ParameterNames = ParameterNames::typed);
 
 /// Returns all settings that differ from the initial ones, in the form of `--set`: "levelOfDetail=off",
 /// "hall.sunStrength=2". A study with these settings measures the same.

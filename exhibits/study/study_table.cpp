@@ -17,7 +17,8 @@ namespace {
 std::vector<std::string> qualityNames(const SceneState& sceneState, std::size_t exhibit)
 {
     std::vector<std::string> names;
-    for (const StudyAxis& axis : qualityAxes(sceneState, exhibit, 2)) names.emplace_back(rowOf(sceneState, axis).name);
+    for (const StudyAxis& axis : qualityAxes(sceneState, exhibit, 2))
+        names.emplace_back(parameterOf(sceneState, axis).name);
     return names;
 }
 
@@ -51,7 +52,7 @@ StudyAxis axisNamed(const Museum& museum, const SceneState& sceneState, std::siz
 void setValues(const SceneState& sceneState, StudyAxis& axis, const std::string& text)
 {
     axis.values.clear();
-    const ParameterInfo& row = rowOf(sceneState, axis);
+    const ParameterInfo& row = parameterOf(sceneState, axis);
     std::istringstream parts(text);
     for (std::string part; std::getline(parts, part, ',');) {
         const std::optional<Value> value = optionValue(row, part);

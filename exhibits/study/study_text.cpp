@@ -58,7 +58,7 @@ Json pointJson(Subjects subjects, const StudyRequest& request, const StudyResult
     for (std::size_t a = 0; a < request.axes.size(); ++a) {
         const StudyAxis& axis = request.axes[a];
         values[axisName(subjects, request.sceneState, request.subject, axis)] =
-            jsonFromValue(rowOf(request.sceneState, axis), axis.values[point.setting[a]]);
+            jsonFromValue(parameterOf(request.sceneState, axis), axis.values[point.setting[a]]);
     }
     Json json{{"values", values},
               {"error", number(point.error)},
@@ -219,7 +219,7 @@ Json axesJson(Subjects subjects, const StudyRequest& request, const StudyResult&
     Json axes = Json::array();
     for (std::size_t a = 0; a < request.axes.size(); ++a) {
         const StudyAxis& axis = request.axes[a];
-        const ParameterInfo& row = rowOf(request.sceneState, axis);
+        const ParameterInfo& row = parameterOf(request.sceneState, axis);
         Json values = Json::array();
         for (const double value : axis.values) values.push_back(jsonFromValue(row, value));
         axes.push_back(Json{{"name", axisName(subjects, request.sceneState, request.subject, axis)},
@@ -237,7 +237,7 @@ Json situationJson(Subjects subjects, const StudyRequest& request, const StudyRe
     Json changed = Json::array(), sentences = Json::array(), settings = Json::array();
     for (const StudyChange& change : result.changes) {
         const StudyAxis at{change.row.subject, change.row.row, {}};
-        const ParameterInfo& row = rowOf(request.sceneState, at);
+        const ParameterInfo& row = parameterOf(request.sceneState, at);
         changed.push_back(Json{{"name", axisName(subjects, request.sceneState, request.subject, at)},
                                {"value", jsonFromValue(row, change.to)},
                                {"instead", jsonFromValue(row, change.from)}});
@@ -327,7 +327,7 @@ std::string studyCsv(Subjects subjects, const StudyRequest& request, const Study
         for (std::size_t v = 0; v < point.shots.size(); ++v) {
             const StudyShot& shot = point.shots[v];
             for (std::size_t a = 0; a < request.axes.size(); ++a)
-                text += csvField(formatValue(rowOf(request.sceneState, request.axes[a]),
+                text += csvField(formatValue(parameterOf(request.sceneState, request.axes[a]),
                                              request.axes[a].values[point.setting[a]])) +
                         ',';
             text += csvField(result.views[v]);

@@ -46,11 +46,11 @@ std::optional<std::size_t> gripAt(const YourShaderTable& table, const ParameterV
     return found;
 }
 
-RowChanges pointedAt(const YourShaderTable& table, std::size_t grip, PointerEvent event, const glm::dvec2& place)
+ParameterChanges pointedAt(const YourShaderTable& table, std::size_t grip, PointerEvent event, const glm::dvec2& place)
 {
     if (!table.work || grip > table.ofInputs.size()) return {};
     if (grip != mouseGrip) {
-        RowChanges changes;
+        ParameterChanges changes;
         for (const std::size_t axis : {0U, 1U}) {
             const glm::dvec2 ends = endsOf(table.work->shader->inputs[grip - 1], axis);
             changes.emplace_back(table.ofInputs[grip - 1][axis],
@@ -58,9 +58,9 @@ RowChanges pointedAt(const YourShaderTable& table, std::size_t grip, PointerEven
         }
         return changes;
     }
-    RowChanges changes{{table.mouseX.row, place.x},
-                       {table.mouseY.row, place.y},
-                       {table.mouseDown.row, event == PointerEvent::release ? 0.0 : 1.0}};
+    ParameterChanges changes{{table.mouseX.row, place.x},
+                             {table.mouseY.row, place.y},
+                             {table.mouseDown.row, event == PointerEvent::release ? 0.0 : 1.0}};
     if (event == PointerEvent::press) {
         changes.emplace_back(table.pressX.row, place.x);
         changes.emplace_back(table.pressY.row, place.y);
@@ -68,7 +68,8 @@ RowChanges pointedAt(const YourShaderTable& table, std::size_t grip, PointerEven
     return changes;
 }
 
-RowChanges keyedAt(const YourShaderTable& table, const ParameterValues& values, int code, bool isDown, double time)
+ParameterChanges keyedAt(const YourShaderTable& table, const ParameterValues& values, int code, bool isDown,
+                         double time)
 {
     return {{table.keys.row, withKey(values[table.keys], code, isDown, time)}};
 }

@@ -18,9 +18,11 @@ namespace vitrine::guest {
                                                 const glm::dvec2& reach);
 
 /// Returns the changes that the pointer makes at a place.
-[[nodiscard]] RowChanges pointedAt(const YourShaderTable&, std::size_t grip, PointerEvent, const glm::dvec2& place);
+[[nodiscard]] ParameterChanges pointedAt(const YourShaderTable&, std::size_t grip, PointerEvent,
+                                         const glm::dvec2& place);
 
 /// Returns the change that a key makes at a time of the shader, in seconds.
-[[nodiscard]] RowChanges keyedAt(const YourShaderTable&, const ParameterValues&, int code, bool isDown, double time);
+[[nodiscard]] ParameterChanges keyedAt(const YourShaderTable&, const ParameterValues&, int code, bool isDown,
+                                       double time);
 
 }  // namespace vitrine::guest

@@ -54,19 +54,19 @@ struct PreparedShader final : PreparedPart {
 };
 
 /// Returns the picture of a file, or the test picture. Reports a file that cannot be read.
-guest::LoadedPicture pictureFrom(const std::string& path, const ParameterInfo& row, std::string_view title,
+guest::LoadedPicture pictureFrom(const std::string& path, const ParameterInfo& parameter, std::string_view title,
                                  render::AssetStore& assets, PreparedShader& part)
 {
     if (path.empty()) return {guest::testPicture(), 1};
     const auto read = assets.get<render::Texture>("your_shader.picture", path, guest::readPicture);
     if (!read.failure.empty())
-        part.unreadable.push_back({"your_shader/pictures", unreadableFile(row, title, read.failure),
+        part.unreadable.push_back({"your_shader/pictures", unreadableFile(parameter, title, read.failure),
                                    message("A test picture takes its place.")});
     return {read.value ? read.value : guest::testPicture(), read.id};
 }
 
 /// Returns the sound of a file, or silence. Reports a file that cannot be read.
-guest::LoadedPicture soundFrom(const std::string& path, const ParameterInfo& row, std::string_view title,
+guest::LoadedPicture soundFrom(const std::string& path, const ParameterInfo& parameter, std::string_view title,
                                render::AssetStore& assets, PreparedShader& part)
 {
     if (path.empty()) return {};
@@ -76,8 +76,8 @@ guest::LoadedPicture soundFrom(const std::string& path, const ParameterInfo& row
         return render::AssetStore::Made<render::Sound>{std::move(sound), bytes};
     });
     if (!read.failure.empty())
-        part.unreadable.push_back(
-            {"your_shader/sounds", unreadableFile(row, title, read.failure), message("The shader hears silence.")});
+        part.unreadable.push_back({"your_shader/sounds", unreadableFile(parameter, title, read.failure),
+                                   message("The shader hears silence.")});
     return {nullptr, read.id, read.value};
 }
 
@@ -324,8 +324,8 @@ std::optional<std::size_t> YourShader::gripUnder(const ExhibitState& state, cons
                          reach / (2.0 * screenPortal().halfSize));
 }
 
-RowChanges YourShader::pointed(const ExhibitState& state, std::size_t grip, PointerEvent event,
-                               const render::Ray& ray) const
+ParameterChanges YourShader::pointed(const ExhibitState& state, std::size_t grip, PointerEvent event,
+                                     const render::Ray& ray) const
 {
     const std::optional<glm::dvec2> place = placeUnder(ray);
     if (!place) return {};
@@ -338,7 +338,7 @@ bool YourShader::takesKeys(const ExhibitState& state) const
     return table.work && table.work->readsKeys;
 }
 
-RowChanges YourShader::keyed(const ExhibitState& state, int code, bool isDown) const
+ParameterChanges YourShader::keyed(const ExhibitState& state, int code, bool isDown) const
 {
     return guest::keyedAt(static_cast<const Table&>(state.values.table()), state.values, code, isDown,
                           shaderTime(state));

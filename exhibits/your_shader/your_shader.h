@@ -59,10 +59,10 @@ private:
     void wasDrawn(const render::FrameReport&) const override;
     [[nodiscard]] std::optional<std::size_t> gripUnder(const ExhibitState&, const render::Ray&,
                                                        double reach) const override;
-    [[nodiscard]] RowChanges pointed(const ExhibitState&, std::size_t grip, PointerEvent,
-                                     const render::Ray&) const override;
+    [[nodiscard]] ParameterChanges pointed(const ExhibitState&, std::size_t grip, PointerEvent,
+                                           const render::Ray&) const override;
     [[nodiscard]] bool takesKeys(const ExhibitState&) const override;
-    [[nodiscard]] RowChanges keyed(const ExhibitState&, int code, bool isDown) const override;
+    [[nodiscard]] ParameterChanges keyed(const ExhibitState&, int code, bool isDown) const override;
     /// Returns the time that the shader shows, in seconds.
     [[nodiscard]] double shaderTime(const ExhibitState&) const;
     /// Returns the path of the shader that the values name, or of the first one.

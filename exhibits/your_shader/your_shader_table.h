@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exhibits/framework/table/parameters.h"
-#include "exhibits/framework/table/studied_rows.h"
+#include "exhibits/framework/table/studied_parameters.h"
 
 #include <cstddef>
 #include <memory>
@@ -91,7 +91,7 @@ struct YourShaderTable final : Parameters {
                              quality(262144), essential());
     Count screenWidth =
         count("screenWidth", 960, {64, 4096, logarithmic}, "Width of the picture in its frame in the hall, in pixels.");
-    StudiedRows studied{*this, {{.name = "loopRounds", .settles = "The loops of the shader end earlier."}}};
+    StudiedParameters studied{*this, {{.name = "loopRounds", .settles = "The loops of the shader end earlier."}}};
 
     const std::shared_ptr<const guest::Work> work;  ///< Null before the shader is translated.
     /// Parameters of each input, in the order of its components; empty for inputs without any.

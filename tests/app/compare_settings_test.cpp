@@ -114,7 +114,7 @@ TEST_F(CompareSettings, ComparesWithWhatTheExhibitOffers)
         words.insert(words.end(), more.begin(), more.end());
         return test::vitrine(words);
     };
-    const auto rowsThatDiffer = [&] {
+    const auto differing = [&] {
         const render::Json json = render::readJson(out_ + "/comparison.json").root();
         std::map<std::string, render::Json> rows;
         for (const render::Json& row : json["rows"]) rows[row["name"]] = row;
@@ -123,7 +123,7 @@ TEST_F(CompareSettings, ComparesWithWhatTheExhibitOffers)
     // The name of an exhibit stands for its initial values.
     const Ended field = with("sdf_morph", {"--with", "mesh"});
     ASSERT_EQ(field.code, 0) << field.err;
-    auto rows = rowsThatDiffer();
+    auto rows = differing();
     ASSERT_EQ(rows.size(), 1U);
     EXPECT_EQ(rows["shownAs"]["b"], "mesh");
     EXPECT_NE(text("index.html").find("The rasterized mesh"), std::string::npos);
@@ -131,7 +131,7 @@ TEST_F(CompareSettings, ComparesWithWhatTheExhibitOffers)
     // The exhibit of settings in a file is the one that they change.
     const Ended changed = with(preset("mesh.json", R"({"shownAs": "mesh"})"), {"--with", "field"});
     ASSERT_EQ(changed.code, 0) << changed.err;
-    rows = rowsThatDiffer();
+    rows = differing();
     ASSERT_EQ(rows.size(), 1U);
     EXPECT_EQ(rows["shownAs"]["a"], "mesh");
     EXPECT_EQ(render::colorDifference(picture("a.png"), mesh).rmse, 0) << "A there is B here";
@@ -139,7 +139,7 @@ TEST_F(CompareSettings, ComparesWithWhatTheExhibitOffers)
     // A shipped preset can be given by name.
     const Ended shipped = with("gathered-in-screen-space", {"--exhibit", "crepuscular_rays", "--with", "air"});
     ASSERT_EQ(shipped.code, 0) << shipped.err;
-    EXPECT_EQ(rowsThatDiffer()["technique"]["b"], "volume");
+    EXPECT_EQ(differing()["technique"]["b"], "volume");
 
     const auto refused = [&](const Ended& ended, const std::vector<std::string>& parts) {
         EXPECT_EQ(ended.code, 2) << ended.err;

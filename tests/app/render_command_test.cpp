@@ -296,7 +296,7 @@ TEST(RenderCommand, APictureAtItsPlaceBringsTheHallTheTimeAndTheTurnBack)
     EXPECT_NE(render::readImage(folder / "settings.png").pixels, render::readImage(first).pixels);
 }
 
-TEST(RenderCommand, ARowThatMovesIsWhereTheTimeSays)
+TEST(RenderCommand, AParameterThatMovesIsWhereTheTimeSays)
 {
     const TemporaryFolder folder;
     const auto render = [&](const std::string& name, Words options) {

@@ -30,12 +30,12 @@ const Museum& museum()
 }
 
 /// Returns a random animation of a parameter.
-Motion randomMotion(const ParameterInfo& row, RandomNumbers& random)
+Motion randomMotion(const ParameterInfo& parameter, RandomNumbers& random)
 {
     Motion motion;
     motion.kind = static_cast<MotionKind>(random.index(static_cast<int>(motionKinds.size())));
-    motion.from = randomValue(row, random);
-    motion.to = randomValue(row, random);
+    motion.from = randomValue(parameter, random);
+    motion.to = randomValue(parameter, random);
     if (isEased(motion.kind)) motion.ease = static_cast<Ease>(random.index(static_cast<int>(easeNames.size())));
     if (motion.kind != MotionKind::distance) motion.period = random.number(0.1, 100);
     if (isPeriodic(motion.kind)) motion.phase = random.number(-2, 2);

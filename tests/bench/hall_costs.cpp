@@ -137,16 +137,16 @@ bool hallCosts(const Options& options)
     double exposure = 0;
     sliders.push_back({"hall's slider that develops only (exposure)", [&] {
                            SceneState changed = sceneState;
-                           changed.hall().setRow(*changed.hall().table().find("exposure"),
-                                                 exposure = exposure < 1 ? exposure + 0.1 : -1.0);
+                           changed.hall().setParameter(*changed.hall().table().find("exposure"),
+                                                       exposure = exposure < 1 ? exposure + 0.1 : -1.0);
                            return renderer.draw(test::planned(museum, changed, near, renderer.persistentState()));
                        }});
     double elevation = 0.3;
     render::gl::Renderer sunRenderer;  // Its own renderer, because a moving sun leaves nothing to cache.
     sliders.push_back({"hall's slider that lights anew (sun elevation)", [&] {
                            SceneState changed = sceneState;
-                           changed.hall().setRow(*changed.hall().table().find("sunElevation"),
-                                                 elevation = elevation < 0.5 ? elevation + 0.01 : 0.3);
+                           changed.hall().setParameter(*changed.hall().table().find("sunElevation"),
+                                                       elevation = elevation < 0.5 ? elevation + 0.01 : 0.3);
                            return sunRenderer.draw(test::planned(museum, changed, near, sunRenderer.persistentState()));
                        }});
     measure(sliders, rounds);
@@ -158,7 +158,7 @@ bool hallCosts(const Options& options)
     render::gl::Renderer turningRenderer;
     const std::size_t rays = *museum.find("crepuscular_rays");
     SceneState turning = sceneState;
-    turning.values[rays].setRow(*turning.values[rays].table().find("animate"), 1.0);
+    turning.values[rays].setParameter(*turning.values[rays].table().find("animate"), 1.0);
     FrameRequest later = entrance;
     mobile.push_back({"mobile at rest", [&] {
                           return stillRenderer.draw(

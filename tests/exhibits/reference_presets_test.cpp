@@ -62,7 +62,7 @@ TEST(ReferencePreset, OfTheFurHasItsExportedDefaults)
     EXPECT_EQ(v[t.springModel], FurSpring::explicitEuler);
     EXPECT_EQ(v[t.silhouette], FurSilhouette::none);
     for (int body = 0; body < furBodyCount; ++body) {
-        const CoatRows rows = t.coats[static_cast<std::size_t>(body)];
+        const CoatParameters rows = t.coats[static_cast<std::size_t>(body)];
         EXPECT_EQ(v[rows.length], 0.15);
         EXPECT_EQ(v[rows.uniformity], 0);                              // length_uniformity
         EXPECT_NEAR(v[rows.density] / strandsPerArea(100), 1, 0.005);  // density 100: cells along a side of the texture
@@ -88,7 +88,7 @@ TEST(ReferencePreset, OfTheReferenceVideoHasItsScenesValues)
     const auto linear = [](double c) { return std::pow((c + 0.055) / 1.055, 2.4); };
     const glm::dvec3 color(linear(0.753), linear(0.542), linear(0.439));
     for (int body = 0; body < furBodyCount; ++body) {
-        const CoatRows rows = t.coats[static_cast<std::size_t>(body)];
+        const CoatParameters rows = t.coats[static_cast<std::size_t>(body)];
         EXPECT_EQ(v[rows.length], 0.15);
         EXPECT_EQ(v[rows.uniformity], 0);  // noiseMin 0, noiseMax 1
         EXPECT_NEAR(v[rows.density] / strandsPerArea(366), 1, 0.005);
@@ -242,14 +242,14 @@ TEST(ReferencePreset, OfTheIceCreamHasItsPlacesAndMaterials)
         {{0.5, 1, 0.866}, green},        {{-1, 0.8, 0}, pink},
         {{0.5, 1.2, -0.866}, blue}};
     for (std::size_t i = 0; i < candyCount; ++i) {
-        const CandyRows& candy = t.candies[i];
+        const CandyParameters& candy = t.candies[i];
         EXPECT_EQ(glm::dvec3(v[candy.x], v[candy.y], v[candy.z]), candies[i].first) << i;
         EXPECT_LT(glm::distance(v[candy.color].value, linear(candies[i].second)), 2e-4) << i;
         EXPECT_EQ(glm::dvec3(v[candy.halfX], v[candy.halfY], v[candy.halfZ]), glm::dvec3(0.02, 0.03, 0.01)) << i;
         EXPECT_EQ(v[candy.corner], 0.007) << i;
     }
     EXPECT_LT(glm::distance(v[t.waferColor].value, linear({0.8627, 0.6510, 0.3255})), 2e-4);
-    for (const CreamRows& layer : t.layers)
+    for (const CreamParameters& layer : t.layers)
         EXPECT_LT(glm::distance(v[layer.color].value, linear({0.9255, 0.9294, 0.8510})), 2e-4);
     EXPECT_LT(glm::distance(v[t.groundColor].value, linear(glm::dvec3(0.9451))), 2e-4);
     EXPECT_EQ(v[t.waferRoughness], 1);

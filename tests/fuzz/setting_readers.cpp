@@ -95,22 +95,23 @@ bool readTyped(std::string_view bytes)
     static const test::EveryKind table;
     const std::string text(bytes);
     bool any = false;
-    for (const ParameterInfo& row : table.rows()) {
-        if (const std::optional<Value> value = parseValue(row, text)) {
-            const std::optional<Value> legal = nearestLegal(row, *value);
+    for (const ParameterInfo& parameter : table.rows()) {
+        if (const std::optional<Value> value = parseValue(parameter, text)) {
+            const std::optional<Value> legal = nearestLegal(parameter, *value);
             if (!legal) continue;
-            require(nearestLegal(row, *legal) == legal, "the nearest legal value is legal");
-            require(parseValue(row, formatValue(row, *legal)) == legal, "a value reads back as it was written");
-            any = any || !row.isWritten();
+            require(nearestLegal(parameter, *legal) == legal, "the nearest legal value is legal");
+            require(parseValue(parameter, formatValue(parameter, *legal)) == legal,
+                    "a value reads back as it was written");
+            any = any || !parameter.isWritten();
         }
         any |= accepts([&] {
-            const auto parse = [&](const std::string& typed) { return parseValue(row, typed); };
-            const Motion motion = typedMotion(row, "--animate", text, parse);
+            const auto parse = [&](const std::string& typed) { return parseValue(parameter, typed); };
+            const Motion motion = typedMotion(parameter, "--animate", text, parse);
             for (const double time : {0.0, -3.0, 1e9}) {
-                const Value moved = valueOf(row, motion, {time, time});
-                require(nearestLegal(row, moved) == moved, "a motion stays legal");
+                const Value moved = valueOf(parameter, motion, {time, time});
+                require(nearestLegal(parameter, moved) == moved, "a motion stays legal");
             }
-            require(!describe(row, motion).empty(), "a motion can be described");
+            require(!describe(parameter, motion).empty(), "a motion can be described");
         });
     }
     return any;

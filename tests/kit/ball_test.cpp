@@ -104,7 +104,7 @@ TEST_F(Ball, GrowsWithItsSliderAndWithWhatIsTyped)
     BallShot shot;
     const auto hitsAt = [&](const char* typed) {
         const std::size_t row = *shot.values().table().find("radius");
-        EXPECT_TRUE(shot.values().setRow(row, parseValue(shot.values().rows()[row], typed).value()));
+        EXPECT_TRUE(shot.values().setParameter(row, parseValue(shot.values().rows()[row], typed).value()));
         return static_cast<double>(shot.take().hits());
     };
     const double small = hitsAt("15 cm");

@@ -10,12 +10,12 @@ using test::BallShot;
 
 enum class MadeShape : int { ball, box };
 
-struct MadeRows : virtual Parameters {
+struct MadeParameters : virtual Parameters {
     Group shape = group("Shape");
     Choice<MadeShape> kind = choice("kind", MadeShape::ball, {"ball", "box"}, "Of which the text is made.");
     Real size = real("size", 0.3, meter, {0.01, 2}, "Of half of it.");
 };
-struct MadeTable final : MadeRows, SdfMaterialRows, SdfRows {};
+struct MadeTable final : MadeParameters, SdfMaterialParameters, SdfParameters {};
 
 /// Its field is written at run time, by the kind of its shape.
 class Made final : public SdfExhibit {
@@ -48,8 +48,8 @@ private:
             {"made/field.glsl",
              "#include \"lib/sdf.glsl\"\nfloat fieldDistance(vec3 p)\n{\n    return " + distance + ";\n}\n"}});
     }
-    [[nodiscard]] const SdfRows& rows() const override { return table_; }
-    [[nodiscard]] const SdfMaterialRows* materialRows() const override { return &table_; }
+    [[nodiscard]] const SdfParameters& rows() const override { return table_; }
+    [[nodiscard]] const SdfMaterialParameters* materialParameters() const override { return &table_; }
 
     MadeTable table_;
     std::array<std::shared_ptr<const render::ShaderSources>, 2> bodies_;

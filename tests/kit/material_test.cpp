@@ -7,7 +7,7 @@ namespace {
 
 using namespace test;
 
-struct PaintedBallTable final : test::BallRows, SdfRows {};
+struct PaintedBallTable final : test::BallParameters, SdfParameters {};
 
 /// Red on its left half, green on its right.
 class PaintedBall final : public SdfExhibit {
@@ -34,7 +34,7 @@ private:
                                    "    return FieldMaterial(paint, 0.0, 1.0, 0.0, 1.0);\n}\n";
         return std::make_shared<render::ShaderSources>(std::move(texts));
     }
-    [[nodiscard]] const SdfRows& rows() const override { return table_; }
+    [[nodiscard]] const SdfParameters& rows() const override { return table_; }
 
     PaintedBallTable table_;
 };
@@ -64,11 +64,13 @@ TEST_F(PaintedBallTest, HasTheColorOfEachPointWhetherMarchedOrAMesh)
     }
 }
 
-TEST(PaintedBallOnPaper, NeedsNoRowsOfAMaterial)
+TEST(PaintedBallOnPaper, NeedsNoParametersOfAMaterial)
 {
     const PaintedBallTable table;
     EXPECT_FALSE(table.find("baseColor"));
-    const auto asked = [](const Parameters& of, std::size_t row) { return rowsOf(of.rows()[row].actsWhen.value()); };
+    const auto asked = [](const Parameters& of, std::size_t row) {
+        return parametersOf(of.rows()[row].actsWhen.value());
+    };
     using Names = std::vector<std::string_view>;
     EXPECT_EQ(asked(table, table.ambientOcclusion.row), Names{"shownAs"}) << "there is no glass to except";
     EXPECT_EQ(asked(test::ballTable(), test::ballTable().ambientOcclusion.row),

@@ -4,7 +4,7 @@
 #include "exhibits/framework/table/acting.h"
 #include "exhibits/framework/table/derive.h"
 #include "exhibits/hall/hall_table.h"
-#include "exhibits/kit/sdf_rows.h"
+#include "exhibits/kit/sdf_parameters.h"
 #include "exhibits/study/study_axis.h"
 #include "tests/source/source_files.h"
 
@@ -34,7 +34,7 @@ const std::map<std::string, const Parameters*>& tables()
     return all;
 }
 
-struct DeclaredRow {
+struct DeclaredParameter {
     std::string member, name;
 };
 
@@ -56,29 +56,30 @@ std::string tableText(const std::string& exhibit)
 }
 
 /// Returns the parameters declared in a table's header.
-std::vector<DeclaredRow> declaredRows(const std::string& text)
+std::vector<DeclaredParameter> declaredParameters(const std::string& text)
 {
     static const std::regex row(
         R"re((\w+)\s*=\s*(?:this->Parameters::)?(?:real|count|toggle|choice|color|direction|file|text|document)\(\s*"(\w+)")re");
-    std::vector<DeclaredRow> rows;
+    std::vector<DeclaredParameter> rows;
     for (auto match = std::sregex_iterator(text.begin(), text.end(), row); match != std::sregex_iterator(); ++match)
         rows.push_back({(*match)[1], (*match)[2]});
     return rows;
 }
 
-TEST(Tables, EveryRowIsNamedAfterItsMember)
+TEST(Tables, EveryParameterIsNamedAfterItsMember)
 {
     for (const auto& [exhibit, table] : tables()) {
-        const std::vector<DeclaredRow> rows = declaredRows(tableText(exhibit));
+        const std::vector<DeclaredParameter> rows = declaredParameters(tableText(exhibit));
         std::set<std::string> declared, made;
-        for (const DeclaredRow& row : rows) {
+        for (const DeclaredParameter& row : rows) {
             EXPECT_EQ(row.member, row.name) << exhibit;
             declared.insert(row.name);
         }
-        for (const ParameterInfo& row : table->rows()) made.emplace(row.array.empty() ? row.name : row.elementRow);
+        for (const ParameterInfo& parameter : table->rows())
+            made.emplace(parameter.array.empty() ? parameter.name : parameter.elementParameter);
         EXPECT_EQ(declared, made) << exhibit;
     }
-    EXPECT_NE(declaredRows(R"(Real morf = real("morph", 1)").front().member, "morph");
+    EXPECT_NE(declaredParameters(R"(Real morf = real("morph", 1)").front().member, "morph");
 }
 
 TEST(Tables, NamesAreUniqueAndFitForPresetsFlagsAndGlsl)
@@ -86,9 +87,9 @@ TEST(Tables, NamesAreUniqueAndFitForPresetsFlagsAndGlsl)
     static const std::regex form("[a-z][A-Za-z0-9]*");
     for (const auto& [exhibit, table] : tables()) {
         std::set<std::string_view> seen;
-        for (const ParameterInfo& row : table->rows()) {
-            EXPECT_TRUE(seen.insert(row.name).second) << exhibit << '.' << row.name;
-            EXPECT_TRUE(std::regex_match(std::string(row.name), form)) << exhibit << '.' << row.name;
+        for (const ParameterInfo& parameter : table->rows()) {
+            EXPECT_TRUE(seen.insert(parameter.name).second) << exhibit << '.' << parameter.name;
+            EXPECT_TRUE(std::regex_match(std::string(parameter.name), form)) << exhibit << '.' << parameter.name;
         }
     }
 }
@@ -98,19 +99,20 @@ TEST(Tables, EveryExhibitSaysWhatItsAccuracyIs)
     for (const auto& [exhibit, table] : tables()) {
         const auto rows = table->rows();
         EXPECT_TRUE(std::any_of(rows.begin(), rows.end(),
-                                [](const ParameterInfo& row) { return row.qualityReference.has_value(); }))
+                                [](const ParameterInfo& parameter) { return parameter.qualityReference.has_value(); }))
             << exhibit << " has no row marked quality(reference): nothing of it can be studied";
-        for (const ParameterInfo& row : rows) {
-            if (!row.qualityReference) continue;
-            EXPECT_TRUE(row.kind == Kind::real || row.kind == Kind::count || row.kind == Kind::choice ||
-                        row.kind == Kind::toggle)
-                << exhibit << '.' << row.name;
-            EXPECT_EQ(nearestLegal(row, *row.qualityReference), Value(*row.qualityReference))
-                << exhibit << '.' << row.name << ": its reference is not legal";
-            EXPECT_GE(derive::sweep(row, 3).size(), 2U) << exhibit << '.' << row.name << ": nothing to vary";
-            const bool isChecked = row.exactByMeaning || !exactness(row).neighbors.empty();
-            EXPECT_TRUE(isChecked || !row.isNumeric())
-                << exhibit << '.' << row.name
+        for (const ParameterInfo& parameter : rows) {
+            if (!parameter.qualityReference) continue;
+            EXPECT_TRUE(parameter.kind == Kind::real || parameter.kind == Kind::count ||
+                        parameter.kind == Kind::choice || parameter.kind == Kind::toggle)
+                << exhibit << '.' << parameter.name;
+            EXPECT_EQ(nearestLegal(parameter, *parameter.qualityReference), Value(*parameter.qualityReference))
+                << exhibit << '.' << parameter.name << ": its reference is not legal";
+            EXPECT_GE(derive::sweep(parameter, 3).size(), 2U)
+                << exhibit << '.' << parameter.name << ": nothing to vary";
+            const bool isChecked = parameter.exactByMeaning || !exactness(parameter).neighbors.empty();
+            EXPECT_TRUE(isChecked || !parameter.isNumeric())
+                << exhibit << '.' << parameter.name
                 << ": no study can check its reference: let its scale be logarithmic, or say exactAt";
         }
     }
@@ -141,15 +143,15 @@ TEST(Tables, HelpIsOneOrTwoSentences)
     constexpr std::array<std::string_view, 8> notFirst = {"Of",    "What", "Where", "Whoever",
                                                           "Whose", "Who",  "That",  "Those"};
     for (const auto& [exhibit, table] : tables()) {
-        for (const ParameterInfo& row : table->rows()) {
-            const std::string help(row.help);
-            ASSERT_GE(help.size(), 10U) << exhibit << '.' << row.name;
-            EXPECT_TRUE(help.back() == '.') << exhibit << '.' << row.name << ": " << help;
+        for (const ParameterInfo& parameter : table->rows()) {
+            const std::string help(parameter.help);
+            ASSERT_GE(help.size(), 10U) << exhibit << '.' << parameter.name;
+            EXPECT_TRUE(help.back() == '.') << exhibit << '.' << parameter.name << ": " << help;
             EXPECT_FALSE(std::islower(static_cast<unsigned char>(help.front())))
-                << exhibit << '.' << row.name << ": " << help;
+                << exhibit << '.' << parameter.name << ": " << help;
             const std::string first = help.substr(0, help.find(' '));
             EXPECT_EQ(std::find(notFirst.begin(), notFirst.end(), first), notFirst.end())
-                << exhibit << '.' << row.name << " does not begin with its subject: " << help;
+                << exhibit << '.' << parameter.name << " does not begin with its subject: " << help;
         }
     }
 }
@@ -157,26 +159,26 @@ TEST(Tables, HelpIsOneOrTwoSentences)
 TEST(Tables, RangesHoldTheInitialValueAndTheComfortableRange)
 {
     for (const auto& [exhibit, table] : tables()) {
-        for (const ParameterInfo& row : table->rows()) {
-            SCOPED_TRACE(exhibit + '.' + std::string(row.name));
-            const std::optional<Value> legal = nearestLegal(row, row.initial);
+        for (const ParameterInfo& parameter : table->rows()) {
+            SCOPED_TRACE(exhibit + '.' + std::string(parameter.name));
+            const std::optional<Value> legal = nearestLegal(parameter, parameter.initial);
             ASSERT_TRUE(legal);
             // Directions are normalized again, which may round. Numbers must stay exactly the same.
-            if (row.kind != Kind::direction) {
-                EXPECT_EQ(*legal, row.initial);
+            if (parameter.kind != Kind::direction) {
+                EXPECT_EQ(*legal, parameter.initial);
             }
-            if (row.kind != Kind::real && row.kind != Kind::count) continue;
-            EXPECT_LT(row.range.low, row.range.high);
-            EXPECT_LE(row.range.low, row.range.softLow);
-            EXPECT_LT(row.range.softLow, row.range.softHigh);
-            EXPECT_LE(row.range.softHigh, row.range.high);
-            EXPECT_LE(row.range.softLow, std::get<double>(row.initial));
-            EXPECT_GE(row.range.softHigh, std::get<double>(row.initial));
-            if (row.range.scale == Scale::logarithmic) {
-                EXPECT_GT(row.range.low, 0);
+            if (parameter.kind != Kind::real && parameter.kind != Kind::count) continue;
+            EXPECT_LT(parameter.range.low, parameter.range.high);
+            EXPECT_LE(parameter.range.low, parameter.range.softLow);
+            EXPECT_LT(parameter.range.softLow, parameter.range.softHigh);
+            EXPECT_LE(parameter.range.softHigh, parameter.range.high);
+            EXPECT_LE(parameter.range.softLow, std::get<double>(parameter.initial));
+            EXPECT_GE(parameter.range.softHigh, std::get<double>(parameter.initial));
+            if (parameter.range.scale == Scale::logarithmic) {
+                EXPECT_GT(parameter.range.low, 0);
             }
-            if (row.qualityReference) {
-                EXPECT_EQ(*nearestLegal(row, *row.qualityReference), Value(*row.qualityReference));
+            if (parameter.qualityReference) {
+                EXPECT_EQ(*nearestLegal(parameter, *parameter.qualityReference), Value(*parameter.qualityReference));
             }
         }
     }
@@ -194,7 +196,7 @@ std::string readersOf(const std::string& exhibit)
     for (const std::string& file : test::sourceFiles("shaders", test::glslExtensions))
         if (file.starts_with("shaders/" + exhibit + '/')) append(file);
     if (exhibit == "hall") append("exhibits/museum/museum.cpp");
-    if (tableText(exhibit).find("struct SdfRows") != std::string::npos) {
+    if (tableText(exhibit).find("struct SdfParameters") != std::string::npos) {
         for (const std::string& file : test::sourceFiles("exhibits/kit", test::cppExtensions))
             if (!file.ends_with("_rows.h")) append(file);
         for (const std::string& file : test::sourceFiles("shaders/kit/sdf", test::glslExtensions)) append(file);
@@ -202,13 +204,13 @@ std::string readersOf(const std::string& exhibit)
     return text;
 }
 
-bool isRead(const std::string& text, const ParameterInfo& row)
+bool isRead(const std::string& text, const ParameterInfo& parameter)
 {
     // C++ reads the parameter from the table, or from one group of an array, or a shader reads it from its block.
-    // Parameters that are not part of the picture are found by name through a constant: `supersamplesRow`.
-    const std::string name(row.array.empty() ? row.name : row.elementRow);
-    const std::string from = row.array.empty() ? "\\b(parameters|table|table_|t|parameters\\(\\)|rows\\(\\))"
-                                               : "(\\b" + std::string(row.array) + "\\[[^;]*\\]|\\brows)";
+    // Parameters that are not part of the picture are found by name through a constant: `supersamplesParameter`.
+    const std::string name(parameter.array.empty() ? parameter.name : parameter.elementParameter);
+    const std::string from = parameter.array.empty() ? "\\b(parameters|table|table_|t|parameters\\(\\)|rows\\(\\))"
+                                                     : "(\\b" + std::string(parameter.array) + "\\[[^;]*\\]|\\brows)";
     if (text.find("find(" + name + "Row)") != std::string::npos) return true;
     // List of fields, whose names select the parameters for a struct.
     if (text.find("FIELD(float, " + name + ")") != std::string::npos) return true;
@@ -227,12 +229,13 @@ bool isRead(const std::string& text, std::string_view row)
     return isRead(text, ParameterInfo{.name = row});
 }
 
-TEST(Tables, EveryRowIsReadByItsOwnExhibit)
+TEST(Tables, EveryParameterIsReadByItsOwnExhibit)
 {
     // Every parameter must have an effect.
     for (const auto& [exhibit, table] : tables()) {
         const std::string text = readersOf(exhibit);
-        for (const ParameterInfo& row : table->rows()) EXPECT_TRUE(isRead(text, row)) << exhibit << '.' << row.name;
+        for (const ParameterInfo& parameter : table->rows())
+            EXPECT_TRUE(isRead(text, parameter)) << exhibit << '.' << parameter.name;
     }
     // A parameter of one exhibit is not read because another exhibit reads its own of the same name.
     EXPECT_TRUE(isRead(readersOf("sdf_morph"), "refractiveIndex"));
@@ -244,8 +247,8 @@ TEST(Tables, EveryRowIsReadByItsOwnExhibit)
 const Parameters* dynamicParameters(const std::string& file, const std::string& exhibit)
 {
     // Shaders of fields use the parameters of every field, and those of a material kind the parameters of a material.
-    struct FieldTable final : SdfRows {};
-    struct MaterialTable final : SdfMaterialRows {};
+    struct FieldTable final : SdfParameters {};
+    struct MaterialTable final : SdfMaterialParameters {};
     static const FieldTable field;
     static const MaterialTable material;
     if (file == "shaders/kit/sdf/even_material.glsl") return &material;
@@ -273,12 +276,13 @@ TEST(Tables, ShadersUseOnlyFieldsThatTheirTableHas)
     EXPECT_EQ(derive::uniformBlock(*tables().at("sdf_morph")).find(" noSuchField;"), std::string::npos);
 }
 
-TEST(Tables, RowsBearNamesThatAreKeysFlagsAndFields)
+TEST(Tables, ParametersBearNamesThatAreKeysFlagsAndFields)
 {
     for (const auto& [exhibit, table] : tables())
-        for (const ParameterInfo& row : table->rows()) EXPECT_TRUE(isRowName(row.name)) << exhibit << '.' << row.name;
+        for (const ParameterInfo& parameter : table->rows())
+            EXPECT_TRUE(isParameterName(parameter.name)) << exhibit << '.' << parameter.name;
     for (const char* bad : {"", "1st", "two words", "under_score", "quote\"", "a=b", "caf\u00e9"})
-        EXPECT_FALSE(isRowName(bad)) << bad;
+        EXPECT_FALSE(isParameterName(bad)) << bad;
 }
 
 TEST(Tables, TheUniformBlockHasTheBytesThatStd140Asks)
@@ -287,9 +291,9 @@ TEST(Tables, TheUniformBlockHasTheBytesThatStd140Asks)
     // 16.
     for (const auto& [exhibit, table] : tables()) {
         std::size_t expected = 0;
-        for (const ParameterInfo& row : table->rows()) {
-            if (row.isWritten()) continue;
-            const bool vector = row.kind == Kind::color || row.kind == Kind::direction;
+        for (const ParameterInfo& parameter : table->rows()) {
+            if (parameter.isWritten()) continue;
+            const bool vector = parameter.kind == Kind::color || parameter.kind == Kind::direction;
             expected = vector ? (expected + 15) / 16 * 16 + 12 : expected + 4;
         }
         EXPECT_EQ(derive::uniformBytes(table->initial()).size(), (expected + 15) / 16 * 16) << exhibit;
@@ -299,20 +303,20 @@ TEST(Tables, TheUniformBlockHasTheBytesThatStd140Asks)
 TEST(Tables, TheSweepOfAStudyHoldsBothEndsAndTheInitialValue)
 {
     for (const auto& [exhibit, table] : tables()) {
-        for (const ParameterInfo& row : table->rows()) {
-            const std::vector<double> points = derive::sweep(row, 7);
-            SCOPED_TRACE(exhibit + '.' + std::string(row.name));
-            if (row.kind == Kind::color || row.kind == Kind::direction || row.isWritten()) {
+        for (const ParameterInfo& parameter : table->rows()) {
+            const std::vector<double> points = derive::sweep(parameter, 7);
+            SCOPED_TRACE(exhibit + '.' + std::string(parameter.name));
+            if (parameter.kind == Kind::color || parameter.kind == Kind::direction || parameter.isWritten()) {
                 EXPECT_TRUE(points.empty());
                 continue;
             }
             const auto has = [&](double x) { return std::find(points.begin(), points.end(), x) != points.end(); };
-            EXPECT_TRUE(has(std::get<double>(row.initial)));
-            if (row.kind == Kind::real || row.kind == Kind::count) {
-                EXPECT_TRUE(has(row.range.softLow));
-                EXPECT_TRUE(has(row.range.softHigh));
+            EXPECT_TRUE(has(std::get<double>(parameter.initial)));
+            if (parameter.kind == Kind::real || parameter.kind == Kind::count) {
+                EXPECT_TRUE(has(parameter.range.softLow));
+                EXPECT_TRUE(has(parameter.range.softHigh));
             }
-            for (const double x : points) EXPECT_EQ(*nearestLegal(row, x), Value(x));
+            for (const double x : points) EXPECT_EQ(*nearestLegal(parameter, x), Value(x));
         }
     }
 }

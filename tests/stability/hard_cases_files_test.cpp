@@ -42,24 +42,24 @@ TEST(HardCases, ANegativeSizeInAPresetIsBroughtIntoRangeAndSaid)
     EXPECT_GT(f32::sdfTorus(vec3(0.35F, 0, 0), 0.35F, -0.12F), 0);                     // No surface is left ...
     EXPECT_LT(f32::sdfBox(vec3(9, 0, 0), vec3(10, -1, -1)) + f32::sdfOnion(2, 5), 9);  // ... and bounds are wrong.
     int sizes = 0;
-    for (const ParameterInfo& row : table.rows()) {
-        if (row.unit != Unit::meter) continue;
+    for (const ParameterInfo& parameter : table.rows()) {
+        if (parameter.unit != Unit::meter) continue;
         ++sizes;
         for (const char* bad : {"-0.1", "-1e300", "-0.0"}) {
-            const Preset preset = read('"' + std::string(row.name) + "\": " + bad);
-            const double kept = std::get<double>(preset.values.row(*table.find(row.name)));
-            EXPECT_GE(kept, row.range.low) << row.name;
-            EXPECT_GE(kept, 0) << row.name;
+            const Preset preset = read('"' + std::string(parameter.name) + "\": " + bad);
+            const double kept = std::get<double>(preset.values.row(*table.find(parameter.name)));
+            EXPECT_GE(kept, parameter.range.low) << parameter.name;
+            EXPECT_GE(kept, 0) << parameter.name;
             if (kept != 0) {
-                ASSERT_EQ(preset.notes.size(), 1U) << row.name << ' ' << bad;
-                EXPECT_NE(preset.notes[0].find(row.name), std::string::npos);
+                ASSERT_EQ(preset.notes.size(), 1U) << parameter.name << ' ' << bad;
+                EXPECT_NE(preset.notes[0].find(parameter.name), std::string::npos);
             }
         }
     }
     EXPECT_GE(sizes, 8);
 }
 
-TEST(HardCases, NumbersThatAreNoneAreRefusedForEveryRowOfEveryExhibit)
+TEST(HardCases, NumbersThatAreNoneAreRefusedForEveryParameterOfEveryExhibit)
 {
     // A clamp alone would accept NaN.
     const double infinity = std::numeric_limits<double>::infinity();
@@ -84,9 +84,9 @@ TEST(HardCases, NumbersThatAreNoneAreRefusedForEveryRowOfEveryExhibit)
             for (const double hostile : {std::nan(""), infinity, -infinity, -1e308}) {
                 ParameterValues values = of.initial();
                 if (one)
-                    values.setRow(i, hostile);
+                    values.setParameter(i, hostile);
                 else
-                    values.setRow(i, glm::dvec3(0, hostile, 1));
+                    values.setParameter(i, glm::dvec3(0, hostile, 1));
                 EXPECT_EQ(nearestLegal(row, values.row(i)), values.row(i));
             }
         }
@@ -112,7 +112,7 @@ TEST(HardCases, ARefractiveIndexThatNoGlassHasIsRefusedOrBroughtIntoRange)
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (std::size_t i = 0; i < table.rows().size(); ++i) {
         const Value before = values.row(i);
-        EXPECT_FALSE(values.setRow(i, nan));
+        EXPECT_FALSE(values.setParameter(i, nan));
         EXPECT_EQ(values.row(i), before) << table.rows()[i].name;
     }
 }

@@ -59,7 +59,7 @@ std::vector<std::string> namesOfAll()
 INSTANTIATE_TEST_SUITE_P(Exhibits, ScanOfExhibit, testing::ValuesIn(namesOfAll()),
                          [](const auto& p) { return p.param; });
 
-TEST_F(StabilityScan, EveryRowOfEveryExhibitAtItsEndsGivesNumbers)
+TEST_F(StabilityScan, EveryParameterOfEveryExhibitAtItsEndsGivesNumbers)
 {
     // For a single layer, the relative height of layer 0 would be 0/0.
     const Museum& museum = gallery().museum;
@@ -83,7 +83,7 @@ TEST_F(StabilityScan, EveryRowOfEveryExhibitAtItsEndsGivesNumbers)
                                     : rows[row].range.high;
             for (const double end : {rows[row].range.low, high}) {
                 ScanCase c = plain;
-                c.sceneState.values[i].setRow(row, end);
+                c.sceneState.values[i].setParameter(row, end);
                 c.frame.camera = exhibit.bestView(c.sceneState.values[i]);
                 EXPECT_EQ(faultOf(museum, gallery().renderer, c), "")
                     << exhibit.name() << '.' << rows[row].name << ' ' << end;

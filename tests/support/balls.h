@@ -97,13 +97,13 @@ inline void writeBalls(const std::filesystem::path& path, const std::vector<Ball
 }
 
 /// Sets a parameter by name. Returns whether it exists.
-inline bool setRow(ParameterValues& values, std::string_view name, const Value& value)
+inline bool setParameter(ParameterValues& values, std::string_view name, const Value& value)
 {
     const std::optional<std::size_t> row = values.table().find(name);
-    if (row) values.setRow(*row, value);
+    if (row) values.setParameter(*row, value);
     return row.has_value();
 }
-inline std::optional<Value> rowOf(const ParameterValues& values, std::string_view name)
+inline std::optional<Value> parameterOf(const ParameterValues& values, std::string_view name)
 {
     const std::optional<std::size_t> row = values.table().find(name);
     return row ? std::optional<Value>(values.row(*row)) : std::nullopt;

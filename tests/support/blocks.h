@@ -76,13 +76,14 @@ public:
             tree.nodes.push_back({block.name, block.name, "cube", 0, block.hidden});
         return tree;
     }
-    [[nodiscard]] std::optional<TreeRows> rowsOf(const ParameterValues& values, std::string_view node) const override
+    [[nodiscard]] std::optional<TreeParameters> parametersOf(const ParameterValues& values,
+                                                             std::string_view node) const override
     {
         const Block* block = find(values, node);
         if (!block) return std::nullopt;
         auto table = std::make_shared<MadeTable>();
         const Real size = table->real("size", 0.2, Unit::meter, Range{0.01, 1}, "Of an edge.");
-        TreeRows rows{ParameterValues(std::shared_ptr<const Parameters>(table))};
+        TreeParameters rows{ParameterValues(std::shared_ptr<const Parameters>(table))};
         rows.values.set(size, block->size);
         return rows;
     }
@@ -104,8 +105,8 @@ public:
         }
         return {with(values, all, assets), node};
     }
-    [[nodiscard]] ParameterValues withRow(const ParameterValues& values, std::string_view node, std::size_t,
-                                          const Value& value, render::AssetStore& assets) const override
+    [[nodiscard]] ParameterValues withParameter(const ParameterValues& values, std::string_view node, std::size_t,
+                                                const Value& value, render::AssetStore& assets) const override
     {
         std::vector<Block> all = blocks(values);
         all[indexOf(values, node)].size = std::get<double>(value);

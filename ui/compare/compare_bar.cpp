@@ -3,7 +3,7 @@
 #include "ui/compare/compare_actions.h"
 #include "ui/compare/compare_controller.h"
 #include "ui/compare/compare_overlay.h"
-#include "ui/compare/compare_rows.h"
+#include "ui/compare/compare_parameters.h"
 #include "ui/compare/morph_control.h"
 #include "ui/kit/flat_style.h"
 #include "ui/kit/language.h"
@@ -23,7 +23,7 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr std::size_t mostRows = 30;  ///< Most parameters in the menu of differences.
+constexpr std::size_t mostParameters = 30;  ///< Most parameters in the menu of differences.
 constexpr int widestName = 140;
 constexpr std::array<const char*, 5> modeNames{
     QT_TRANSLATE_NOOP("vitrine::ui::CompareBar", "Wipe"), QT_TRANSLATE_NOOP("vitrine::ui::CompareBar", "Side by side"),
@@ -32,7 +32,7 @@ constexpr std::array<const char*, 5> modeNames{
 
 ValueSlider* sliderOver(std::uint16_t row, const QString& name, QWidget* parent)
 {
-    const ParameterInfo& info = compareRows().rows()[row];
+    const ParameterInfo& info = compareParameters().rows()[row];
     auto* slider = new ValueSlider(info, parent);
     slider->setAccessibleName(name);
     slider->setToolTip(translatedText(info.help));
@@ -52,9 +52,9 @@ QWidget* withoutMargins(QWidget* parent)
 
 CompareBar::CompareBar(CompareController& controller, QWidget* parent)
     : QWidget(parent), controller_(controller), gains_(withoutMargins(this)),
-      gain_(sliderOver(compareRows().gain.row, tr("Gain of the differences"), gains_)), times_(new QLabel(gains_)),
-      rows_(new QMenu(this)), differ_(menuButton(rows_)), morphs_(withoutMargins(this)),
-      morph_(sliderOver(compareRows().towardsB.row, tr("From A to B"), morphs_)),
+      gain_(sliderOver(compareParameters().gain.row, tr("Gain of the differences"), gains_)),
+      times_(new QLabel(gains_)), rows_(new QMenu(this)), differ_(menuButton(rows_)), morphs_(withoutMargins(this)),
+      morph_(sliderOver(compareParameters().towardsB.row, tr("From A to B"), morphs_)),
       source_(menuButton(&controller.actions().sources()))
 {
     setAccessibleName(tr("Comparison"));
@@ -196,13 +196,13 @@ void CompareBar::resizeEvent(QResizeEvent* event)
 void CompareBar::fillRows()
 {
     rows_->clear();
-    const std::vector<RowDifference> differences = controller_.differences();
-    for (std::size_t i = 0; i < std::min(differences.size(), mostRows); ++i) {
-        const RowDifference& row = differences[i];
+    const std::vector<ParameterDifference> differences = controller_.differences();
+    for (std::size_t i = 0; i < std::min(differences.size(), mostParameters); ++i) {
+        const ParameterDifference& row = differences[i];
         rows_->addAction(menuText(row.text), this, [this, row] { controller_.other().take(row.exhibit, row.name); });
     }
-    if (differences.size() > mostRows)
-        rows_->addAction(tr("… and %1 more").arg(differences.size() - mostRows))->setEnabled(false);
+    if (differences.size() > mostParameters)
+        rows_->addAction(tr("… and %1 more").arg(differences.size() - mostParameters))->setEnabled(false);
 }
 
 void CompareBar::setBanned(bool banned)

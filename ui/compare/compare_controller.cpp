@@ -1,6 +1,6 @@
 #include "ui/compare/compare_controller.h"
 
-#include "exhibits/compare/differing_rows.h"
+#include "exhibits/compare/differing_parameters.h"
 #include "exhibits/museum/named_files.h"
 #include "render/video/carried_settings.h"
 #include "ui/compare/compare_actions.h"
@@ -192,11 +192,11 @@ History& CompareController::history() const
     return workbench_.history();
 }
 
-std::vector<RowDifference> CompareController::differences() const
+std::vector<ParameterDifference> CompareController::differences() const
 {
-    std::vector<RowDifference> all;
+    std::vector<ParameterDifference> all;
     if (!other_->isSet()) return all;
-    for (const DifferingRow& row : differingRows(workbench_.history().sceneState(), other_->sceneState())) {
+    for (const DifferingParameter& row : differingParameters(workbench_.history().sceneState(), other_->sceneState())) {
         const auto value = [&](const std::optional<Value>& v) {
             return v ? QString::fromStdString(valueWithUnit(row.info, *v)) : tr("no such parameter");
         };

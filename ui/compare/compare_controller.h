@@ -27,7 +27,7 @@ class PresetController;
 class Workbench;
 
 /// Parameter whose values differ between A and B.
-struct RowDifference {
+struct ParameterDifference {
     std::size_t exhibit = 0;
     std::string name;
     QString text;  ///< "Torus to Mug: Morph: 0.5 | 0.7", A's value first.
@@ -66,7 +66,7 @@ public:
     [[nodiscard]] History& history() const;
     [[nodiscard]] Workbench& workbench() const { return workbench_; }
     /// Returns the parameters in which A and B differ; empty if there is no B.
-    [[nodiscard]] std::vector<RowDifference> differences() const;
+    [[nodiscard]] std::vector<ParameterDifference> differences() const;
 
 signals:
     /// Emitted with the frame report of B. `report` is null while B is not drawn, and `why` gives the reason; an empty

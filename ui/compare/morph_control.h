@@ -17,7 +17,7 @@ class MorphControl final : public QObject {
     Q_OBJECT
 
 public:
-    /// All must outlive this object. The slider must have the parameter `CompareRows::towardsB`.
+    /// All must outlive this object. The slider must have the parameter `CompareParameters::towardsB`.
     MorphControl(History&, const SettingsB&, ValueSlider&, QObject* parent);
 
 private:

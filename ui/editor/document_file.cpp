@@ -152,7 +152,7 @@ bool DocumentFile::saveTo(const QString& path)
     ParameterValues& values = after.values[subject_];
     const DocumentPlace document = source()->document(values);
     source()->dropUnsaved(values);
-    if (!document.writable || document.path != path.toStdString()) values.setRow(document.file, file);
+    if (!document.writable || document.path != path.toStdString()) values.setParameter(document.file, file);
     seen_[subject_] = {source()->document(values).path, text};
     window_.history().settle(after);
     window_.say(MessageStrip::Mood::notice, tr("Saved to %1.").arg(path), {}, {}, path);

@@ -133,7 +133,7 @@ void LiveText::take(const std::string& text, std::vector<TextFinding> findings)
 void LiveText::setDraft(const std::string& text)
 {
     SceneState state = window_.history().sceneState();
-    state.values[subject_].setRow(*place().draft, text);
+    state.values[subject_].setParameter(*place().draft, text);
     applying_ = true;
     window_.history().settle(state);
     applying_ = false;
@@ -158,7 +158,7 @@ void LiveText::beginDocument()
     setDraft({});
     if (!std::get<std::string>(values().row(place().document)).empty()) return;
     SceneState state = window_.history().sceneState();
-    state.values[subject_].setRow(place().document, source_->documentText(values()));
+    state.values[subject_].setParameter(place().document, source_->documentText(values()));
     applying_ = true;
     window_.history().settle(state);
     applying_ = false;

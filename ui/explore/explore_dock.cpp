@@ -1,6 +1,6 @@
 #include "ui/explore/explore_dock.h"
 
-#include "ui/explore/explore_rows.h"
+#include "ui/explore/explore_parameters.h"
 #include "ui/explore/morph_pad.h"
 #include "ui/explore/pad_control.h"
 #include "ui/explore/variation_grid.h"
@@ -59,8 +59,8 @@ ExploreDock::ExploreDock(Workbench& workbench, PresetController& presetControlle
     : QWidget(parent), workbench_(workbench), corners_(new PadCorners(workbench, presetController, this)),
       pad_(new MorphPad(*corners_, this)), variations_(new Variations(workbench, panel, this)),
       grid_(new VariationGrid(*variations_, this)), number_(new QSpinBox(this)),
-      strength_(new ValueSlider(exploreRows().rows()[exploreRows().strength.row], this)), percent_(new QLabel(this)),
-      state_(new QLabel(this)), anew_(new QPushButton(tr("&Draw anew"), this)),
+      strength_(new ValueSlider(exploreParameters().rows()[exploreParameters().strength.row], this)),
+      percent_(new QLabel(this)), state_(new QLabel(this)), anew_(new QPushButton(tr("&Draw anew"), this)),
       goOn_(new QPushButton(tr("&More like this"), this))
 {
     auto* all = new QVBoxLayout(this);
@@ -152,7 +152,7 @@ void ExploreDock::addVariations(QVBoxLayout& all)
     auto* strength = new QLabel(tr("S&trength"), this);
     strength->setBuddy(strength_);
     strength_->setAccessibleName(tr("Strength"));
-    strength_->setToolTip(translatedText(exploreRows().rows()[exploreRows().strength.row].help));
+    strength_->setToolTip(translatedText(exploreParameters().rows()[exploreParameters().strength.row].help));
     strength_->showValue(variations_->strength());
     percent_->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("100 %")));
     line->addWidget(number);

@@ -167,8 +167,8 @@ void GamepadControl::pressHere(PadButton button, bool again)
     case PadButton::leftShoulder: emit exhibitAsked(-1); return;
     case PadButton::rightShoulder: emit exhibitAsked(1); return;
     case PadButton::start: emit pauseAsked(); return;
-    case PadButton::up: emit rowAsked(-1); return;
-    case PadButton::down: emit rowAsked(1); return;
+    case PadButton::up: emit parameterRequested(-1); return;
+    case PadButton::down: emit parameterRequested(1); return;
     case PadButton::left: emit changeAsked(-1, again); return;
     case PadButton::right: emit changeAsked(1, again); return;
     case PadButton::leftStick:

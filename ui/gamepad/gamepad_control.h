@@ -43,7 +43,7 @@ signals:
     void exhibitAsked(int step);
     void pauseAsked();
     /// Asks for the next parameter of the panel (1), or the one before (-1).
-    void rowAsked(int step);
+    void parameterRequested(int step);
     /// Asks to change the focused parameter by a step up or down. `again`: the button is still held, which continues
     /// the gesture.
     void changeAsked(int step, bool again);

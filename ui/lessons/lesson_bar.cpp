@@ -78,7 +78,7 @@ void LessonBar::addText(QLabel& label, const QString& name)
     label.setTextInteractionFlags(Qt::TextBrowserInteraction);
     label.setAccessibleName(name);
     connect(&label, &QLabel::linkActivated, this, [this](const QString& link) {
-        if (link.startsWith(QLatin1String("row:"))) emit controller_.rowAsked(link.mid(4));
+        if (link.startsWith(QLatin1String("row:"))) emit controller_.parameterRequested(link.mid(4));
     });
 }
 

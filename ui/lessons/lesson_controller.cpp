@@ -196,7 +196,7 @@ SceneState LessonController::stateAt(const Place& place, bool& movesCamera) cons
     }
     const LessonStep& step = opened.lesson.steps[place.page - 1];
     state.values[opened.exhibit] = step.values;
-    for (const auto& [row, value] : step.hall) state.hall().setRow(row, value);
+    for (const auto& [row, value] : step.hall) state.hall().setParameter(row, value);
     if (step.camera)
         state.camera = *step.camera;
     else if (step.bestView)

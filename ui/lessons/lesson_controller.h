@@ -71,7 +71,7 @@ public:
 
 signals:
     /// Asks to show this parameter of the lesson's exhibit; "hall.exposure" is one of the hall.
-    void rowAsked(const QString& row);
+    void parameterRequested(const QString& row);
     /// Asks to show the page with the order of the lessons.
     void syllabusAsked();
     /// Emitted when a file that the visitor chose was opened.

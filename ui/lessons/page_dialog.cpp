@@ -40,15 +40,16 @@ QString parameterTable(const Parameters& table)
     QString html =
         QStringLiteral("<h2>%1</h2><table cellspacing=\"0\" cellpadding=\"4\">").arg(PageDialog::tr("Parameters"));
     std::string_view group;
-    for (const ParameterInfo& row : table.rows()) {
-        if (row.group != group)
+    for (const ParameterInfo& parameter : table.rows()) {
+        if (parameter.group != group)
             html += QStringLiteral("<tr><td colspan=\"3\"><b>%1</b></td></tr>")
-                        .arg(translatedText(row.group).toHtmlEscaped());
-        group = row.group;
-        QString values = PageDialog::tr("initially %1").arg(shownText(row, row.initial));
-        if (row.isNumeric()) values += QStringLiteral("<br>") + legalRangeText(row).toHtmlEscaped();
+                        .arg(translatedText(parameter.group).toHtmlEscaped());
+        group = parameter.group;
+        QString values = PageDialog::tr("initially %1").arg(shownText(parameter, parameter.initial));
+        if (parameter.isNumeric()) values += QStringLiteral("<br>") + legalRangeText(parameter).toHtmlEscaped();
         html += QStringLiteral("<tr><td>%1</td><td>%2</td><td class=\"caption\">%3</td></tr>")
-                    .arg(translatedText(label(row)).toHtmlEscaped(), translatedText(row.help).toHtmlEscaped(), values);
+                    .arg(translatedText(label(parameter)).toHtmlEscaped(),
+                         translatedText(parameter.help).toHtmlEscaped(), values);
     }
     return html + QStringLiteral("</table>");
 }

@@ -88,7 +88,7 @@ QMetaObject::Connection History::watch(std::size_t exhibit, const QObject* owner
 void History::noteChange(const SceneStateChange& change, Camera camera)
 {
     const std::set<std::size_t> exhibits = change.exhibits();
-    if (const auto one = change.onlyRow(sceneState_)) {
+    if (const auto one = change.onlyParameter(sceneState_)) {
         emit changed(one->first, one->second);
         tellWatchers(one->first, one->second);
         settleSoon(exhibits);

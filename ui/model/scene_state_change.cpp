@@ -23,7 +23,7 @@ SceneStateChange::SceneStateChange(const SceneState& before, std::size_t exhibit
 {
 }
 
-std::optional<std::pair<std::size_t, std::size_t>> SceneStateChange::onlyRow(const SceneState& sceneState) const
+std::optional<std::pair<std::size_t, std::size_t>> SceneStateChange::onlyParameter(const SceneState& sceneState) const
 {
     if (rows_.size() != 1 || !tables_.empty()) return std::nullopt;
     const Row& change = rows_.front();
@@ -42,14 +42,14 @@ std::set<std::size_t> SceneStateChange::exhibits() const
 void SceneStateChange::set(ParameterValues& values, const Row& change, const Value& value)
 {
     if (values.sharedTable() == change.table) {
-        values.setRow(change.row, value);
+        values.setParameter(change.row, value);
         return;
     }
     // A file was read again since then: find the parameter by its name.
     const ParameterInfo& info = change.table->rows()[change.row];
     const std::optional<std::size_t> row = values.table().find(info.name);
     if (!row || values.rows()[*row].kind != info.kind) return;
-    values.setRow(*row, value == info.initial ? values.rows()[*row].initial : value);
+    values.setParameter(*row, value == info.initial ? values.rows()[*row].initial : value);
 }
 
 void SceneStateChange::apply(SceneState& sceneState) const
@@ -67,7 +67,7 @@ void SceneStateChange::revert(SceneState& sceneState) const
 
 void SceneStateChange::append(const SceneStateChange& later)
 {
-    for (const Row& change : later.rows_) appendRow(change);
+    for (const Row& change : later.rows_) appendParameter(change);
     for (const Table& change : later.tables_) appendTable(change);
     std::erase_if(rows_, [](const Row& change) { return change.before == change.after; });
     std::erase_if(tables_, [](const Table& change) {
@@ -75,7 +75,7 @@ void SceneStateChange::append(const SceneStateChange& later)
     });
 }
 
-void SceneStateChange::appendRow(const Row& later)
+void SceneStateChange::appendParameter(const Row& later)
 {
     for (Table& change : tables_)
         if (change.exhibit == later.exhibit) {

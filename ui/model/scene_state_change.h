@@ -23,7 +23,7 @@ public:
 
     [[nodiscard]] bool empty() const { return rows_.empty() && tables_.empty(); }
     /// Returns the exhibit and parameter index in this state, if exactly one value changes.
-    [[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> onlyRow(const SceneState&) const;
+    [[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> onlyParameter(const SceneState&) const;
 
     /// Returns the indices of the exhibits whose values change.
     [[nodiscard]] std::set<std::size_t> exhibits() const;
@@ -45,7 +45,7 @@ private:
         ParameterValues before, after;
     };
     static void set(ParameterValues&, const Row&, const Value&);
-    void appendRow(const Row& later);
+    void appendParameter(const Row& later);
     void appendTable(const Table& later);
 
     std::vector<Row> rows_;

@@ -21,8 +21,8 @@ std::optional<std::size_t> GroupEdits::twinOf(std::size_t row, std::size_t eleme
     const auto rows = currentValues().rows();
     const ParameterInfo& info = rows[row];
     for (std::size_t i = 0; i < rows.size(); ++i)
-        if (rows[i].array == info.array && rows[i].element == element && rows[i].elementRow == info.elementRow &&
-            rows[i].kind == info.kind)
+        if (rows[i].array == info.array && rows[i].element == element &&
+            rows[i].elementParameter == info.elementParameter && rows[i].kind == info.kind)
             return i;
     return std::nullopt;
 }
@@ -30,13 +30,14 @@ std::optional<std::size_t> GroupEdits::twinOf(std::size_t row, std::size_t eleme
 std::vector<GroupEdits::Group> GroupEdits::groupsOf(std::string_view array) const
 {
     std::vector<Group> groups;
-    for (const ParameterInfo& row : currentValues().rows())
-        if (!array.empty() && row.array == array && (groups.empty() || groups.back().element != row.element))
-            groups.push_back({row.element, std::string(row.group)});
+    for (const ParameterInfo& parameter : currentValues().rows())
+        if (!array.empty() && parameter.array == array &&
+            (groups.empty() || groups.back().element != parameter.element))
+            groups.push_back({parameter.element, std::string(parameter.group)});
     return groups;
 }
 
-std::vector<std::size_t> GroupEdits::rowsWith(std::size_t row) const
+std::vector<std::size_t> GroupEdits::parametersWith(std::size_t row) const
 {
     std::vector<std::size_t> all{row};
     const ParameterInfo& info = currentValues().rows()[row];
@@ -48,7 +49,7 @@ std::vector<std::size_t> GroupEdits::rowsWith(std::size_t row) const
 
 void GroupEdits::setValue(std::size_t row, const Value& value, Gesture gesture, const QString& words)
 {
-    const std::vector<std::size_t> rows = rowsWith(row);
+    const std::vector<std::size_t> rows = parametersWith(row);
     if (rows.size() == 1) {
         history_.set(exhibit_, row, value, gesture, words);
         return;
@@ -65,7 +66,7 @@ void GroupEdits::setValue(std::size_t row, const Value& value, Gesture gesture, 
 
 void GroupEdits::reset(std::size_t row, Gesture gesture, const QString& words)
 {
-    const std::vector<std::size_t> rows = rowsWith(row);
+    const std::vector<std::size_t> rows = parametersWith(row);
     if (rows.size() == 1) {
         history_.set(exhibit_, row, currentValues().rows()[row].initial, gesture, words);
         return;
@@ -83,9 +84,9 @@ void GroupEdits::setMotion(std::size_t row, const QString& words, const std::opt
                            const Value& base)
 {
     SceneState next = history_.sceneState();
-    for (const std::size_t each : rowsWith(row)) {
+    for (const std::size_t each : parametersWith(row)) {
         next.values[exhibit_].setMotion(each, motion);
-        next.values[exhibit_].setRow(each, base);
+        next.values[exhibit_].setParameter(each, base);
     }
     history_.change(words, next);
 }

@@ -34,7 +34,7 @@ public:
     [[nodiscard]] bool together(std::string_view array) const { return together_.contains(array); }
     void setTogether(std::string_view array, bool together);
     /// Returns the parameter itself and, while groups are edited together, the same parameter of the other groups.
-    [[nodiscard]] std::vector<std::size_t> rowsWith(std::size_t row) const;
+    [[nodiscard]] std::vector<std::size_t> parametersWith(std::size_t row) const;
 
     /// One group of an array.
     struct Group {

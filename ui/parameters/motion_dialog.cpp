@@ -53,7 +53,7 @@ ParameterValues numbersOf(const Motion& motion)
     values.set(t.phase, motion.phase);
     values.set(t.start, motion.start);
     values.set(t.steps, motion.steps);
-    values.setRow(t.seed.row, static_cast<double>(motion.seed));
+    values.setParameter(t.seed.row, static_cast<double>(motion.seed));
     values.set(t.nearest, motion.nearest);
     values.set(t.farthest, motion.farthest);
     return values;
@@ -90,27 +90,29 @@ bool isUsed(MotionKind kind, std::size_t row)
 
 }  // namespace
 
-Motion usualMotion(const ParameterInfo& row, const Value& now)
+Motion usualMotion(const ParameterInfo& parameter, const Value& now)
 {
     Motion motion;
     motion.from = now;
     if (const double* number = std::get_if<double>(&now)) {
         const auto way = [&](double end) {
-            const bool byFactors = row.range.scale == Scale::logarithmic && *number > 0 && end > 0;
+            const bool byFactors = parameter.range.scale == Scale::logarithmic && *number > 0 && end > 0;
             return std::abs(byFactors ? std::log(end / *number) : end - *number);
         };
-        const bool up = way(row.range.softHigh) >= way(row.range.softLow);
-        motion.to = row.kind == Kind::toggle ? 1 - *number : up ? row.range.softHigh : row.range.softLow;
-        if (row.kind == Kind::choice)
-            motion.to = *number + 1 < static_cast<double>(row.choices.size()) ? *number + 1 : 0;
+        const bool up = way(parameter.range.softHigh) >= way(parameter.range.softLow);
+        motion.to = parameter.kind == Kind::toggle ? 1 - *number
+                    : up                           ? parameter.range.softHigh
+                                                   : parameter.range.softLow;
+        if (parameter.kind == Kind::choice)
+            motion.to = *number + 1 < static_cast<double>(parameter.choices.size()) ? *number + 1 : 0;
     } else if (const auto* three = std::get_if<glm::dvec3>(&now)) {
         // Colors: the complement to white. Directions: a quarter turn about the vertical.
-        if (row.kind == Kind::color)
+        if (parameter.kind == Kind::color)
             motion.to = glm::dvec3(1) - *three;
         else
             motion.to = std::abs(three->y) > 0.99 ? glm::dvec3(1, 0, 0) : glm::dvec3(three->z, three->y, -three->x);
     }
-    motion.to = nearestLegal(row, motion.to).value_or(now);
+    motion.to = nearestLegal(parameter, motion.to).value_or(now);
     return motion;
 }
 
@@ -124,7 +126,7 @@ public:
     {
         const Motion* motion = dialog_.present();
         if (!motion) return;
-        values_.setRow(row, value);
+        values_.setParameter(row, value);
         dialog_.change(withNumbers(*motion, values_));
     }
     void take(const Motion& motion) { values_ = numbersOf(motion); }
@@ -153,7 +155,7 @@ public:
     }
     void take(const Motion& motion)
     {
-        values_.setRow(row_, motion.*end_);
+        values_.setParameter(row_, motion.*end_);
         editor->showValue(values_.row(row_));
     }
     [[nodiscard]] ValueRef ref() { return {*this, row_}; }

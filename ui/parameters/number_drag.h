@@ -14,7 +14,7 @@ public:
     static constexpr double pixelsPerRange = 200;  ///< Pixels from end to end of the comfortable range.
     static constexpr int threshold = 3;            ///< Pixels after which a press becomes a drag.
 
-    explicit NumberDrag(const ParameterInfo& row) : scale_(row) {}
+    explicit NumberDrag(const ParameterInfo& parameter) : scale_(parameter) {}
 
     void press(double value, double x);
     /// Moves the pointer to `x`. Returns whether the press is a drag; `value` is then the new number.

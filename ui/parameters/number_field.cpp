@@ -14,8 +14,8 @@
 
 namespace vitrine::ui {
 
-NumberField::NumberField(const ParameterInfo& row, QWidget* parent)
-    : QLineEdit(parent), row_(row), drag_(row), scale_(row)
+NumberField::NumberField(const ParameterInfo& parameter, QWidget* parent)
+    : QLineEdit(parent), row_(parameter), drag_(parameter), scale_(parameter)
 {
     setFrame(false);
     setAlignment(Qt::AlignRight | Qt::AlignVCenter);

@@ -18,7 +18,7 @@ class NumberField final : public QLineEdit, public AccessibleContent {
 public:
     static constexpr int usualWidth = 70;  ///< Width in pixels at the usual font size.
 
-    NumberField(const ParameterInfo& row, QWidget* parent);
+    NumberField(const ParameterInfo& parameter, QWidget* parent);
 
     void showValue(double value);
     [[nodiscard]] double value() const { return value_; }

@@ -10,7 +10,8 @@ std::vector<PanelGroup> panelGroups(std::span<const ParameterInfo> rows,
 {
     PanelGroup essentials{PanelGroup::Kind::essentials, "Essentials"};
     PanelGroup pinned{PanelGroup::Kind::pinned, "Pinned"};
-    const bool sorted = std::any_of(rows.begin(), rows.end(), [](const ParameterInfo& row) { return row.essential; });
+    const bool sorted =
+        std::any_of(rows.begin(), rows.end(), [](const ParameterInfo& parameter) { return parameter.essential; });
     std::vector<PanelGroup> groups;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (i == 0 || rows[i].group != rows[i - 1].group)

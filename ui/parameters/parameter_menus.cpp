@@ -22,9 +22,9 @@
 namespace vitrine::ui {
 namespace {
 
-QString rowLabel(const ParameterInfo& row)
+QString parameterLabel(const ParameterInfo& parameter)
 {
-    return translatedText(label(row));
+    return translatedText(label(parameter));
 }
 
 }  // namespace
@@ -82,15 +82,15 @@ void ParameterMenus::openWay(std::size_t row, const QPoint& at)
 
 void ParameterMenus::addWayTo(QMenu& menu, std::size_t row)
 {
-    const std::optional<RowChanges> changes = changesToAct(values(), row);
+    const std::optional<ParameterChanges> changes = changesToAct(values(), row);
     if (!changes || changes->empty()) return;
     menu.addAction(menuText(changesText(values(), *changes)), this, [this, changes = *changes] { make(changes); });
 }
 
-void ParameterMenus::make(const RowChanges& changes)
+void ParameterMenus::make(const ParameterChanges& changes)
 {
     SceneState next = history_.sceneState();
-    for (const auto& [row, value] : changes) next.values[panel_.exhibit()].setRow(row, value);
+    for (const auto& [row, value] : changes) next.values[panel_.exhibit()].setParameter(row, value);
     history_.change(changesText(values(), changes), next);
 }
 
@@ -100,14 +100,14 @@ void ParameterMenus::addMotionTo(QMenu& menu, std::size_t row)
     menu.addSeparator();
     const std::string_view why = whyUnmoved(info);
     QAction* animate = menu.addAction(tr("Animate…"), this, [this, row] {
-        (new MotionDialog(history_, panel_.exhibit(), edits().rowsWith(row), &panel_))->openOver(rowOf(row));
+        (new MotionDialog(history_, panel_.exhibit(), edits().parametersWith(row), &panel_))->openOver(rowOf(row));
     });
     animate->setEnabled(why.empty());
     animate->setToolTip(translatedText(why));
     menu.setToolTipsVisible(true);
     const Motion* motion = values().motion(row);
     if (!motion) return;
-    const QString name = rowLabel(info).toLower();
+    const QString name = parameterLabel(info).toLower();
     const Motion next = motion->heldAt ? resumed(*motion, moment_) : held(*motion, moment_);
     const Value now = valueOf(info, *motion, moment_);
     menu.addAction(
@@ -181,7 +181,7 @@ void ParameterMenus::paste(std::size_t row)
     const std::optional<Value> value =
         typedValue(values().rows()[row], QApplication::clipboard()->text().trimmed(), &problem);
     if (value)
-        edits().setValue(row, *value, newGesture(), tr("Paste %1").arg(rowLabel(values().rows()[row]).toLower()));
+        edits().setValue(row, *value, newGesture(), tr("Paste %1").arg(parameterLabel(values().rows()[row]).toLower()));
     if (!problem.isEmpty()) showProblem(row, problem);
 }
 

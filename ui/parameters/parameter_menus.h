@@ -44,7 +44,7 @@ public:
     void openWay(std::size_t row, const QPoint& at);
     void openGroup(const PanelGroup&, const QString& title, const QPoint& at);
     /// Makes changes that give a parameter an effect, as one undo step.
-    void make(const RowChanges&);
+    void make(const ParameterChanges&);
     void togglePin(std::size_t row);
     [[nodiscard]] bool allLocked(const std::vector<std::size_t>& rows) const;
     /// Returns the edits of the shown exhibit, through which its parameters are changed.

@@ -99,7 +99,7 @@ void ParameterPanel::showAll()
 {
     if (name_.isEmpty()) return;  // Nothing is shown yet.
     // A file that was read again gives a new table, usually with the same parameters; their controls are then kept.
-    if (table_ && table_->hasRowsOf(values().table())) {
+    if (table_ && table_->hasParametersOf(values().table())) {
         showValues();
     } else if (table_) {
         rearrange();  // Another file of the same exhibit has other parameters.
@@ -117,7 +117,7 @@ void ParameterPanel::showValues()
 
 void ParameterPanel::rearrange()
 {
-    const std::string focused = focusedRow();
+    const std::string focused = focusedParameter();
     const int scrolled = scroll_->verticalScrollBar()->value();
     rebuild();
     placeRows();
@@ -304,7 +304,7 @@ bool ParameterPanel::focusIn(const ParameterRow& row)
     return false;
 }
 
-std::string ParameterPanel::focusedRow() const
+std::string ParameterPanel::focusedParameter() const
 {
     const std::optional<std::size_t> row = rowAt(QApplication::focusWidget());
     return row ? std::string(table_->rows()[*row].name) : std::string();

@@ -110,7 +110,7 @@ private:
     void showOnlyWanted();
     void orderTabs();
     /// Returns the row with the focus; empty: none.
-    [[nodiscard]] std::string focusedRow() const;
+    [[nodiscard]] std::string focusedParameter() const;
     /// Updates the marks of headings: locked, edited together.
     void showGroups();
     static constexpr int leastWidth = 320;  ///< Pixels.

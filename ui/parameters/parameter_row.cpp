@@ -312,12 +312,12 @@ void ParameterRow::alignEditors()
                                       grown(widestLabel, *this)));
 }
 
-int ParameterRow::widthForLabel(const ParameterInfo& row, const QWidget& panel)
+int ParameterRow::widthForLabel(const ParameterInfo& parameter, const QWidget& panel)
 {
-    const int gauge = row.qualityReference ? grown(gaugeWidth, panel) + betweenParts : 0;
-    const int naming =
-        panel.fontMetrics().horizontalAdvance(translatedText(row.essential ? label(row) : labelInGroup(row))) + 1 +
-        gauge;
+    const int gauge = parameter.qualityReference ? grown(gaugeWidth, panel) + betweenParts : 0;
+    const int naming = panel.fontMetrics().horizontalAdvance(
+                           translatedText(parameter.essential ? label(parameter) : labelInGroup(parameter))) +
+                       1 + gauge;
     if (naming <= grown(roomyLabel, panel)) return naming + grown(editorRoom, panel);
     return (std::min(naming, grown(widestLabel, panel)) * 100 + labelShare - 1) / labelShare;
 }

@@ -27,18 +27,18 @@ QHBoxLayout* rowLayout(QWidget* parent)
     return layout;
 }
 
-QString nameOf(const ParameterInfo& row)
+QString nameOf(const ParameterInfo& parameter)
 {
-    return translatedText(label(row));
+    return translatedText(label(parameter));
 }
 
 /// Returns the filters of a file dialog: the parameter's own extensions, and all files.
-QStringList filtersOf(const ParameterInfo& row)
+QStringList filtersOf(const ParameterInfo& parameter)
 {
-    const QString patterns = filePatterns(row.extensions);
+    const QString patterns = filePatterns(parameter.extensions);
     const QString all = FileEditor::tr("All files (*)");
     return patterns.isEmpty() ? QStringList{all}
-                              : QStringList{FileEditor::tr("%1 (%2)").arg(nameOf(row), patterns), all};
+                              : QStringList{FileEditor::tr("%1 (%2)").arg(nameOf(parameter), patterns), all};
 }
 
 }  // namespace

@@ -71,34 +71,35 @@ QString listSeparator()
 }
 
 /// Converts a typed number, or three of them, to the notation of files.
-QString asInFiles(const ParameterInfo& row, const QString& typed)
+QString asInFiles(const ParameterInfo& parameter, const QString& typed)
 {
-    if (row.isNumeric()) return withPoint(typed);
-    if ((row.kind != Kind::color && row.kind != Kind::direction) || !typed.contains(QLatin1Char(';'))) return typed;
+    if (parameter.isNumeric()) return withPoint(typed);
+    if ((parameter.kind != Kind::color && parameter.kind != Kind::direction) || !typed.contains(QLatin1Char(';')))
+        return typed;
     QStringList parts;
     for (const QString& part : typed.split(QLatin1Char(';'))) parts << withPoint(part.trimmed());
     return parts.join(QLatin1Char(','));
 }
 
 /// Parses a typed value. Accepts the number notation of the language and names of colors.
-std::optional<Value> meantBy(const ParameterInfo& row, const QString& typed)
+std::optional<Value> meantBy(const ParameterInfo& parameter, const QString& typed)
 {
-    if (std::optional<Value> value = parseValue(row, asInFiles(row, typed).toStdString())) return value;
-    if (row.kind != Kind::color || typed.startsWith(QLatin1Char('#')) || !QColor::isValidColorName(typed))
+    if (std::optional<Value> value = parseValue(parameter, asInFiles(parameter, typed).toStdString())) return value;
+    if (parameter.kind != Kind::color || typed.startsWith(QLatin1Char('#')) || !QColor::isValidColorName(typed))
         return std::nullopt;
     return linear(QColor(typed));
 }
 
 /// Returns which values a parameter accepts, for the message on an invalid one.
-QString whatItTakes(const ParameterInfo& row)
+QString whatItTakes(const ParameterInfo& parameter)
 {
-    switch (row.kind) {
+    switch (parameter.kind) {
     case Kind::real:
-    case Kind::count: return tr("Type a number; range: %1.").arg(legalRangeText(row));
+    case Kind::count: return tr("Type a number; range: %1.").arg(legalRangeText(parameter));
     case Kind::toggle: return tr("Type on or off.");
     case Kind::choice: {
         QStringList names;
-        for (const std::string_view name : row.choices) names << translatedText(name);
+        for (const std::string_view name : parameter.choices) names << translatedText(name);
         return tr("Choose one of: %1.").arg(names.join(QStringLiteral(", ")));
     }
     case Kind::color: return tr("#f80, #ff8800, orange and 1, 0.25, 0 (linear red, green, blue) are.");
@@ -116,17 +117,17 @@ QString three(const glm::dvec3& v)
 
 }  // namespace
 
-QString shownText(const ParameterInfo& row, const Value& value)
+QString shownText(const ParameterInfo& parameter, const Value& value)
 {
     if (const auto* x = std::get_if<double>(&value))
-        if (const Word* word = row.wordFor(*x)) return translatedText(word->text);
-    switch (row.kind) {
+        if (const Word* word = parameter.wordFor(*x)) return translatedText(word->text);
+    switch (parameter.kind) {
     case Kind::real:
-        if (row.unit == Unit::hour) return clockText(std::get<double>(value));
-        return withUnit(number(std::get<double>(value), row.unit), row.unit);
-    case Kind::count: return withUnit(QString::number(std::llround(std::get<double>(value))), row.unit);
+        if (parameter.unit == Unit::hour) return clockText(std::get<double>(value));
+        return withUnit(number(std::get<double>(value), parameter.unit), parameter.unit);
+    case Kind::count: return withUnit(QString::number(std::llround(std::get<double>(value))), parameter.unit);
     case Kind::toggle: return std::get<double>(value) != 0 ? tr("on") : tr("off");
-    case Kind::choice: return translatedText(row.choices[static_cast<std::size_t>(std::get<double>(value))]);
+    case Kind::choice: return translatedText(parameter.choices[static_cast<std::size_t>(std::get<double>(value))]);
     case Kind::color:
     case Kind::direction: return three(std::get<glm::dvec3>(value));
     case Kind::file: {
@@ -136,67 +137,70 @@ QString shownText(const ParameterInfo& row, const Value& value)
     case Kind::text: {
         const std::string& written = std::get<std::string>(value);
         if (written.empty()) return tr("none");
-        return row.addsParameters ? tr("a text") : text(written);
+        return parameter.addsParameters ? tr("a text") : text(written);
     }
     }
     return {};
 }
 
-QString legalRangeText(const ParameterInfo& row)
+QString legalRangeText(const ParameterInfo& parameter)
 {
-    if (!row.isNumeric()) return {};
-    return tr("%1 to %2").arg(number(row.range.low, row.unit), withUnit(number(row.range.high, row.unit), row.unit));
+    if (!parameter.isNumeric()) return {};
+    return tr("%1 to %2")
+        .arg(number(parameter.range.low, parameter.unit),
+             withUnit(number(parameter.range.high, parameter.unit), parameter.unit));
 }
 
-QString tooltipText(const ParameterInfo& row)
+QString tooltipText(const ParameterInfo& parameter)
 {
-    QStringList lines{translatedText(label(row)), QString(), translatedText(row.help), QString()};
-    if (row.isNumeric()) {
-        lines << tr("Range: %1").arg(legalRangeText(row));
-        if (row.range.softLow != row.range.low || row.range.softHigh != row.range.high)
-            lines.last() +=
-                tr("; slider from %1 to %2")
-                    .arg(number(row.range.softLow, row.unit), withUnit(number(row.range.softHigh, row.unit), row.unit));
+    QStringList lines{translatedText(label(parameter)), QString(), translatedText(parameter.help), QString()};
+    if (parameter.isNumeric()) {
+        lines << tr("Range: %1").arg(legalRangeText(parameter));
+        if (parameter.range.softLow != parameter.range.low || parameter.range.softHigh != parameter.range.high)
+            lines.last() += tr("; slider from %1 to %2")
+                                .arg(number(parameter.range.softLow, parameter.unit),
+                                     withUnit(number(parameter.range.softHigh, parameter.unit), parameter.unit));
     }
-    for (const Word& word : row.words) {
-        const bool beyond = word.value < row.range.low || word.value > row.range.high;
+    for (const Word& word : parameter.words) {
+        const bool beyond = word.value < parameter.range.low || word.value > parameter.range.high;
         lines << (beyond ? tr("You can also type “%1”.").arg(translatedText(word.text))
                          : tr("%1 is shown as “%2”; you can also type that.")
-                               .arg(editedText(row, word.value), translatedText(word.text)));
+                               .arg(editedText(parameter, word.value), translatedText(word.text)));
     }
-    lines << tr("Initial value: %1").arg(shownText(row, row.initial));
-    lines << tr("In presets: %1").arg(text(row.name));
-    if (row.isNumeric())
+    lines << tr("Initial value: %1").arg(shownText(parameter, parameter.initial));
+    lines << tr("In presets: %1").arg(text(parameter.name));
+    if (parameter.isNumeric())
         lines << QString()
               << tr("Drag the label or the number; click to type, 2*pi or 30deg too.\nShift is ten times "
                     "finer, Ctrl ten times coarser.");
     return lines.join(QLatin1Char('\n'));
 }
 
-QString exactText(const ParameterInfo& row, const Value& value)
+QString exactText(const ParameterInfo& parameter, const Value& value)
 {
-    return QString::fromStdString(formatValue(row, value));
+    return QString::fromStdString(formatValue(parameter, value));
 }
 
-QString editedText(const ParameterInfo& row, const Value& value)
+QString editedText(const ParameterInfo& parameter, const Value& value)
 {
-    return row.isNumeric() ? withDecimalSign(exactText(row, value)) : exactText(row, value);
+    return parameter.isNumeric() ? withDecimalSign(exactText(parameter, value)) : exactText(parameter, value);
 }
 
-std::optional<Value> typedValue(const ParameterInfo& row, const QString& typed, QString* problem)
+std::optional<Value> typedValue(const ParameterInfo& parameter, const QString& typed, QString* problem)
 {
-    const std::optional<Value> meant = meantBy(row, typed.trimmed());
-    const std::optional<Value> legal = meant ? nearestLegal(row, *meant) : std::nullopt;
+    const std::optional<Value> meant = meantBy(parameter, typed.trimmed());
+    const std::optional<Value> legal = meant ? nearestLegal(parameter, *meant) : std::nullopt;
     if (!legal) {
         if (problem)
             *problem = tr("\"%1\" is not a value of “%2”. %3")
-                           .arg(typed.left(80), translatedText(label(row)), whatItTakes(row))
+                           .arg(typed.left(80), translatedText(label(parameter)), whatItTakes(parameter))
                            .trimmed();
         return std::nullopt;
     }
-    const bool brought = row.isNumeric() && std::get<double>(*legal) != std::get<double>(*meant);
+    const bool brought = parameter.isNumeric() && std::get<double>(*legal) != std::get<double>(*meant);
     if (problem && brought)
-        *problem = tr("Range: %1. The value was set to %2.").arg(legalRangeText(row), shownText(row, *legal));
+        *problem =
+            tr("Range: %1. The value was set to %2.").arg(legalRangeText(parameter), shownText(parameter, *legal));
     return legal;
 }
 

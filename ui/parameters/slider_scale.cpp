@@ -28,10 +28,10 @@ double factor(Gain gain)
     return gain == Gain::fine ? 0.1 : gain == Gain::coarse ? 10 : 1;
 }
 
-SliderScale::SliderScale(const ParameterInfo& row)
-    : range_(row.range), whole_(row.kind == Kind::count),
-      logarithmic_(row.range.scale == Scale::logarithmic && row.range.softLow > 0),
-      shownPerStored_(info(row.unit).shownPerStored), step_(1)
+SliderScale::SliderScale(const ParameterInfo& parameter)
+    : range_(parameter.range), whole_(parameter.kind == Kind::count),
+      logarithmic_(parameter.range.scale == Scale::logarithmic && parameter.range.softLow > 0),
+      shownPerStored_(info(parameter.unit).shownPerStored), step_(1)
 {
     const double span = (range_.softHigh - range_.softLow) * shownPerStored_;
     if (!whole_ && span > 0) step_ = roundStep(span / 50);

@@ -20,8 +20,8 @@ constexpr double margin = 7;  // Pixels for the handle at both ends.
 
 }  // namespace
 
-ValueSlider::ValueSlider(const ParameterInfo& row, QWidget* parent)
-    : QSlider(Qt::Horizontal, parent), row_(row), scale_(row)
+ValueSlider::ValueSlider(const ParameterInfo& parameter, QWidget* parent)
+    : QSlider(Qt::Horizontal, parent), row_(parameter), scale_(parameter)
 {
     setRange(0, ticks);
     setFocusPolicy(Qt::StrongFocus);

@@ -16,7 +16,7 @@ class ValueSlider final : public QSlider, public AccessibleContent {
     Q_OBJECT
 
 public:
-    ValueSlider(const ParameterInfo& row, QWidget* parent);
+    ValueSlider(const ParameterInfo& parameter, QWidget* parent);
 
     /// Shows a value. Not painted again if it is shown already, as when the slider's own edit comes back.
     void showValue(double value);

@@ -9,11 +9,11 @@
 
 namespace vitrine::ui {
 
-std::optional<RowChanges> changesToAct(const ParameterValues& values, std::size_t row)
+std::optional<ParameterChanges> changesToAct(const ParameterValues& values, std::size_t row)
 {
     ParameterValues changed = values;
     if (!makeAct(changed, row, {})) return std::nullopt;
-    RowChanges changes;
+    ParameterChanges changes;
     for (std::size_t i = 0; i < values.rows().size(); ++i)
         if (!(changed.row(i) == values.row(i))) changes.emplace_back(i, changed.row(i));
     return changes;
@@ -24,7 +24,7 @@ std::optional<IdleGroup> idleGroup(const ParameterValues& values, std::span<cons
     std::optional<IdleGroup> best;
     for (const std::size_t row : rows) {
         if (acts(values, row)) return std::nullopt;
-        const RowChanges changes = changesToAct(values, row).value_or(RowChanges{});
+        const ParameterChanges changes = changesToAct(values, row).value_or(ParameterChanges{});
         const bool shorter =
             best && !changes.empty() && (best->changes.empty() || changes.size() < best->changes.size());
         if (!best || shorter) best = {row, changes};
@@ -32,7 +32,7 @@ std::optional<IdleGroup> idleGroup(const ParameterValues& values, std::span<cons
     return best;
 }
 
-QString changesText(const ParameterValues& values, const RowChanges& changes)
+QString changesText(const ParameterValues& values, const ParameterChanges& changes)
 {
     QStringList parts;
     for (const auto& [row, value] : changes) {

@@ -13,13 +13,13 @@
 namespace vitrine::ui {
 namespace {
 
-QString wordsOf(const ParameterInfo& row, const Value& value)
+QString wordsOf(const ParameterInfo& parameter, const Value& value)
 {
-    if (row.kind == Kind::toggle)
+    if (parameter.kind == Kind::toggle)
         return std::get<double>(value) != 0 ? PresetPreview::tr("on") : PresetPreview::tr("off");
-    const QString unit = text(info(row.unit).symbol);
-    const QString shown = translatedText(formatValue(row, value));
-    return unit.isEmpty() || !row.isNumeric() ? shown : shown + QLatin1Char(' ') + unit;
+    const QString unit = text(info(parameter.unit).symbol);
+    const QString shown = translatedText(formatValue(parameter, value));
+    return unit.isEmpty() || !parameter.isNumeric() ? shown : shown + QLatin1Char(' ') + unit;
 }
 
 }  // namespace

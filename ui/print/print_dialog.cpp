@@ -288,7 +288,8 @@ void PrintDialog::showState(bool views)
 
 void PrintDialog::showRows()
 {
-    panel_->setWanted([this](const ParameterInfo& row) { return printing::rowActs(row, values(), chart_); });
+    panel_->setWanted(
+        [this](const ParameterInfo& parameter) { return printing::parameterActs(parameter, values(), chart_); });
 }
 
 void PrintDialog::setChart(bool chart)

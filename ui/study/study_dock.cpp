@@ -158,7 +158,7 @@ void StudyDock::connectParts()
     connect(kept_, &KeptStudies::picturesRead, shown_, &StudyView::showKeptPictures);
     connect(shown_, &StudyView::refused, this, &StudyDock::failed);
     connect(&history_, &History::replaced, this, [this] {
-        if (table_ && !table_->hasRowsOf(history_.sceneState().values[subject_].table())) setSubject(subject_);
+        if (table_ && !table_->hasParametersOf(history_.sceneState().values[subject_].table())) setSubject(subject_);
     });
 }
 
@@ -186,10 +186,10 @@ void StudyDock::setSubject(std::size_t exhibit)
     parameter_->clear();
     parameter_->addItem(tr("All parameters together"), QString());
     std::vector<std::string> names;
-    for (const ParameterInfo& row : table_->rows()) {
-        if (!row.qualityReference) continue;
-        names.emplace_back(row.name);
-        parameter_->addItem(translatedText(label(row)), text(row.name));
+    for (const ParameterInfo& parameter : table_->rows()) {
+        if (!parameter.qualityReference) continue;
+        names.emplace_back(parameter.name);
+        parameter_->addItem(translatedText(label(parameter)), text(parameter.name));
     }
     settings_->setOffers({{"parameters", names}});
     showVaried();
@@ -249,7 +249,7 @@ void StudyDock::find(StudyFind wanted, double limit)
 {
     const StudyTable& t = studyTable();
     ParameterValues values = setup_.values();
-    for (const Text& row : {t.varied, t.values}) values.set(row, std::string());
+    for (const Text& parameter : {t.varied, t.values}) values.set(parameter, std::string());
     values.set(t.choosing, wanted);
     values.set(wanted == StudyFind::cheapest ? t.maxError : t.maxMilliseconds, limit);
     values.set(t.modelError, false);

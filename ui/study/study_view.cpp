@@ -234,7 +234,7 @@ QByteArray StudyView::exported(const QString& suffix) const
 
 std::optional<std::size_t> StudyView::rowNow(const StudyAxis& axis) const
 {
-    return history_.sceneState().values[axis.subject].table().find(rowOf(request_.sceneState, axis).name);
+    return history_.sceneState().values[axis.subject].table().find(parameterOf(request_.sceneState, axis).name);
 }
 
 std::optional<std::size_t> StudyView::presentPoint() const
@@ -255,14 +255,14 @@ std::optional<std::size_t> StudyView::presentPoint() const
 
 std::optional<std::size_t> StudyView::presentKeptPoint() const
 {
-    if (!keptRows_.all()) return std::nullopt;
+    if (!keptParameters_.all()) return std::nullopt;
     const SceneState& sceneState = history_.sceneState();
     for (std::size_t i = 0; i < kept_->points.size(); ++i) {
         std::string wrong;
-        const std::optional<std::vector<Value>> values = valuesOf(*kept_, i, keptRows_, sceneState, wrong);
+        const std::optional<std::vector<Value>> values = valuesOf(*kept_, i, keptParameters_, sceneState, wrong);
         bool same = values.has_value();
         for (std::size_t r = 0; same && r < values->size(); ++r)
-            same = sceneState.values[keptRows_.rows[r].subject].row(keptRows_.rows[r].row) == (*values)[r];
+            same = sceneState.values[keptParameters_.rows[r].subject].row(keptParameters_.rows[r].row) == (*values)[r];
         if (same) return i;
     }
     return std::nullopt;
@@ -273,7 +273,7 @@ QString StudyView::sentences(const QString& law) const
     QStringList sentences{law};
     for (const std::string& sentence : {choiceSentence(museum_.subjects(), request_, result_), result_.convergence})
         sentences << translatedText(sentence);
-    for (const std::string& sentence : situationSentences(museum_.subjects(), request_, result_, RowNames::shown))
+    for (const std::string& sentence : situationSentences(museum_.subjects(), request_, result_, ParameterNames::shown))
         sentences << translatedText(sentence);
     sentences.removeAll(QString());
     sentences << tr("Clock: %1, %2.")
@@ -302,18 +302,18 @@ void StudyView::refresh()
 
 QString StudyView::whyNotApplied() const
 {
-    if (!keptRows_.missingExhibit.empty())
+    if (!keptParameters_.missingExhibit.empty())
         return tr("There is no exhibit “%1” here, so its numbers are shown, but cannot be applied.")
-            .arg(QString::fromStdString(keptRows_.missingExhibit));
-    if (!keptRows_.missingRow.empty())
+            .arg(QString::fromStdString(keptParameters_.missingExhibit));
+    if (!keptParameters_.missingParameter.empty())
         return tr("There is no parameter “%1” now, so its numbers are shown, but cannot be applied.")
-            .arg(QString::fromStdString(keptRows_.missingRow));
+            .arg(QString::fromStdString(keptParameters_.missingParameter));
     return {};
 }
 
 void StudyView::refreshKept()
 {
-    keptRows_ = rowsOf(*kept_, museum_.subjects(), history_.sceneState());
+    keptParameters_ = parametersOf(*kept_, museum_.subjects(), history_.sceneState());
     ChartedStudy study = charted(*kept_, keptTitle_, costAxis());
     QStringList sentences{tr("From the history: %1.").arg(keptTitle_), whyNotApplied(), study.law};
     showChart(std::move(study), presentKeptPoint());
@@ -462,7 +462,7 @@ void StudyView::applyMeasured(std::size_t point)
     for (std::size_t a = 0; a < request_.axes.size(); ++a) {
         const StudyAxis& axis = request_.axes[a];
         if (const auto row = rowNow(axis))
-            next.values[axis.subject].setRow(*row, axis.values[result_.points[point].setting[a]]);
+            next.values[axis.subject].setParameter(*row, axis.values[result_.points[point].setting[a]]);
     }
     const bool one = request_.axes.size() == 1;
     history_.change(
@@ -480,14 +480,14 @@ void StudyView::applyKept(std::size_t point)
     }
     SceneState next = history_.sceneState();
     std::string wrong;
-    const std::optional<std::vector<Value>> values = valuesOf(*kept_, point, keptRows_, next, wrong);
+    const std::optional<std::vector<Value>> values = valuesOf(*kept_, point, keptParameters_, next, wrong);
     if (!values) {
         emit refused(tr("This setting was not applied: the parameter no longer accepts its value of “%1”.")
                          .arg(translatedText(wrong)));
         return;
     }
     for (std::size_t i = 0; i < values->size(); ++i)
-        next.values[keptRows_.rows[i].subject].setRow(keptRows_.rows[i].row, (*values)[i]);
+        next.values[keptParameters_.rows[i].subject].setParameter(keptParameters_.rows[i].row, (*values)[i]);
     history_.change(values->size() == 1 ? tr("Set %1").arg(settingWords(kept_->settingParts(point)))
                                         : tr("Set what the study found"),
                     next);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exhibits/study/contact_sheet.h"
-#include "exhibits/study/kept_rows.h"
+#include "exhibits/study/kept_parameters.h"
 #include "exhibits/study/study_costs.h"
 #include "ui/study/picture_panes.h"
 
@@ -100,7 +100,7 @@ private:
     std::optional<KeptStudy> kept_;
     std::string keptJson_;
     QString keptTitle_;
-    KeptRows keptRows_;
+    KeptParameters keptParameters_;
     ContactSheet keptPictures_;
     int shownPoint_ = -1;
     PictureTriple shown_;  ///< Content of `pictures_`.

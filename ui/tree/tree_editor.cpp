@@ -97,7 +97,7 @@ void TreeEditor::beginDocument()
     SceneState begun = window_.history().sceneState();
     const DocumentPlace document = source_->document(values());
     if (!std::get<std::string>(values().row(document.document)).empty()) return;
-    begun.values[subject_].setRow(document.document, source_->documentText(values()));
+    begun.values[subject_].setParameter(document.document, source_->documentText(values()));
     window_.history().settle(begun);
 }
 
@@ -126,12 +126,12 @@ bool TreeEditor::apply(const TreeEdit& edit, const QString& text)
     }
 }
 
-void TreeEditor::setRow(std::size_t row, const Value& value, Gesture gesture, const QString& text)
+void TreeEditor::setParameter(std::size_t row, const Value& value, Gesture gesture, const QString& text)
 {
     if (!source_ || selected_.empty()) return;
     try {
         render::AssetStore assets = window_.museum().assets();
-        const ParameterValues next = source_->withRow(values(), selected_, row, value, assets);
+        const ParameterValues next = source_->withParameter(values(), selected_, row, value, assets);
         window_.setProblems(treeEditCause(), {});
         beginDocument();
         change(next, gesture, text);

@@ -35,7 +35,7 @@ public:
     /// Makes an edit and selects its node. Returns whether it was made; otherwise a message says why not.
     bool apply(const TreeEdit&, const QString& text);
     /// Sets a number of the selected node.
-    void setRow(std::size_t row, const Value&, Gesture, const QString& text);
+    void setParameter(std::size_t row, const Value&, Gesture, const QString& text);
     /// Moves, turns or scales the selected node.
     void setPlace(const TreePlace& from, const TreePlace& to, Gesture, const QString& text);
     /// Returns the title of the selected node for texts of undo steps, such as "ball".

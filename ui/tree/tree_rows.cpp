@@ -46,23 +46,24 @@ void TreeRowsView::setValue(std::size_t row, const Value& value, Gesture gesture
     const std::optional<Value> legal = nearestLegal(info, value);
     if (!legal || *legal == values_->row(row)) return;
     const QString name = midSentence(translatedText(label(info)));
-    editor_.setRow(row, *legal, gesture,
-                   tr("%1 of %2").arg(text.isEmpty() ? tr("Change %1").arg(name) : text, editor_.selectedTitle()));
+    editor_.setParameter(
+        row, *legal, gesture,
+        tr("%1 of %2").arg(text.isEmpty() ? tr("Change %1").arg(name) : text, editor_.selectedTitle()));
 }
 
 void TreeRowsView::refresh()
 {
-    std::optional<TreeRows> now;
+    std::optional<TreeParameters> now;
     if (editor_.source() && !editor_.selected().empty())
-        now = editor_.source()->rowsOf(editor_.values(), editor_.selected());
-    const bool same = now && values_ && now->values.table().hasRowsOf(values_->table());
+        now = editor_.source()->parametersOf(editor_.values(), editor_.selected());
+    const bool same = now && values_ && now->values.table().hasParametersOf(values_->table());
     if (!same) {
         values_.reset();
         if (now) values_ = now->values;
         rebuild();
     }
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-        values_->setRow(i, now->values.row(i));
+        values_->setParameter(i, now->values.row(i));
         rows_[i]->showValue(values_->row(i));
     }
     for (ParameterSection* section : sections_) section->refresh();

@@ -107,7 +107,7 @@ void TreeView::rebuild()
 void TreeView::showSize(QTreeWidgetItem& item) const
 {
     const TreeNode& node = editor_.tree().nodes[editor_.tree().find(nodeOf(item))];
-    const std::optional<TreeRows> rows = editor_.source()->rowsOf(editor_.values(), node.id);
+    const std::optional<TreeParameters> rows = editor_.source()->parametersOf(editor_.values(), node.id);
     QString size;
     for (std::size_t i = 0; rows && size.isEmpty() && i < rows->values.rows().size(); ++i) {
         const ParameterInfo& info = rows->values.rows()[i];

@@ -82,7 +82,7 @@ bool PictureInput::point(const QPointF& at, PointerEvent event)
         SceneState after = history_.sceneState();
         for (const auto& [row, value] :
              source->pointed(state(drag_->exhibit), drag_->grip, event, rayAt(drag_->exhibit, at)))
-            after.values[drag_->exhibit].setRow(row, value);
+            after.values[drag_->exhibit].setParameter(row, value);
         history_.change(tr("Point in the picture"), after, drag_->gesture);
     }
     if (event == PointerEvent::release) drag_.reset();
@@ -106,7 +106,7 @@ bool PictureInput::key(const QKeyEvent& event, bool isDown)
     const TakesInput* source = capability<TakesInput>(museum_.subject(keyed_));
     SceneState after = history_.sceneState();
     for (const auto& [row, value] : source->keyed(state(keyed_), *code, isDown))
-        after.values[keyed_].setRow(row, value);
+        after.values[keyed_].setParameter(row, value);
     history_.change(tr("Keys in the picture"), after, typing_);
     if (isDown)
         held_.insert(*code);
@@ -122,7 +122,7 @@ void PictureInput::letGo()
         SceneState after = history_.sceneState();
         for (const int code : held_)
             for (const auto& [row, value] : source->keyed({after.values[keyed_], viewport_.time()}, code, false))
-                after.values[keyed_].setRow(row, value);
+                after.values[keyed_].setParameter(row, value);
         history_.change(tr("Keys in the picture"), after, typing_);
     }
     held_.clear();

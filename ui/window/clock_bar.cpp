@@ -16,14 +16,14 @@ namespace {
 constexpr int renewedAfter = 200;  // Milliseconds.
 
 /// Table with the time, so that it is typed, stepped and dragged like any number.
-struct ClockRows final : Parameters {
+struct ClockParameters final : Parameters {
     Real time = real("time", 0, second, Range{0, Viewport::latestTime}.soft(0, 60),
                      "Time of the exhibits' clock. Set it to show a certain moment.");
 };
 
-const ParameterInfo& timeRow()
+const ParameterInfo& timeParameter()
 {
-    static const ClockRows rows;
+    static const ClockParameters rows;
     return rows.rows()[0];
 }
 
@@ -31,7 +31,7 @@ const ParameterInfo& timeRow()
 
 ClockBar::ClockBar(Viewport& viewport, QAction& pause, QWidget* parent)
     : QWidget(parent), viewport_(viewport), pause_(pause), button_(new QToolButton(this)),
-      time_(new NumberField(timeRow(), this))
+      time_(new NumberField(timeParameter(), this))
 {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 8, 0);
@@ -50,7 +50,7 @@ ClockBar::ClockBar(Viewport& viewport, QAction& pause, QWidget* parent)
     connect(&viewport_, &Viewport::looked, this, &ClockBar::showState);
     growWidth(*time_, NumberField::usualWidth);
     time_->setAccessibleName(tr("Time of the clock"));
-    time_->setToolTip(tooltipText(timeRow()));
+    time_->setToolTip(tooltipText(timeParameter()));
     connect(time_, &NumberField::edited, &viewport_, &Viewport::setTime);
     timer_.setSingleShot(true);
     timer_.setInterval(renewedAfter);

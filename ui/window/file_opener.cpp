@@ -64,7 +64,7 @@ void FileOpener::setHallFile(const char* parameter, const QString& path)
     const auto row = rowFor(parameter);
     if (!row) return sayNoPlace(path);
     SceneState next = window_.history().sceneState();
-    next.hall().setRow(*row, QFileInfo(path).absoluteFilePath().toStdString());
+    next.hall().setParameter(*row, QFileInfo(path).absoluteFilePath().toStdString());
     // On the render thread, because reading a large file takes seconds.
     window_.viewport().renderThread().post(
         [this, &museum = window_.museum(), next, row = *row, parameter, path]() -> std::function<void()> {
@@ -78,7 +78,7 @@ void FileOpener::setHallFile(const char* parameter, const QString& path)
                 const auto free = rowFor(parameter);
                 if (!free) return sayNoPlace(path);
                 SceneState changed = window_.history().sceneState();
-                changed.hall().setRow(*free, file);
+                changed.hall().setParameter(*free, file);
                 window_.history().change(tr("Put %1 into the hall").arg(QFileInfo(path).fileName()), changed);
             };
         });
@@ -90,7 +90,7 @@ std::optional<std::size_t> FileOpener::rowFor(std::string_view parameter) const
     for (std::size_t row = 0; row < hall.rows().size(); ++row) {
         const ParameterInfo& info = hall.rows()[row];
         if (info.array.empty() ? info.name == parameter
-                               : info.elementRow == parameter && std::get<std::string>(hall.row(row)).empty())
+                               : info.elementParameter == parameter && std::get<std::string>(hall.row(row)).empty())
             return row;
     }
     return std::nullopt;

@@ -28,9 +28,9 @@
 #include "ui/report/frame_report_dock.h"
 #include "ui/report/log_view.h"
 #include "ui/study/study_dock.h"
+#include "ui/viewport/parameter_drag.h"
 #include "ui/viewport/picture_input.h"
 #include "ui/viewport/pixel_inspector.h"
-#include "ui/viewport/row_drag.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/about_dialog.h"
 #include "ui/window/clock_bar.h"
@@ -90,7 +90,7 @@ MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* pare
     guard_ = new CloseGuard(*this);
     again_ = new ExportAgain(
         *this, [this](const jobs::Job& job) { return jobSceneOf(*this, job); }, *this);
-    new RowDrag(
+    new ParameterDrag(
         museum_, history_, *viewport_, [this] { return chosen_; }, this);
     new PictureInput(
         museum_, history_, *viewport_, [this] { return chosen_; }, this);
@@ -139,7 +139,7 @@ void MainWindow::addLessons()
 {
     lessons_ = new LessonController(*this, this);
     static_cast<QVBoxLayout*>(centralWidget()->layout())->insertWidget(0, &lessons_->bar());
-    connect(lessons_, &LessonController::rowAsked, this, &MainWindow::showRow);
+    connect(lessons_, &LessonController::parameterRequested, this, &MainWindow::showRow);
     connect(lessons_, &LessonController::syllabusAsked, this,
             [this] { dialogs_->openPage(QStringLiteral("syllabus")); });
     connect(lessons_, &LessonController::opened, this, &addRecentFile);
@@ -156,7 +156,7 @@ void MainWindow::addGamepad()
         const auto count = static_cast<int>(museum_.subjects().size());
         visit(static_cast<std::size_t>((static_cast<int>(chosen_) + step + count) % count));
     });
-    connect(gamepad, &GamepadControl::rowAsked, this, [this](int step) {
+    connect(gamepad, &GamepadControl::parameterRequested, this, [this](int step) {
         hidePanels(false);
         docks_->showParameters();
         panel().stepRow(step);

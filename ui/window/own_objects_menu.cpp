@@ -21,7 +21,7 @@ void removeGroup(History& history, const ParameterInfo& of, const QString& words
     for (std::size_t row = 0; row < hall.rows().size(); ++row) {
         if (hall.rows()[row].array != of.array || hall.rows()[row].element != of.element) continue;
         hall.setMotion(row, std::nullopt);
-        hall.resetRow(row);
+        hall.resetParameter(row);
     }
     history.change(words, changed);
 }

@@ -88,8 +88,8 @@ int ParameterTabs::widthForLabels() const
     constexpr int besides = 24;  // Pixels of the scroll bar and the margins.
     int widest = 0;
     for (const auto& subject : subjects_)
-        for (const ParameterInfo& row : subject->parameters().rows())
-            widest = std::max(widest, ParameterRow::widthForLabel(row, *panel_));
+        for (const ParameterInfo& parameter : subject->parameters().rows())
+            widest = std::max(widest, ParameterRow::widthForLabel(parameter, *panel_));
     return widest + besides;
 }
 

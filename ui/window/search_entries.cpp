@@ -43,17 +43,18 @@ void addCommands(std::vector<SearchEntry>& all, const MainWindow& window, const 
 void addParameters(std::vector<SearchEntry>& all, MainWindow& window, std::size_t subject)
 {
     const QString title = translatedText(window.museum().subject(subject).title());
-    for (const ParameterInfo& row : window.history().sceneState().values[subject].rows()) {
-        const QString group = translatedText(row.group);
-        QStringList more{text(row.name)};
-        for (const std::string_view choice : row.choices) more << translatedText(choice);
-        all.push_back({translatedText(label(row)),
-                       group.isEmpty() ? title : QObject::tr("%1: %2").arg(title, group),
-                       translatedText(row.help),
-                       more.join(QLatin1Char(' ')),
-                       {},
-                       false,
-                       [&window, subject, name = std::string(row.name)] { window.showParameter(subject, name); }});
+    for (const ParameterInfo& parameter : window.history().sceneState().values[subject].rows()) {
+        const QString group = translatedText(parameter.group);
+        QStringList more{text(parameter.name)};
+        for (const std::string_view choice : parameter.choices) more << translatedText(choice);
+        all.push_back(
+            {translatedText(label(parameter)),
+             group.isEmpty() ? title : QObject::tr("%1: %2").arg(title, group),
+             translatedText(parameter.help),
+             more.join(QLatin1Char(' ')),
+             {},
+             false,
+             [&window, subject, name = std::string(parameter.name)] { window.showParameter(subject, name); }});
     }
 }
 

@@ -18,7 +18,7 @@ namespace {
 using render::Json;
 using render::JsonDocument;
 
-constexpr std::string_view rowMark = "[row:";
+constexpr std::string_view parameterMark = "[row:";
 constexpr render::JsonLimits blockLimits{.bytes = 64U << 10U, .depth = 16, .nodes = 4'000, .stringBytes = 16U << 10U};
 
 /// Part of a step under a heading of its own: "### Answer".
@@ -142,7 +142,7 @@ const ParameterValues* tableOf(const NamedValues& tables, std::string_view name)
 }
 
 /// Returns the parameter named "kind" or "hall.exposure"; null if there is none.
-const ParameterInfo* rowNamed(std::string_view name, std::string_view exhibit, const NamedValues& tables)
+const ParameterInfo* parameterNamed(std::string_view name, std::string_view exhibit, const NamedValues& tables)
 {
     if (name.starts_with("hall.")) {
         name.remove_prefix(5);
@@ -154,7 +154,7 @@ const ParameterInfo* rowNamed(std::string_view name, std::string_view exhibit, c
     return row ? &values->rows()[*row] : nullptr;
 }
 
-Message noSuchRow(std::string_view name, std::string_view exhibit)
+Message noSuchParameter(std::string_view name, std::string_view exhibit)
 {
     const bool ofHall = name.starts_with("hall.");
     const std::string subject(ofHall ? "hall" : exhibit);
@@ -215,7 +215,7 @@ public:
         if (step.text.empty())
             throw failureAt(file_, part.line, "this step has no text; write a sentence below its heading.");
         takeSections(step, part);
-        setRows(step.values, document);
+        setParameters(step.values, document);
         for (const auto& [name, value] : section(document, "hall")) {
             const ParameterInfo& row = rowAt("hall." + name, document, "hall." + name);
             step.hall.emplace_back(
@@ -271,12 +271,13 @@ private:
                             "the text below this heading has " + std::to_string(text.size()) +
                                 " bytes and the strip has room for " + std::to_string(most) +
                                 "; shorten it, or make two steps of it.");
-        for (std::size_t at = text.find(rowMark); at != std::string::npos; at = text.find(rowMark, at + 1)) {
-            const std::size_t name = at + rowMark.size(), end = text.find(']', name);
+        for (std::size_t at = text.find(parameterMark); at != std::string::npos;
+             at = text.find(parameterMark, at + 1)) {
+            const std::size_t name = at + parameterMark.size(), end = text.find(']', name);
             const std::string row = text.substr(name, end == std::string::npos ? end : end - name);
-            if (end == std::string::npos || !rowNamed(row, lesson_.exhibit, tables_))
+            if (end == std::string::npos || !parameterNamed(row, lesson_.exhibit, tables_))
                 throw failureAt(file_, line,
-                                message("in the text below this heading {1}", noSuchRow(row, lesson_.exhibit)));
+                                message("in the text below this heading {1}", noSuchParameter(row, lesson_.exhibit)));
         }
         return text;
     }
@@ -294,28 +295,28 @@ private:
     [[nodiscard]] const ParameterInfo& rowAt(const std::string& name, const JsonDocument& document,
                                              const std::string& path) const
     {
-        const ParameterInfo* row = rowNamed(name, lesson_.exhibit, tables_);
-        if (!row) throw document.failure(path, noSuchRow(name, lesson_.exhibit));
+        const ParameterInfo* row = parameterNamed(name, lesson_.exhibit, tables_);
+        if (!row) throw document.failure(path, noSuchParameter(name, lesson_.exhibit));
         return *row;
     }
 
     /// Sets the parameters of a step. An unknown parameter may be one that a scene file adds to the table, if the step
     /// names such a file; it is then kept as pending.
-    void setRows(ParameterValues& values, const JsonDocument& document)
+    void setParameters(ParameterValues& values, const JsonDocument& document)
     {
-        ParameterValues::PendingRows pending;
+        ParameterValues::PendingParameters pending;
         for (const auto& [name, json] : section(document, "values")) {
             const std::string path = "values." + name;
             if (const auto row = values.table().find(name))
-                values.setRow(*row,
-                              valueFromJson(values.rows()[*row], json, place(document, path), name, lesson_.notes));
+                values.setParameter(
+                    *row, valueFromJson(values.rows()[*row], json, place(document, path), name, lesson_.notes));
             else
                 pending[name] = render::writeJson(json);
         }
         const std::vector<std::string> files = values.tableFiles();
         const bool given = std::any_of(files.begin(), files.end(), [](const auto& file) { return !file.empty(); });
         for (const auto& [name, json] : pending)
-            if (!given || !isRowName(name)) (void)rowAt(name, document, "values." + name);
+            if (!given || !isParameterName(name)) (void)rowAt(name, document, "values." + name);
         values.setPending(std::move(pending));
     }
 
@@ -334,7 +335,7 @@ private:
         const Json& json = document.root()["read"];
         const std::string read = json.is_string() ? json.get<std::string>() : std::string();
         if (read == "milliseconds") return {};
-        if (read.starts_with("counter:") && isRowName(read.substr(8)))
+        if (read.starts_with("counter:") && isParameterName(read.substr(8)))
             return {LessonNumber::Of::counter, read.substr(8)};
         if (!read.starts_with("row:"))
             throw document.failure("read", message("write \"milliseconds\", \"row:NAME\" or \"counter:NAME\" here."));
@@ -379,11 +380,11 @@ std::string withLabels(std::string_view text, std::string_view exhibit, const Na
                        std::string_view before, std::string_view after)
 {
     std::string result;
-    for (std::size_t at = text.find(rowMark); at != std::string_view::npos; at = text.find(rowMark)) {
+    for (std::size_t at = text.find(parameterMark); at != std::string_view::npos; at = text.find(parameterMark)) {
         const std::size_t end = text.find(']', at);
         if (end == std::string_view::npos) break;
-        const std::string_view name = text.substr(at + rowMark.size(), end - at - rowMark.size());
-        const ParameterInfo* row = rowNamed(name, exhibit, tables);
+        const std::string_view name = text.substr(at + parameterMark.size(), end - at - parameterMark.size());
+        const ParameterInfo* row = parameterNamed(name, exhibit, tables);
         ((result += text.substr(0, at)) += before) += row ? translated(label(*row)) : std::string(name);
         result += after;
         text.remove_prefix(end + 1);

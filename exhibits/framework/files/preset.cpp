@@ -83,15 +83,16 @@ Opened open(const JsonDocument& document)
 
 /// Moves the entries that may be parameters added to the table by a file from `left`, and from the object `key` of the
 /// file, into the result (for values or for motions).
-ParameterValues::PendingRows pendingRows(Opened& file, const char* key, const ParameterValues& values,
-                                         const std::string& prefix, std::map<std::string, const Json*>& left)
+ParameterValues::PendingParameters pendingParameters(Opened& file, const char* key, const ParameterValues& values,
+                                                     const std::string& prefix,
+                                                     std::map<std::string, const Json*>& left)
 {
-    ParameterValues::PendingRows pending;
+    ParameterValues::PendingParameters pending;
     const std::vector<std::string> files = values.tableFiles();
     if (std::all_of(files.begin(), files.end(), [](const std::string& path) { return path.empty(); })) return pending;
     for (auto at = left.lower_bound(prefix); at != left.end() && at->first.starts_with(prefix);) {
         const std::string name = at->first.substr(prefix.size());
-        if (!isRowName(name)) {
+        if (!isParameterName(name)) {
             ++at;
             continue;
         }
@@ -103,8 +104,8 @@ ParameterValues::PendingRows pendingRows(Opened& file, const char* key, const Pa
 }
 
 /// Reads the parameters of one table; `prefix` is "" or "sdf_morph.". Removes what it read from `left`.
-ParameterValues readRows(Opened& file, const Parameters& table, const std::string& prefix,
-                         std::map<std::string, const Json*>& left)
+ParameterValues readParameters(Opened& file, const Parameters& table, const std::string& prefix,
+                               std::map<std::string, const Json*>& left)
 {
     ParameterValues values = table.initial();
     for (std::size_t i = 0; i < table.rows().size(); ++i) {
@@ -112,14 +113,14 @@ ParameterValues readRows(Opened& file, const Parameters& table, const std::strin
         const auto at = left.find(prefix + std::string(row.name));
         if (at == left.end()) continue;
         const std::string key = at->first;
-        values.setRow(i, valueFromJson(row, *at->second, file.place("values." + key), key, file.notes));
+        values.setParameter(i, valueFromJson(row, *at->second, file.place("values." + key), key, file.notes));
         left.erase(at);
     }
-    values.setPending(pendingRows(file, "values", values, prefix, left));
+    values.setPending(pendingParameters(file, "values", values, prefix, left));
     return values;
 }
 
-/// Reads the motions of the parameters of one table, like `readRows`.
+/// Reads the motions of the parameters of one table, like `readParameters`.
 void readMotions(Opened& file, ParameterValues& values, const std::string& prefix,
                  std::map<std::string, const Json*>& left)
 {
@@ -132,7 +133,7 @@ void readMotions(Opened& file, ParameterValues& values, const std::string& prefi
         file.root["motions"].erase(at->first);
         left.erase(at);
     }
-    values.setPendingMotions(pendingRows(file, "motions", values, prefix, left));
+    values.setPendingMotions(pendingParameters(file, "motions", values, prefix, left));
 }
 
 std::map<std::string, const Json*> entries(const Json& object)
@@ -147,7 +148,7 @@ void noteUnknown(Opened& file, const std::string& of, const std::map<std::string
     for (const auto& [key, value] : left) file.notes.push_back(of + key + " is not known here; it is kept");
 }
 
-void writeRows(const ParameterValues& values, const std::string& prefix, std::map<std::string, Json>& out)
+void writeParameters(const ParameterValues& values, const std::string& prefix, std::map<std::string, Json>& out)
 {
     for (std::size_t i = 0; i < values.rows().size(); ++i) {
         const ParameterInfo& row = values.rows()[i];
@@ -241,7 +242,7 @@ Preset parsePreset(std::string text, std::string fileName, std::string_view exhi
             "exhibit", message("this preset is for {1}, not for {2}; choose another.", file.header.exhibit, exhibit));
     }
     std::map<std::string, const Json*> left = entries(file.values), leftMotions = entries(file.motions);
-    Preset preset{file.header.exhibit, file.header.name, readRows(file, table, {}, left), std::nullopt, {}, {},
+    Preset preset{file.header.exhibit, file.header.name, readParameters(file, table, {}, left), std::nullopt, {}, {},
                   file.header.tags};
     readMotions(file, preset.values, {}, leftMotions);
     noteUnknown(file, "values.", left);
@@ -256,7 +257,7 @@ Preset parsePreset(std::string text, std::string fileName, std::string_view exhi
 std::string presetText(const Preset& preset)
 {
     std::map<std::string, Json> values = keptOf(preset.kept, "values"), motions = keptOf(preset.kept, "motions");
-    writeRows(preset.values, {}, values);
+    writeParameters(preset.values, {}, values);
     writeMotions(preset.values, {}, motions);
     std::optional<Json> camera;
     if (preset.camera) camera = jsonFromCamera(*preset.camera, keptCamera(preset.kept));
@@ -276,7 +277,7 @@ Exhibition parseExhibition(std::string text, std::string fileName, const NamedVa
     exhibition.chosen = file.header.exhibit;
     exhibition.tags = file.header.tags;
     for (const auto& [name, values] : initial) {
-        exhibition.values.emplace_back(name, readRows(file, values.table(), name + ".", left));
+        exhibition.values.emplace_back(name, readParameters(file, values.table(), name + ".", left));
         readMotions(file, exhibition.values.back().second, name + ".", leftMotions);
     }
     noteUnknown(file, "values.", left);
@@ -295,7 +296,7 @@ Json exhibitionJson(const Exhibition& exhibition)
     std::map<std::string, Json> values = keptOf(exhibition.kept, "values"),
                                 motions = keptOf(exhibition.kept, "motions");
     for (const auto& [name, ofExhibit] : exhibition.values) {
-        writeRows(ofExhibit, name + ".", values);
+        writeParameters(ofExhibit, name + ".", values);
         writeMotions(ofExhibit, name + ".", motions);
     }
     return fileJson(exhibitionFormat, exhibition.chosen, exhibition.name, exhibition.tags, values, motions,
@@ -316,7 +317,7 @@ Preset presetInExhibition(std::string text, std::string fileName, std::string_vi
         throw document.failure("format", message("this is a preset of one exhibit; open it there."));
     std::map<std::string, const Json*> left = entries(file.values), leftMotions = entries(file.motions);
     const std::string name(exhibit);
-    Preset preset{name, file.header.name, readRows(file, table, name + '.', left), std::nullopt};
+    Preset preset{name, file.header.name, readParameters(file, table, name + '.', left), std::nullopt};
     readMotions(file, preset.values, name + '.', leftMotions);
     if (file.header.exhibit != exhibit && preset.values == table.initial())
         throw document.failure("exhibit", message("this holds settings of {1} and none of {2}; choose another.",

@@ -11,15 +11,15 @@ ParameterValues underTable(const ParameterValues& values, std::shared_ptr<const 
                            std::vector<std::string>& notes)
 {
     ParameterValues result(std::move(table));
-    ParameterValues::PendingRows pending = values.pending(), pendingMotions = values.pendingMotions();
+    ParameterValues::PendingParameters pending = values.pending(), pendingMotions = values.pendingMotions();
     for (std::size_t i = 0; i < result.rows().size(); ++i) {
         const ParameterInfo& row = result.rows()[i];
         if (const auto here = values.table().find(row.name)) {
             if (values.rows()[*here].kind != row.kind) continue;
-            if (!values.isInitial(*here)) result.setRow(i, values.row(*here));
+            if (!values.isInitial(*here)) result.setParameter(i, values.row(*here));
             if (const Motion* motion = values.motion(*here)) result.setMotion(i, *motion);
         } else if (const auto written = pending.find(std::string(row.name)); written != pending.end()) {
-            if (const auto value = valueFromText(row, written->second, notes)) result.setRow(i, *value);
+            if (const auto value = valueFromText(row, written->second, notes)) result.setParameter(i, *value);
             pending.erase(written);
         }
         const auto moved = pendingMotions.find(std::string(row.name));

@@ -40,8 +40,8 @@ public:
     void dropUnsaved(ParameterValues& values) const
     {
         const DocumentPlace place = document(values);
-        values.resetRow(place.document);
-        if (place.draft) values.resetRow(*place.draft);
+        values.resetParameter(place.document);
+        if (place.draft) values.resetParameter(*place.draft);
     }
 };
 

@@ -61,10 +61,10 @@ struct PictureQuality {
     double resolutionScale = 1;
     int historyFrames = 1;  ///< Number of frames over which a picture in motion is averaged; 1: no averaging.
 };
-inline constexpr std::string_view supersamplesRow = "supersamples";
-inline constexpr std::string_view resolutionScaleRow = "resolutionScale";
-inline constexpr std::string_view temporalAntialiasingRow = "temporalAntialiasing";
-inline constexpr std::string_view historyFramesRow = "historyFrames";
+inline constexpr std::string_view supersamplesParameter = "supersamples";
+inline constexpr std::string_view resolutionScaleParameter = "resolutionScale";
+inline constexpr std::string_view temporalAntialiasingParameter = "temporalAntialiasing";
+inline constexpr std::string_view historyFramesParameter = "historyFrames";
 
 /// Returns the quality from the hall's values; the defaults if the hall has no such parameters.
 [[nodiscard]] PictureQuality pictureQuality(const ParameterValues& hall);

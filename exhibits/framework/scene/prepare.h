@@ -50,9 +50,10 @@ struct ExhibitState {
 
 /// Returns an error that says which parameter of which exhibit names an unreadable file, and why: "Ring model of Fur
 /// with Physics: Cannot read bear.glb: there is no such file.".
-[[nodiscard]] inline Message unreadableFile(const ParameterInfo& row, std::string_view exhibitTitle, const Message& why)
+[[nodiscard]] inline Message unreadableFile(const ParameterInfo& parameter, std::string_view exhibitTitle,
+                                            const Message& why)
 {
-    const Message name = Message::ofTable(label(row)), title = Message::ofTable(exhibitTitle);
+    const Message name = Message::ofTable(label(parameter)), title = Message::ofTable(exhibitTitle);
     return why.english().ends_with('.') ? message("{1} of {2}: {3}", name, title, why)
                                         : message("{1} of {2}: {3}.", name, title, why);
 }

@@ -14,7 +14,7 @@ namespace vitrine {
 enum class PointerEvent : std::uint8_t { press, move, release };
 
 /// Values of parameters, by index.
-using RowChanges = std::vector<std::pair<std::size_t, Value>>;
+using ParameterChanges = std::vector<std::pair<std::size_t, Value>>;
 
 /// Capability: a picture in the exhibit takes the pointer and the keys, for example that of a shader that reads them.
 class TakesInput {
@@ -26,12 +26,12 @@ public:
                                                                double reach) const = 0;
     /// Returns the changes that an event of the pointer makes, for a grip of `gripUnder`. A ray beside the picture
     /// counts as its nearest edge.
-    [[nodiscard]] virtual RowChanges pointed(const ExhibitState&, std::size_t grip, PointerEvent,
-                                             const render::Ray&) const = 0;
+    [[nodiscard]] virtual ParameterChanges pointed(const ExhibitState&, std::size_t grip, PointerEvent,
+                                                   const render::Ray&) const = 0;
     /// Returns whether the picture takes keys.
     [[nodiscard]] virtual bool takesKeys(const ExhibitState&) const = 0;
     /// Returns the changes that a key makes. Codes are those of browsers: 65 is A, 37 to 40 are the arrows.
-    [[nodiscard]] virtual RowChanges keyed(const ExhibitState&, int code, bool isDown) const = 0;
+    [[nodiscard]] virtual ParameterChanges keyed(const ExhibitState&, int code, bool isDown) const = 0;
 };
 
 }  // namespace vitrine

@@ -87,7 +87,7 @@ struct EditedTree {
 };
 
 /// Parameters of a node.
-struct TreeRows {
+struct TreeParameters {
     ParameterValues values;
     std::string note = {};  ///< Sentence about them; empty: none.
 };
@@ -118,7 +118,8 @@ public:
     [[nodiscard]] virtual Tree tree(const ParameterValues&) const = 0;
     /// Returns the numbers of a node as parameters of a separate table; their order is the same while only numbers
     /// change. Returns nullopt if there is no such node.
-    [[nodiscard]] virtual std::optional<TreeRows> rowsOf(const ParameterValues&, std::string_view node) const = 0;
+    [[nodiscard]] virtual std::optional<TreeParameters> parametersOf(const ParameterValues&,
+                                                                     std::string_view node) const = 0;
 
     // Each of the next functions throws Failure with a sentence for the user if the edit is invalid, and then changes
     // nothing. The result has the table of the new document, made through the store like
@@ -126,8 +127,8 @@ public:
 
     [[nodiscard]] virtual EditedTree edited(const ParameterValues&, const TreeEdit&, render::AssetStore&) const = 0;
     /// Returns the values with a new value in a parameter of the node.
-    [[nodiscard]] virtual ParameterValues withRow(const ParameterValues&, std::string_view node, std::size_t row,
-                                                  const Value&, render::AssetStore&) const = 0;
+    [[nodiscard]] virtual ParameterValues withParameter(const ParameterValues&, std::string_view node, std::size_t row,
+                                                        const Value&, render::AssetStore&) const = 0;
     /// Returns the values with the changes between two transformations applied to the node.
     [[nodiscard]] virtual ParameterValues withPlace(const ParameterValues&, std::string_view node,
                                                     const TreePlace& from, const TreePlace& to,

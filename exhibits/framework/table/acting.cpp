@@ -11,7 +11,7 @@
 namespace vitrine {
 namespace {
 
-std::size_t rowNamed(const Parameters& table, std::string_view name)
+std::size_t parameterNamed(const Parameters& table, std::string_view name)
 {
     const std::optional<std::size_t> row = table.find(name);
     assert(row && "a condition names a parameter that its table does not have");
@@ -19,11 +19,11 @@ std::size_t rowNamed(const Parameters& table, std::string_view name)
 }
 
 /// Returns the alternatives as text: "a, b or c".
-std::string alternatives(const ParameterInfo& row, const std::vector<double>& values)
+std::string alternatives(const ParameterInfo& parameter, const std::vector<double>& values)
 {
     std::string text;
     for (std::size_t i = 0; i < values.size(); ++i) {
-        const std::string one = translated(formatValue(row, values[i]));
+        const std::string one = translated(formatValue(parameter, values[i]));
         if (i == 0)
             text = one;
         else
@@ -48,7 +48,7 @@ std::string text(const Condition& condition, const Parameters& table, const Para
         }
         return line;
     }
-    const std::size_t index = rowNamed(table, condition.row);
+    const std::size_t index = parameterNamed(table, condition.row);
     const ParameterInfo& row = table.rows()[index];
     const std::string name = translated(label(row));
     std::string line;
@@ -70,21 +70,21 @@ bool isAmong(const Condition& condition, double x)
 }
 
 /// Returns a value of the parameter that satisfies the condition's test: the initial one if it does.
-std::optional<double> satisfying(const Condition& condition, const ParameterInfo& row)
+std::optional<double> satisfying(const Condition& condition, const ParameterInfo& parameter)
 {
-    const auto* initial = std::get_if<double>(&row.initial);
+    const auto* initial = std::get_if<double>(&parameter.initial);
     if (!initial) return std::nullopt;
     switch (condition.test) {
     case Condition::Test::among: return isAmong(condition, *initial) ? *initial : condition.values.front();
     case Condition::Test::differs: {
-        double other = isAmong(condition, *initial) ? row.range.low : *initial;
+        double other = isAmong(condition, *initial) ? parameter.range.low : *initial;
         while (isAmong(condition, other)) ++other;
         return other;
     }
     case Condition::Test::above:
         if (*initial > condition.values.front()) return *initial;
-        if (row.range.softHigh > condition.values.front()) return row.range.softHigh;
-        return row.range.high;
+        if (parameter.range.softHigh > condition.values.front()) return parameter.range.softHigh;
+        return parameter.range.high;
     case Condition::Test::given:
     case Condition::Test::all:
     case Condition::Test::any: break;
@@ -121,7 +121,8 @@ void satisfy(ParameterValues& values, const Condition& condition, std::span<cons
     if (!row) return;
     if (const std::optional<Condition>& own = values.rows()[*row].actsWhen) satisfy(values, *own, fixed);
     if (holds(condition, values) || std::find(fixed.begin(), fixed.end(), *row) != fixed.end()) return;
-    if (const std::optional<double> value = satisfying(condition, values.rows()[*row])) values.setRow(*row, *value);
+    if (const std::optional<double> value = satisfying(condition, values.rows()[*row]))
+        values.setParameter(*row, *value);
 }
 
 }  // namespace
@@ -133,7 +134,7 @@ bool holds(const Condition& condition, const ParameterValues& values)
         return std::all_of(condition.parts.begin(), condition.parts.end(), part);
     if (condition.test == Condition::Test::any)
         return std::any_of(condition.parts.begin(), condition.parts.end(), part);
-    const std::size_t row = rowNamed(values.table(), condition.row);
+    const std::size_t row = parameterNamed(values.table(), condition.row);
     if (!acts(values, row)) return false;
     if (condition.test == Condition::Test::given) return !std::get<std::string>(values.row(row)).empty();
     const double x = std::get<double>(values.row(row));
@@ -165,7 +166,7 @@ ParameterValues actingValues(const ParameterValues& values)
 {
     ParameterValues result = values;
     for (std::size_t i = 0; i < values.rows().size(); ++i)
-        if (!acts(values, i)) result.resetRow(i);
+        if (!acts(values, i)) result.resetParameter(i);
     return result;
 }
 

@@ -45,12 +45,12 @@ std::string_view toString(Condition::Test test)
     return "";
 }
 
-std::vector<std::string_view> rowsOf(const Condition& condition)
+std::vector<std::string_view> parametersOf(const Condition& condition)
 {
     std::vector<std::string_view> names;
     if (!condition.row.empty()) names.push_back(condition.row);
     for (const Condition& part : condition.parts)
-        for (const std::string_view name : rowsOf(part)) names.push_back(name);
+        for (const std::string_view name : parametersOf(part)) names.push_back(name);
     return names;
 }
 

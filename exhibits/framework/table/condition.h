@@ -32,6 +32,6 @@ struct Condition {
 [[nodiscard]] std::string_view toString(Condition::Test);
 
 /// Returns the names of all parameters that the condition tests, in the order of its parts.
-[[nodiscard]] std::vector<std::string_view> rowsOf(const Condition&);
+[[nodiscard]] std::vector<std::string_view> parametersOf(const Condition&);
 
 }  // namespace vitrine

@@ -30,13 +30,14 @@ std::string_view glslType(Kind kind)
     return "";
 }
 
-std::string rangeText(const ParameterInfo& row)
+std::string rangeText(const ParameterInfo& parameter)
 {
-    switch (row.kind) {
+    switch (parameter.kind) {
     case Kind::real:
-    case Kind::count: return formatValue(row, row.range.low) + " to " + formatValue(row, row.range.high);
+    case Kind::count:
+        return formatValue(parameter, parameter.range.low) + " to " + formatValue(parameter, parameter.range.high);
     case Kind::toggle: return "on, off";
-    case Kind::choice: return joined(row.choices);
+    case Kind::choice: return joined(parameter.choices);
     case Kind::color: return "any color";
     case Kind::direction: return "any direction";
     case Kind::file: return "a file";
@@ -68,9 +69,9 @@ std::string enumerators(const Parameters& table)
 {
     std::string text;
     std::set<std::string> names;
-    for (const ParameterInfo& row : table.rows())
-        for (std::size_t i = 0; i < row.choices.size(); ++i) {
-            const std::string name = std::string(row.name) + '_' + camelCase(row.choices[i]);
+    for (const ParameterInfo& parameter : table.rows())
+        for (std::size_t i = 0; i < parameter.choices.size(); ++i) {
+            const std::string name = std::string(parameter.name) + '_' + camelCase(parameter.choices[i]);
             if (names.insert(name).second) text += "const int " + name + " = " + std::to_string(i) + ";\n";
         }
     return text;
@@ -79,8 +80,9 @@ std::string enumerators(const Parameters& table)
 std::string uniformBlock(const Parameters& table)
 {
     std::string fields;
-    for (const ParameterInfo& row : table.rows())
-        if (!row.isWritten()) fields += "    " + std::string(glslType(row.kind)) + ' ' + std::string(row.name) + ";\n";
+    for (const ParameterInfo& parameter : table.rows())
+        if (!parameter.isWritten())
+            fields += "    " + std::string(glslType(parameter.kind)) + ' ' + std::string(parameter.name) + ";\n";
     if (fields.empty()) return {};
     return enumerators(table) + "layout(std140, binding = " + std::to_string(BLOCK_PARAMETERS) +
            ") uniform Parameters {\n" + fields + "} parameters;\n";
@@ -119,26 +121,26 @@ std::string manualTable(const Parameters& table)
     return text;
 }
 
-std::vector<double> sweep(const ParameterInfo& row, int points)
+std::vector<double> sweep(const ParameterInfo& parameter, int points)
 {
     std::vector<double> values;
-    const auto [low, high, scale, softLow, softHigh] = row.range;
-    switch (row.kind) {
+    const auto [low, high, scale, softLow, softHigh] = parameter.range;
+    switch (parameter.kind) {
     case Kind::toggle: return {0, 1};
     case Kind::choice:
-        for (std::size_t i = 0; i < row.choices.size(); ++i) values.push_back(static_cast<double>(i));
+        for (std::size_t i = 0; i < parameter.choices.size(); ++i) values.push_back(static_cast<double>(i));
         return values;
     case Kind::real:
     case Kind::count: break;
     default: return {};
     }
-    values.push_back(std::get<double>(row.initial));
+    values.push_back(std::get<double>(parameter.initial));
     for (int i = 0; i < points; ++i) {
         const double t = points > 1 ? static_cast<double>(i) / (points - 1) : 0.0;
         const double x = i == points - 1 && points > 1 ? softHigh
                          : scale == Scale::logarithmic ? softLow * std::pow(softHigh / softLow, t)
                                                        : softLow + (softHigh - softLow) * t;
-        values.push_back(row.kind == Kind::count ? std::round(x) : x);
+        values.push_back(parameter.kind == Kind::count ? std::round(x) : x);
     }
     std::sort(values.begin(), values.end());
     values.erase(std::unique(values.begin(), values.end()), values.end());

@@ -39,10 +39,10 @@ template <typename T> T mean(const WeightedParts<T>& parts)
     return sum;
 }
 
-bool isTurn(const ParameterInfo& row)
+bool isTurn(const ParameterInfo& parameter)
 {
-    return row.kind == Kind::real && row.unit == Unit::degree &&
-           std::abs(row.range.high - row.range.low - fullTurn) < 1e-9;
+    return parameter.kind == Kind::real && parameter.unit == Unit::degree &&
+           std::abs(parameter.range.high - parameter.range.low - fullTurn) < 1e-9;
 }
 
 /// Returns the mean of angles on the circle, in the turn that starts at `low`.
@@ -65,9 +65,9 @@ double turned(const WeightedParts<double>& parts, double low)
     return angle - fullTurn * std::floor((angle - low) / fullTurn);
 }
 
-bool isWord(const ParameterInfo& row, double value)
+bool isWord(const ParameterInfo& parameter, double value)
 {
-    return row.wordFor(value) != nullptr;
+    return parameter.wordFor(value) != nullptr;
 }
 
 const Weighted<double>& heaviest(const WeightedParts<double>& parts)
@@ -78,13 +78,13 @@ const Weighted<double>& heaviest(const WeightedParts<double>& parts)
 
 /// Removes values that stand for words and normalizes the other weights to the sum 1. Returns nothing if a word has the
 /// largest weight.
-WeightedParts<double> withoutWords(const ParameterInfo& row, const WeightedParts<double>& parts)
+WeightedParts<double> withoutWords(const ParameterInfo& parameter, const WeightedParts<double>& parts)
 {
-    if (isWord(row, heaviest(parts).value)) return {};
+    if (isWord(parameter, heaviest(parts).value)) return {};
     WeightedParts<double> rest;
     double whole = 0;
     for (const Weighted<double>& part : parts)
-        if (!isWord(row, part.value)) {
+        if (!isWord(parameter, part.value)) {
             rest.push_back(part);
             whole += part.weight;
         }
@@ -92,24 +92,24 @@ WeightedParts<double> withoutWords(const ParameterInfo& row, const WeightedParts
     return rest;
 }
 
-double morphedNumber(const ParameterInfo& row, WeightedParts<double> parts)
+double morphedNumber(const ParameterInfo& parameter, WeightedParts<double> parts)
 {
-    const auto word = [&](const Weighted<double>& part) { return isWord(row, part.value); };
+    const auto word = [&](const Weighted<double>& part) { return isWord(parameter, part.value); };
     if (std::any_of(parts.begin(), parts.end(), word)) {
         const double most = heaviest(parts).value;
-        parts = withoutWords(row, parts);
+        parts = withoutWords(parameter, parts);
         if (parts.empty()) return most;
     }
     if (parts.size() == 1) return parts[0].value;
-    if (isTurn(row)) return turned(parts, row.range.low);
+    if (isTurn(parameter)) return turned(parts, parameter.range.low);
     const auto [low, high] =
         std::minmax_element(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
     const double lowest = low->value, highest = high->value;
-    const bool logarithmic = row.range.scale == Scale::logarithmic && lowest > 0;
+    const bool logarithmic = parameter.range.scale == Scale::logarithmic && lowest > 0;
     if (logarithmic)
         for (Weighted<double>& part : parts) part.value = std::log(part.value);
     const double between = std::clamp(logarithmic ? std::exp(mean(parts)) : mean(parts), lowest, highest);
-    return row.kind == Kind::count ? std::round(between) : between;
+    return parameter.kind == Kind::count ? std::round(between) : between;
 }
 
 /// Returns the tangent at `at` toward `to` along the great circle. Its length is the angle in radians. Both points have
@@ -180,15 +180,15 @@ Motion morphedMotion(const ParameterInfo& info, const Motion& nearest, const std
 
 }  // namespace
 
-Value morphed(const ParameterInfo& row, std::span<const Value> values, std::span<const double> weights)
+Value morphed(const ParameterInfo& parameter, std::span<const Value> values, std::span<const double> weights)
 {
     const Value& nearest = values[heaviest(weights)];
     bool alike = true;
     for (std::size_t i = 0; i < values.size(); ++i) alike = alike && (weights[i] <= 0 || values[i] == nearest);
     if (alike) return nearest;
-    switch (row.kind) {
+    switch (parameter.kind) {
     case Kind::real:
-    case Kind::count: return morphedNumber(row, partsOf<double>(values, weights));
+    case Kind::count: return morphedNumber(parameter, partsOf<double>(values, weights));
     case Kind::color: {
         WeightedParts<glm::dvec3> parts = partsOf<glm::dvec3>(values, weights);
         for (Weighted<glm::dvec3>& part : parts) part.value = render::oklabFromLinear(part.value);
@@ -203,13 +203,13 @@ Value morphed(const ParameterInfo& row, std::span<const Value> values, std::span
     return nearest;
 }
 
-Value morphed(const ParameterInfo& row, const Value& a, const Value& b, double t)
+Value morphed(const ParameterInfo& parameter, const Value& a, const Value& b, double t)
 {
     if (t <= 0) return a;
     if (t >= 1) return b;
     // If weights are equal, the first one counts: `b` from the middle on.
     const std::array<Value, 2> values{b, a};
-    return morphed(row, values, std::array{t, 1 - t});
+    return morphed(parameter, values, std::array{t, 1 - t});
 }
 
 ParameterValues morphed(std::span<const WeightedValues> settings)
@@ -240,7 +240,7 @@ ParameterValues morphed(std::span<const WeightedValues> settings)
         if (missing)
             for (double& weight : weights) weight /= whole;
         if (const Motion* motion = nearest.motion(i)) result.setMotion(i, morphedMotion(row, *motion, owners, weights));
-        result.setRow(i, morphed(row, values, weights));
+        result.setParameter(i, morphed(row, values, weights));
     }
     return result;
 }

@@ -8,11 +8,11 @@
 namespace vitrine {
 namespace {
 
-double clampNumber(const ParameterInfo& row, double x)
+double clampNumber(const ParameterInfo& parameter, double x)
 {
-    if (row.wordFor(x)) return x;
-    const double inside = std::clamp(x, row.range.low, row.range.high);
-    return row.kind == Kind::real ? inside : std::round(inside);
+    if (parameter.wordFor(x)) return x;
+    const double inside = std::clamp(x, parameter.range.low, parameter.range.high);
+    return parameter.kind == Kind::real ? inside : std::round(inside);
 }
 
 bool isFinite(const glm::dvec3& v)
@@ -42,7 +42,7 @@ std::string_view toString(Scale scale)
     return scale == Scale::linear ? "linear" : "logarithmic";
 }
 
-bool isRowName(std::string_view name)
+bool isParameterName(std::string_view name)
 {
     const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
     return !name.empty() && name.size() <= 64 && isLetter(name.front()) &&
@@ -67,24 +67,24 @@ std::string spelledOut(std::string_view name)
 
 }  // namespace
 
-std::string label(const ParameterInfo& row)
+std::string label(const ParameterInfo& parameter)
 {
-    return row.label.empty() ? spelledOut(row.name) : std::string(row.label);
+    return parameter.label.empty() ? spelledOut(parameter.name) : std::string(parameter.label);
 }
 
-std::string labelInGroup(const ParameterInfo& row)
+std::string labelInGroup(const ParameterInfo& parameter)
 {
-    if (!row.array.empty() && row.label.empty()) return spelledOut(row.elementRow);
-    std::string text = label(row);
+    if (!parameter.array.empty() && parameter.label.empty()) return spelledOut(parameter.elementParameter);
+    std::string text = label(parameter);
     const std::size_t end = text.find(' ');
     if (end == std::string::npos) return text;
     const std::string first = text.substr(0, end);
     // The word must be a whole word of the heading; the case of its first letter is ignored: "Ball" in "Coat of the
     // ball".
     const auto lower = [](unsigned char c) { return std::tolower(c); };
-    for (std::size_t from = 0; from <= row.group.size();) {
-        const std::size_t to = std::min(row.group.find(' ', from), row.group.size());
-        const std::string_view word = row.group.substr(from, to - from);
+    for (std::size_t from = 0; from <= parameter.group.size();) {
+        const std::size_t to = std::min(parameter.group.find(' ', from), parameter.group.size());
+        const std::string_view word = parameter.group.substr(from, to - from);
         if (std::equal(word.begin(), word.end(), first.begin(), first.end(), [&](char a, char b) {
                 return lower(static_cast<unsigned char>(a)) == lower(static_cast<unsigned char>(b));
             })) {
@@ -114,16 +114,16 @@ const Word* ParameterInfo::wordFor(double value) const
     return found == words.end() ? nullptr : &*found;
 }
 
-std::optional<Value> nearestLegal(const ParameterInfo& row, const Value& value)
+std::optional<Value> nearestLegal(const ParameterInfo& parameter, const Value& value)
 {
-    switch (row.kind) {
+    switch (parameter.kind) {
     case Kind::real:
     case Kind::count:
     case Kind::toggle:
     case Kind::choice: {
         const double* x = std::get_if<double>(&value);
         if (!x || std::isnan(*x)) return std::nullopt;
-        return clampNumber(row, *x);
+        return clampNumber(parameter, *x);
     }
     case Kind::color: {
         const glm::dvec3* v = std::get_if<glm::dvec3>(&value);
@@ -193,12 +193,12 @@ void Parameters::own(Condition& condition)
     for (Condition& part : condition.parts) own(part);
 }
 
-std::uint16_t Parameters::appendRow(ParameterInfo row)
+std::uint16_t Parameters::appendParameter(ParameterInfo row)
 {
     if (!array_.empty()) {
         row.array = array_;
         row.element = element_;
-        row.elementRow = owned(row.name);
+        row.elementParameter = owned(row.name);
         const auto inElement = [this](std::string_view name) {
             if (elementName_.empty()) return owned(name);
             const char first = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
@@ -215,7 +215,7 @@ std::uint16_t Parameters::appendRow(ParameterInfo row)
     for (Implication& implied : row.given.implies) implied.parameter = owned(implied.parameter);
     if (row.actsWhen) own(*row.actsWhen);
 
-    assert(isRowName(row.name));
+    assert(isParameterName(row.name));
     assert(!find(row.name) && "two parameters share a name");
     assert(row.range.low <= row.range.softLow && row.range.softHigh <= row.range.high);
     assert(row.range.scale == Scale::linear || row.range.softLow > 0);
@@ -227,10 +227,10 @@ std::uint16_t Parameters::appendRow(ParameterInfo row)
     return static_cast<std::uint16_t>(rows_.size() - 1);
 }
 
-std::string_view whyUnmoved(const ParameterInfo& row)
+std::string_view whyUnmoved(const ParameterInfo& parameter)
 {
-    if (row.isWritten()) return "A file cannot be animated, because each value would have to be read.";
-    if (row.qualityReference)
+    if (parameter.isWritten()) return "A file cannot be animated, because each value would have to be read.";
+    if (parameter.qualityReference)
         return "An accuracy parameter cannot be animated, because it sets the cost of the picture.";
     return {};
 }
@@ -243,7 +243,7 @@ ParameterValues::ParameterValues(const Parameters& table)
 ParameterValues::ParameterValues(std::shared_ptr<const Parameters> table) : table_(std::move(table))
 {
     values_.reserve(rows().size());
-    for (const ParameterInfo& row : rows()) values_.push_back(row.initial);
+    for (const ParameterInfo& parameter : rows()) values_.push_back(parameter.initial);
 }
 
 std::vector<std::string> ParameterValues::tableFiles() const
@@ -263,7 +263,7 @@ bool ParameterValues::operator==(const ParameterValues& other) const
                       [](const ParameterInfo& a, const ParameterInfo& b) { return a.name == b.name; });
 }
 
-bool ParameterValues::setRow(std::size_t i, const Value& value)
+bool ParameterValues::setParameter(std::size_t i, const Value& value)
 {
     const std::optional<Value> legal = nearestLegal(rows()[i], value);
     if (!legal) return false;
@@ -297,11 +297,11 @@ bool ParameterValues::chooseFile(std::size_t i, const Value& value)
 {
     if (value != values_[i])
         for (std::size_t r = 0; r < rows().size(); ++r)
-            if (rows()[r].documentOf == rows()[i].name) resetRow(r);
-    return setRow(i, value);
+            if (rows()[r].documentOf == rows()[i].name) resetParameter(r);
+    return setParameter(i, value);
 }
 
-void ParameterValues::resetRow(std::size_t i)
+void ParameterValues::resetParameter(std::size_t i)
 {
     values_[i] = rows()[i].initial;
 }

@@ -107,7 +107,7 @@ struct ParameterInfo {
     std::string_view assetFolder = {};       ///< For Kind::file: folder of the assets in which bare names are found.
     std::string_view array = {};             ///< The array of groups that it belongs to: "coats"; empty: none.
     std::size_t element = 0;                 ///< Index of its group in the array, from 0.
-    std::string_view elementRow = {};        ///< Its name within each of these groups: "length" of "ballLength".
+    std::string_view elementParameter = {};  ///< Its name within each of these groups: "length" of "ballLength".
     std::string_view documentOf = {};        ///< For Kind::text: parameter of the file that it replaces or belongs to.
     bool several = false;                    ///< For Kind::file and text: each line is a value of its own.
     bool essential = false;                  ///< One of the six that the panel of an exhibit shows at first.
@@ -182,7 +182,7 @@ public:
 
     [[nodiscard]] std::span<const ParameterInfo> rows() const { return rows_; }
     /// Returns whether the other table declares the same parameters with the same properties.
-    [[nodiscard]] bool hasRowsOf(const Parameters& other) const { return rows_ == other.rows_; }
+    [[nodiscard]] bool hasParametersOf(const Parameters& other) const { return rows_ == other.rows_; }
     [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const;
     [[nodiscard]] ParameterValues initial() const;
 
@@ -283,44 +283,44 @@ protected:
         return {nameOf(parameter), static_cast<double>(value)};
     }
     /// Condition under which the parameter acts: `when(...) && when(...)`, `when(...) || when(...)`.
-    [[nodiscard]] Condition when(Toggle row, bool on = true) const
+    [[nodiscard]] Condition when(Toggle parameter, bool on = true) const
     {
-        return {Condition::Test::among, nameOf(row), {on ? 1.0 : 0.0}};
+        return {Condition::Test::among, nameOf(parameter), {on ? 1.0 : 0.0}};
     }
     template <typename Enum>
     requires std::is_enum_v<Enum>
-    [[nodiscard]] Condition when(Choice<Enum> row, Enum value) const { return when(row, {value}); }
+    [[nodiscard]] Condition when(Choice<Enum> parameter, Enum value) const { return when(parameter, {value}); }
     template <typename Enum>
     requires std::is_enum_v<Enum>
-    [[nodiscard]] Condition when(Choice<Enum> row, std::initializer_list<Enum> values) const
+    [[nodiscard]] Condition when(Choice<Enum> parameter, std::initializer_list<Enum> values) const
     {
-        Condition condition{Condition::Test::among, nameOf(row)};
+        Condition condition{Condition::Test::among, nameOf(parameter)};
         for (const Enum value : values) condition.values.push_back(static_cast<double>(value));
         return condition;
     }
     template <typename Enum>
     requires std::is_enum_v<Enum>
-    [[nodiscard]] Condition whenNot(Choice<Enum> row, Enum value) const
+    [[nodiscard]] Condition whenNot(Choice<Enum> parameter, Enum value) const
     {
-        return {Condition::Test::differs, nameOf(row), {static_cast<double>(value)}};
+        return {Condition::Test::differs, nameOf(parameter), {static_cast<double>(value)}};
     }
-    [[nodiscard]] Condition when(Real row, double value) const
+    [[nodiscard]] Condition when(Real parameter, double value) const
     {
-        return {Condition::Test::among, nameOf(row), {value}};
+        return {Condition::Test::among, nameOf(parameter), {value}};
     }
-    [[nodiscard]] Condition whenNot(Real row, double value) const
+    [[nodiscard]] Condition whenNot(Real parameter, double value) const
     {
-        return {Condition::Test::differs, nameOf(row), {value}};
+        return {Condition::Test::differs, nameOf(parameter), {value}};
     }
-    [[nodiscard]] Condition whenAbove(Real row, double value) const
+    [[nodiscard]] Condition whenAbove(Real parameter, double value) const
     {
-        return {Condition::Test::above, nameOf(row), {value}};
+        return {Condition::Test::above, nameOf(parameter), {value}};
     }
-    [[nodiscard]] Condition whenAbove(Count row, double value) const
+    [[nodiscard]] Condition whenAbove(Count parameter, double value) const
     {
-        return {Condition::Test::above, nameOf(row), {value}};
+        return {Condition::Test::above, nameOf(parameter), {value}};
     }
-    [[nodiscard]] Condition whenGiven(File row) const { return {Condition::Test::given, nameOf(row)}; }
+    [[nodiscard]] Condition whenGiven(File parameter) const { return {Condition::Test::given, nameOf(parameter)}; }
     // Condition on a parameter that is declared later, by its name and its value as a number:
     [[nodiscard]] static Condition whenLater(std::string_view row, double value)
     {
@@ -388,10 +388,10 @@ protected:
     /// It adds parameters as the file does. Choosing another file clears it (`ParameterValues::chooseFile`).
     File document(std::string_view name, File of, std::string_view help)
     {
-        ParameterInfo row{name, group_, help, Kind::text, Unit::none, {0, 0}, std::string()};
-        row.addsParameters = true;
-        row.documentOf = nameOf(of);
-        return {append(std::move(row))};
+        ParameterInfo parameter{name, group_, help, Kind::text, Unit::none, {0, 0}, std::string()};
+        parameter.addsParameters = true;
+        parameter.documentOf = nameOf(of);
+        return {append(std::move(parameter))};
     }
     template <typename Enum, typename... Traits>
     Choice<Enum> choice(std::string_view name, Enum initial, std::initializer_list<std::string_view> names,
@@ -419,44 +419,53 @@ protected:
     }
 
 private:
-    static void say(ParameterInfo& row, const Quality& quality)
+    static void say(ParameterInfo& parameter, const Quality& quality)
     {
-        row.qualityReference = quality.reference;
-        row.exactByMeaning = quality.byMeaning;
+        parameter.qualityReference = quality.reference;
+        parameter.exactByMeaning = quality.byMeaning;
     }
-    static void say(ParameterInfo& row, const Extensions& extensions) { row.extensions = extensions.text; }
-    static void say(ParameterInfo& row, const AddsParameters&) { row.addsParameters = true; }
-    static void say(ParameterInfo& row, const AssetFolder& in)
+    static void say(ParameterInfo& parameter, const Extensions& extensions) { parameter.extensions = extensions.text; }
+    static void say(ParameterInfo& parameter, const AddsParameters&) { parameter.addsParameters = true; }
+    static void say(ParameterInfo& parameter, const AssetFolder& in)
     {
-        row.assetFolder = in.folder;
-        row.initial = std::string(in.first);
+        parameter.assetFolder = in.folder;
+        parameter.initial = std::string(in.first);
     }
-    static void say(ParameterInfo& row, const Essential& essential) { row.essential = essential.is; }
-    static void say(ParameterInfo& row, const Label& label) { row.label = label.text; }
-    static void say(ParameterInfo& row, const Word& word) { row.words.push_back(word); }
-    static void say(ParameterInfo& row, const Option& option)
+    static void say(ParameterInfo& parameter, const Essential& essential) { parameter.essential = essential.is; }
+    static void say(ParameterInfo& parameter, const Label& label) { parameter.label = label.text; }
+    static void say(ParameterInfo& parameter, const Word& word) { parameter.words.push_back(word); }
+    static void say(ParameterInfo& parameter, const Option& option)
     {
-        row.given.option = option.name;
-        row.given.unit = option.unit;
+        parameter.given.option = option.name;
+        parameter.given.unit = option.unit;
     }
-    static void say(ParameterInfo& row, const Tuple& tuple)
+    static void say(ParameterInfo& parameter, const Tuple& tuple)
     {
-        row.given.tuple = tuple.name;
-        row.given.separator = tuple.separator;
+        parameter.given.tuple = tuple.name;
+        parameter.given.separator = tuple.separator;
     }
-    static void say(ParameterInfo& row, const OfFile& of) { row.documentOf = of.file; }
-    static void say(ParameterInfo& row, const Several&) { row.several = true; }
-    static void say(ParameterInfo& row, const MustBeGiven&) { row.given.mustBeGiven = true; }
-    static void say(ParameterInfo& row, const Positional&) { row.given.positional = true; }
-    static void say(ParameterInfo& row, const Implication& implied) { row.given.implies.push_back(implied); }
-    static void say(ParameterInfo& row, const std::optional<Condition>& condition) { row.actsWhen = condition; }
-    template <typename... Traits> std::uint16_t append(ParameterInfo row, const Traits&... traits)
+    static void say(ParameterInfo& parameter, const OfFile& of) { parameter.documentOf = of.file; }
+    static void say(ParameterInfo& parameter, const Several&) { parameter.several = true; }
+    static void say(ParameterInfo& parameter, const MustBeGiven&) { parameter.given.mustBeGiven = true; }
+    static void say(ParameterInfo& parameter, const Positional&) { parameter.given.positional = true; }
+    static void say(ParameterInfo& parameter, const Implication& implied)
     {
-        (say(row, traits), ...);
-        return appendRow(std::move(row));
+        parameter.given.implies.push_back(implied);
     }
-    std::uint16_t appendRow(ParameterInfo);
-    template <typename T> [[nodiscard]] std::string_view nameOf(Parameter<T> row) const { return rows_[row.row].name; }
+    static void say(ParameterInfo& parameter, const std::optional<Condition>& condition)
+    {
+        parameter.actsWhen = condition;
+    }
+    template <typename... Traits> std::uint16_t append(ParameterInfo parameter, const Traits&... traits)
+    {
+        (say(parameter, traits), ...);
+        return appendParameter(std::move(parameter));
+    }
+    std::uint16_t appendParameter(ParameterInfo);
+    template <typename T> [[nodiscard]] std::string_view nameOf(Parameter<T> parameter) const
+    {
+        return rows_[parameter.row].name;
+    }
     void beginElement(std::string_view array, std::size_t index, const Element&);
     void endArray();
     /// Returns the table's own copy of a text.
@@ -490,7 +499,7 @@ public:
 
 /// Returns whether a parameter may have this name: a letter, then letters and digits, at most 64 in all. Such a name is
 /// valid as a key, a flag and a field in GLSL. Words that GLSL reserves are not excluded; the caller must avoid them.
-[[nodiscard]] bool isRowName(std::string_view);
+[[nodiscard]] bool isParameterName(std::string_view);
 
 /// Snapshot of one value for each parameter of a table. Cheap to copy: presets, A/B comparisons, undo and sweeps
 /// consist of snapshots, and a frame is a function of one.
@@ -513,11 +522,11 @@ public:
     template <typename T> void set(Parameter<T> p, const T& value)
     {
         if constexpr (std::is_same_v<T, std::string>)
-            setRow(p.row, value);
+            setParameter(p.row, value);
         else if constexpr (std::is_same_v<T, ColorValue> || std::is_same_v<T, DirectionValue>)
-            setRow(p.row, value.value);
+            setParameter(p.row, value.value);
         else
-            setRow(p.row, static_cast<double>(value));
+            setParameter(p.row, static_cast<double>(value));
     }
 
     [[nodiscard]] const Parameters& table() const { return *table_; }
@@ -528,18 +537,18 @@ public:
     [[nodiscard]] const Value& row(std::size_t i) const { return values_[i]; }
     /// Stores the nearest legal value. If there is none (wrong type, NaN), the old value stays. Returns whether the
     /// stored value is exactly `value`.
-    bool setRow(std::size_t i, const Value& value);
-    void resetRow(std::size_t i);
-    /// Like `setRow`, for a file parameter. Choosing another file clears the documents and texts that belong to the old
-    /// file.
+    bool setParameter(std::size_t i, const Value& value);
+    void resetParameter(std::size_t i);
+    /// Like `setParameter`, for a file parameter. Choosing another file clears the documents and texts that belong to
+    /// the old file.
     bool chooseFile(std::size_t i, const Value& value);
     [[nodiscard]] bool isInitial(std::size_t i) const;
 
     /// Values of parameters that the table does not have, as JSON by name, because the file that adds them has not been
     /// read yet or is unreadable. Presets and sessions write them again.
-    using PendingRows = std::map<std::string, std::string>;
-    [[nodiscard]] const PendingRows& pending() const { return pending_; }
-    void setPending(PendingRows pending) { pending_ = std::move(pending); }
+    using PendingParameters = std::map<std::string, std::string>;
+    [[nodiscard]] const PendingParameters& pending() const { return pending_; }
+    void setPending(PendingParameters pending) { pending_ = std::move(pending); }
     /// Returns the files and documents that add parameters to the table, in the order of their parameters.
     [[nodiscard]] std::vector<std::string> tableFiles() const;
 
@@ -552,8 +561,8 @@ public:
     /// changes nothing if the parameter cannot be animated or an end has the wrong type.
     bool setMotion(std::size_t i, std::optional<Motion> motion);
     /// Returns animations of parameters that the table does not have, like `pending` for values.
-    [[nodiscard]] const PendingRows& pendingMotions() const { return pendingMotions_; }
-    void setPendingMotions(PendingRows pending) { pendingMotions_ = std::move(pending); }
+    [[nodiscard]] const PendingParameters& pendingMotions() const { return pendingMotions_; }
+    void setPendingMotions(PendingParameters pending) { pendingMotions_ = std::move(pending); }
 
     /// Compares the values. Those of different tables are equal if the parameters have the same names and values.
     bool operator==(const ParameterValues& other) const;
@@ -561,7 +570,7 @@ public:
 private:
     std::shared_ptr<const Parameters> table_;  ///< Owns nothing where the table outlives the values.
     std::vector<Value> values_;
-    PendingRows pending_, pendingMotions_;
+    PendingParameters pending_, pendingMotions_;
     Motions motions_;
 };
 

@@ -66,13 +66,13 @@ std::string linesAt(const Json& json, const JsonPlace& place)
     return lines;
 }
 
-Value readValue(const ParameterInfo& row, const Json& json, const JsonPlace& place)
+Value readValue(const ParameterInfo& parameter, const Json& json, const JsonPlace& place)
 {
-    switch (row.kind) {
+    switch (parameter.kind) {
     case Kind::real:
     case Kind::count:
         if (json.is_string())
-            for (const Word& word : row.words)
+            for (const Word& word : parameter.words)
                 if (json.get_ref<const std::string&>() == word.text) return word.value;
         return numberAt(json, place);
     case Kind::toggle:
@@ -81,17 +81,17 @@ Value readValue(const ParameterInfo& row, const Json& json, const JsonPlace& pla
     case Kind::choice: {
         if (!json.is_string()) wrongType(place, "the name of a choice", json);
         const auto& name = json.get_ref<const std::string&>();
-        const auto found = std::find(row.choices.begin(), row.choices.end(), name);
-        if (found == row.choices.end())
-            throw place.failure("unknown choice \"" + name + "\"; choose one of " + joined(row.choices) + ".");
-        return static_cast<double>(found - row.choices.begin());
+        const auto found = std::find(parameter.choices.begin(), parameter.choices.end(), name);
+        if (found == parameter.choices.end())
+            throw place.failure("unknown choice \"" + name + "\"; choose one of " + joined(parameter.choices) + ".");
+        return static_cast<double>(found - parameter.choices.begin());
     }
     case Kind::color:
     case Kind::direction: return threeAt(json, place);
     case Kind::file:
     case Kind::text:
-        if (row.several) return linesAt(json, place);
-        if (!json.is_string()) wrongType(place, row.kind == Kind::file ? "a file name" : "text", json);
+        if (parameter.several) return linesAt(json, place);
+        if (!json.is_string()) wrongType(place, parameter.kind == Kind::file ? "a file name" : "text", json);
         return json.get<std::string>();
     }
     return 0.0;
@@ -107,27 +107,27 @@ std::string textOf(const Value& value)
     return ((text += ", ") += shortestNumber(v.z)) += ")";
 }
 
-std::string changeNote(const ParameterInfo& row, std::string_view shownName, const Value& from, const Value& to)
+std::string changeNote(const ParameterInfo& parameter, std::string_view shownName, const Value& from, const Value& to)
 {
     std::string note(shownName);
     ((note += ' ') += textOf(from)) += " -> ";
     (note += textOf(to)) += " (";
-    if (row.kind == Kind::direction) return note += "made unit length)";
+    if (parameter.kind == Kind::direction) return note += "made unit length)";
     const auto* number = std::get_if<double>(&from);
-    const bool inRange = number && *number >= row.range.low && *number <= row.range.high;
+    const bool inRange = number && *number >= parameter.range.low && *number <= parameter.range.high;
     if (inRange) return note += "whole numbers only)";
-    ((note += "allowed ") += shortestNumber(row.range.low)) += " to ";
-    return (note += shortestNumber(row.range.high)) += ")";
+    ((note += "allowed ") += shortestNumber(parameter.range.low)) += " to ";
+    return (note += shortestNumber(parameter.range.high)) += ")";
 }
 
 /// Returns whether a number equals a limit of its parameter up to rounding, as 3.141593 for half a turn. No note is
 /// added then.
-bool isRoundedLimit(const ParameterInfo& row, const Value& value)
+bool isRoundedLimit(const ParameterInfo& parameter, const Value& value)
 {
     const auto* x = std::get_if<double>(&value);
-    if (!x || row.kind != Kind::real) return false;
+    if (!x || parameter.kind != Kind::real) return false;
     const auto near = [&](double limit) { return std::abs(*x - limit) <= 1e-6 * std::abs(limit); };
-    return near(row.range.low) || near(row.range.high);
+    return near(parameter.range.low) || near(parameter.range.high);
 }
 
 }  // namespace
@@ -142,43 +142,44 @@ JsonPlace JsonPlace::inside(std::string_view key) const
     return {document, path.empty() ? std::string(key) : path + '.' + std::string(key)};
 }
 
-Json jsonFromValue(const ParameterInfo& row, const Value& value)
+Json jsonFromValue(const ParameterInfo& parameter, const Value& value)
 {
     if (const auto* text = std::get_if<std::string>(&value)) {
-        if (!row.several) return *text;
+        if (!parameter.several) return *text;
         Json lines = Json::array();
         for (const std::string& line : linesOf(*text)) lines.push_back(line);
         return lines;
     }
     if (const auto* v = std::get_if<glm::dvec3>(&value)) return three(*v);
     const double x = std::get<double>(value);
-    if (x < row.range.low || x > row.range.high)
-        if (const Word* word = row.wordFor(x)) return std::string(word->text);
-    switch (row.kind) {
+    if (x < parameter.range.low || x > parameter.range.high)
+        if (const Word* word = parameter.wordFor(x)) return std::string(word->text);
+    switch (parameter.kind) {
     case Kind::toggle: return x != 0;
-    case Kind::choice: return std::string(row.choices[static_cast<std::size_t>(x)]);
+    case Kind::choice: return std::string(parameter.choices[static_cast<std::size_t>(x)]);
     case Kind::count: return static_cast<std::int64_t>(x);
     default: return x;
     }
 }
 
-Value valueFromJson(const ParameterInfo& row, const Json& json, const JsonPlace& place, std::string_view shownName,
-                    std::vector<std::string>& notes)
+Value valueFromJson(const ParameterInfo& parameter, const Json& json, const JsonPlace& place,
+                    std::string_view shownName, std::vector<std::string>& notes)
 {
-    const Value written = readValue(row, json, place);
-    const std::optional<Value> legal = nearestLegal(row, written);
+    const Value written = readValue(parameter, json, place);
+    const std::optional<Value> legal = nearestLegal(parameter, written);
     if (!legal) throw place.failure("this direction has no length; give it one.");
-    if (*legal != written && !isRoundedLimit(row, written))
-        notes.push_back(changeNote(row, shownName, written, *legal));
+    if (*legal != written && !isRoundedLimit(parameter, written))
+        notes.push_back(changeNote(parameter, shownName, written, *legal));
     return *legal;
 }
 
-std::optional<Value> valueFromText(const ParameterInfo& row, const std::string& json, std::vector<std::string>& notes)
+std::optional<Value> valueFromText(const ParameterInfo& parameter, const std::string& json,
+                                   std::vector<std::string>& notes)
 {
-    const std::string name(row.name);
+    const std::string name(parameter.name);
     try {
         const render::JsonDocument document = render::parseJson(json, name, {});
-        return valueFromJson(row, document.root(), {document, {}}, name, notes);
+        return valueFromJson(parameter, document.root(), {document, {}}, name, notes);
     } catch (const Failure& failure) {
         notes.emplace_back(failure.what());
         return std::nullopt;

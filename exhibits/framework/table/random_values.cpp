@@ -14,9 +14,10 @@ double between(double low, double high, Scale scale, double t)
     return low + (high - low) * t;
 }
 
-bool costsTime(const ParameterInfo& row)
+bool costsTime(const ParameterInfo& parameter)
 {
-    return row.kind == Kind::count && row.qualityReference.has_value() && *row.qualityReference > row.range.low;
+    return parameter.kind == Kind::count && parameter.qualityReference.has_value() &&
+           *parameter.qualityReference > parameter.range.low;
 }
 
 }  // namespace
@@ -37,31 +38,34 @@ glm::dvec3 RandomNumbers::direction()
     }
 }
 
-Value randomValue(const ParameterInfo& row, RandomNumbers& random, RandomReach reach)
+Value randomValue(const ParameterInfo& parameter, RandomNumbers& random, RandomReach reach)
 {
-    switch (row.kind) {
+    switch (parameter.kind) {
     case Kind::real:
     case Kind::count: {
         // Only words for values outside of the range count. If there is none, the parameter keeps its random number.
-        const auto beyond = [&](const Word& word) { return word.value < row.range.low || word.value > row.range.high; };
-        if (std::any_of(row.words.begin(), row.words.end(), beyond) && random.chance(0.2))
-            return row.words[static_cast<std::size_t>(random.index(static_cast<int>(row.words.size())))].value;
+        const auto beyond = [&](const Word& word) {
+            return word.value < parameter.range.low || word.value > parameter.range.high;
+        };
+        if (std::any_of(parameter.words.begin(), parameter.words.end(), beyond) && random.chance(0.2))
+            return parameter.words[static_cast<std::size_t>(random.index(static_cast<int>(parameter.words.size())))]
+                .value;
         const bool wild = random.chance(0.5);
-        const double low = wild ? row.range.low : row.range.softLow;
-        double high = wild ? row.range.high : row.range.softHigh;
-        if (reach.affordable && costsTime(row)) high = std::clamp(std::get<double>(row.initial), low, high);
+        const double low = wild ? parameter.range.low : parameter.range.softLow;
+        double high = wild ? parameter.range.high : parameter.range.softHigh;
+        if (reach.affordable && costsTime(parameter)) high = std::clamp(std::get<double>(parameter.initial), low, high);
         const double t = random.number(0, 1);
-        return between(low, high, row.range.scale, random.chance(0.2) ? std::round(t) : t);
+        return between(low, high, parameter.range.scale, random.chance(0.2) ? std::round(t) : t);
     }
     case Kind::toggle: return static_cast<double>(random.index(2));
-    case Kind::choice: return static_cast<double>(random.index(static_cast<int>(row.choices.size())));
+    case Kind::choice: return static_cast<double>(random.index(static_cast<int>(parameter.choices.size())));
     case Kind::color:
         return random.chance(0.2) ? glm::round(random.point({}, glm::dvec3(1))) : random.point({}, glm::dvec3(1));
     case Kind::direction: return random.direction();
     case Kind::file:
     case Kind::text: break;
     }
-    return row.initial;
+    return parameter.initial;
 }
 
 ParameterValues randomValues(const Parameters& table, RandomNumbers& random, double share, RandomReach reach)
@@ -70,7 +74,7 @@ ParameterValues randomValues(const Parameters& table, RandomNumbers& random, dou
     for (std::size_t i = 0; i < table.rows().size(); ++i) {
         const bool drawn = random.chance(share);
         const Value value = randomValue(table.rows()[i], random, reach);
-        if (drawn) values.setRow(i, value);
+        if (drawn) values.setParameter(i, value);
     }
     return values;
 }
@@ -79,22 +83,22 @@ ParameterValues cheapestValues(const Parameters& table)
 {
     ParameterValues values(table);
     for (std::size_t i = 0; i < table.rows().size(); ++i)
-        if (costsTime(table.rows()[i])) values.setRow(i, table.rows()[i].range.low);
+        if (costsTime(table.rows()[i])) values.setParameter(i, table.rows()[i].range.low);
     return values;
 }
 
 namespace {
 
 /// Returns another value for a parameter; each kind uses one of the given random numbers.
-Value anotherValue(const ParameterInfo& row, const Value& from, double t, const glm::dvec3& color,
+Value anotherValue(const ParameterInfo& parameter, const Value& from, double t, const glm::dvec3& color,
                    const glm::dvec3& direction)
 {
-    const Range& range = row.range;
-    switch (row.kind) {
+    const Range& range = parameter.range;
+    switch (parameter.kind) {
     case Kind::real:
     case Kind::count: return between(range.softLow, range.softHigh, range.scale, t);
     case Kind::toggle: return t < 0.5 ? 0.0 : 1.0;
-    case Kind::choice: return std::min(std::floor(t * static_cast<double>(row.choices.size())), range.high);
+    case Kind::choice: return std::min(std::floor(t * static_cast<double>(parameter.choices.size())), range.high);
     case Kind::color: return color;
     case Kind::direction: return direction;
     case Kind::file:
@@ -104,12 +108,12 @@ Value anotherValue(const ParameterInfo& row, const Value& from, double t, const 
 }
 
 /// Returns whether no intermediate value between `a` and `b` exists.
-bool isSwitched(const ParameterInfo& row, const Value& a, const Value& b)
+bool isSwitched(const ParameterInfo& parameter, const Value& a, const Value& b)
 {
-    if (row.kind == Kind::toggle || row.kind == Kind::choice) return true;
-    const auto isWord = [&row](const Value& value) {
+    if (parameter.kind == Kind::toggle || parameter.kind == Kind::choice) return true;
+    const auto isWord = [&parameter](const Value& value) {
         const auto* x = std::get_if<double>(&value);
-        return x && row.wordFor(*x);
+        return x && parameter.wordFor(*x);
     };
     return isWord(a) || isWord(b);
 }
@@ -130,9 +134,9 @@ ParameterValues variation(const ParameterValues& from, std::uint64_t seed,
         if (row.isWritten() || row.qualityReference || locked(i)) continue;
         const Value other = anotherValue(row, from.row(i), t, color, direction);
         if (isSwitched(row, from.row(i), other))
-            values.setRow(i, switched ? other : from.row(i));
+            values.setParameter(i, switched ? other : from.row(i));
         else
-            values.setRow(i, morphed(row, from.row(i), other, strength));
+            values.setParameter(i, morphed(row, from.row(i), other, strength));
     }
     return values;
 }

@@ -20,13 +20,13 @@ bool isBounded(const NumberRange& range)
 
 }  // namespace
 
-NumberRange rangeOf(const ParameterInfo& row, Unit unit)
+NumberRange rangeOf(const ParameterInfo& parameter, Unit unit)
 {
     // Converting to another unit is not exact. The ends are round numbers in one of the units, so they are rounded.
     const auto end = [unit](double stored) {
         return unit == Unit::none ? stored : std::round(shown(stored, unit) * 1e9) / 1e9;
     };
-    return {end(row.range.low), end(row.range.high), unit};
+    return {end(parameter.range.low), end(parameter.range.high), unit};
 }
 
 std::string rangeText(const NumberRange& range)
@@ -98,22 +98,22 @@ std::string presentText(double number)
     return render::shortestNumber(number);
 }
 
-std::optional<Value> optionValue(const ParameterInfo& row, const std::string& text)
+std::optional<Value> optionValue(const ParameterInfo& parameter, const std::string& text)
 {
-    if (row.isNumeric())
+    if (parameter.isNumeric())
         if (const auto plain = evaluate(text, Unit::none)) return *plain;
-    return parseValue(row, text);
+    return parseValue(parameter, text);
 }
 
-std::string whatItTakes(const ParameterInfo& row, const std::string& typed)
+std::string whatItTakes(const ParameterInfo& parameter, const std::string& typed)
 {
-    if (row.kind == Kind::choice) return "one of " + joined(row.choices);
-    if (row.kind == Kind::toggle) return "on or off";
-    if (row.kind == Kind::color) return "#rrggbb or r,g,b";
-    if (row.kind == Kind::direction) return "x,y,z";
+    if (parameter.kind == Kind::choice) return "one of " + joined(parameter.choices);
+    if (parameter.kind == Kind::toggle) return "on or off";
+    if (parameter.kind == Kind::color) return "#rrggbb or r,g,b";
+    if (parameter.kind == Kind::direction) return "x,y,z";
     const bool isPlain = typed.empty() || evaluate(typed, Unit::none);
-    if (!isPlain) return rangeText(rangeOf(row, row.unit));
-    return rangeText(rangeOf(row)) + behindNumber(info(row.unit).storedSymbol);
+    if (!isPlain) return rangeText(rangeOf(parameter, parameter.unit));
+    return rangeText(rangeOf(parameter)) + behindNumber(info(parameter.unit).storedSymbol);
 }
 
 }  // namespace vitrine

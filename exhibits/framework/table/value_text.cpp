@@ -35,15 +35,15 @@ std::optional<Value> parseToggle(std::string_view text)
     return std::nullopt;
 }
 
-std::optional<Value> parseChoice(const ParameterInfo& row, std::string_view text)
+std::optional<Value> parseChoice(const ParameterInfo& parameter, std::string_view text)
 {
-    const auto exact = std::find(row.choices.begin(), row.choices.end(), text);
-    const auto found = exact != row.choices.end()
+    const auto exact = std::find(parameter.choices.begin(), parameter.choices.end(), text);
+    const auto found = exact != parameter.choices.end()
                            ? exact
-                           : std::find_if(row.choices.begin(), row.choices.end(),
+                           : std::find_if(parameter.choices.begin(), parameter.choices.end(),
                                           [&](std::string_view name) { return lower(name) == lower(text); });
-    if (found == row.choices.end()) return std::nullopt;
-    return static_cast<double>(found - row.choices.begin());
+    if (found == parameter.choices.end()) return std::nullopt;
+    return static_cast<double>(found - parameter.choices.begin());
 }
 
 std::optional<Value> parseHexColor(std::string_view digits)
@@ -129,43 +129,43 @@ std::string formatThree(const glm::dvec3& v)
 
 }  // namespace
 
-std::optional<Value> parseValue(const ParameterInfo& row, std::string_view text)
+std::optional<Value> parseValue(const ParameterInfo& parameter, std::string_view text)
 {
-    if (row.isWritten()) return std::string(text);
+    if (parameter.isWritten()) return std::string(text);
     text = withoutBlanks(text);
-    switch (row.kind) {
+    switch (parameter.kind) {
     case Kind::toggle: return parseToggle(text);
-    case Kind::choice: return parseChoice(row, text);
+    case Kind::choice: return parseChoice(parameter, text);
     case Kind::color: {
         if (const std::optional<Value> color = parseHexColor(text.substr(text.starts_with('#') ? 1 : 0))) return color;
         if (const std::optional<glm::dvec3> color = parseThree(text)) return *color;
         return std::nullopt;
     }
     case Kind::direction: {
-        if (const std::optional<glm::dvec3> direction = parseThree(text)) return nearestLegal(row, *direction);
+        if (const std::optional<glm::dvec3> direction = parseThree(text)) return nearestLegal(parameter, *direction);
         return std::nullopt;
     }
     default: {
-        for (const Word& word : row.words)
+        for (const Word& word : parameter.words)
             if (lower(text) == lower(word.text)) return word.value;
-        if (row.unit == Unit::hour && text.find(':') != std::string_view::npos)
+        if (parameter.unit == Unit::hour && text.find(':') != std::string_view::npos)
             return parseClock(text) ? std::optional<Value>(*parseClock(text)) : std::nullopt;
-        if (const std::optional<double> x = evaluate(text, row.unit)) return *x;
+        if (const std::optional<double> x = evaluate(text, parameter.unit)) return *x;
         return std::nullopt;
     }
     }
 }
 
-std::string formatValue(const ParameterInfo& row, const Value& value)
+std::string formatValue(const ParameterInfo& parameter, const Value& value)
 {
     if (const auto* text = std::get_if<std::string>(&value)) return *text;
     if (const auto* three = std::get_if<glm::dvec3>(&value)) return formatThree(*three);
     const double x = std::get<double>(value);
-    if (row.kind == Kind::toggle) return x != 0 ? "on" : "off";
-    if (row.kind == Kind::choice) return std::string(row.choices[static_cast<std::size_t>(x)]);
-    if (x < row.range.low || x > row.range.high)
-        if (const Word* word = row.wordFor(x)) return std::string(word->text);
-    return formatNumber(x, row.unit);
+    if (parameter.kind == Kind::toggle) return x != 0 ? "on" : "off";
+    if (parameter.kind == Kind::choice) return std::string(parameter.choices[static_cast<std::size_t>(x)]);
+    if (x < parameter.range.low || x > parameter.range.high)
+        if (const Word* word = parameter.wordFor(x)) return std::string(word->text);
+    return formatNumber(x, parameter.unit);
 }
 
 }  // namespace vitrine

@@ -11,8 +11,8 @@ namespace vitrine {
 /// Parses a value typed for a parameter; nullopt if the text is invalid. Independent of the locale.
 ///
 ///  - real, count: an expression with units, see `evaluate`. Neither clamped nor rounded: pass it to
-///    `ParameterValues::setRow`, which reports whether it changed the value. The parameter's word for a value ("auto")
-///    is also accepted, as are times of day ("17:30") for hours.
+///    `ParameterValues::setParameter`, which reports whether it changed the value. The parameter's word for a value
+///    ("auto") is also accepted, as are times of day ("17:30") for hours.
 ///  - toggle: on, off, true, false, yes, no, 1, 0.
 ///  - choice: one of its names; case matters only if two names differ in nothing else.
 ///  - color: "#rrggbb" or "#rgb" in sRGB, with or without the #, or "r,g,b" in linear light.

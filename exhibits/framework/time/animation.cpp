@@ -93,9 +93,9 @@ double nextSwitch(const Motion& motion, double time)
     }
 }
 
-bool isSwitched(const ParameterInfo& row)
+bool isSwitched(const ParameterInfo& parameter)
 {
-    return row.kind == Kind::toggle || row.kind == Kind::choice;
+    return parameter.kind == Kind::toggle || parameter.kind == Kind::choice;
 }
 
 template <std::size_t Count>
@@ -125,19 +125,19 @@ double positionOf(const Motion& motion, const AnimationTime& moment)
     }
 }
 
-Value valueOf(const ParameterInfo& row, const Motion& motion, const AnimationTime& moment)
+Value valueOf(const ParameterInfo& parameter, const Motion& motion, const AnimationTime& moment)
 {
-    return morphed(row, motion.from, motion.to, positionOf(motion, moment));
+    return morphed(parameter, motion.from, motion.to, positionOf(motion, moment));
 }
 
-double nextChangeOf(const ParameterInfo& row, const Motion& motion, double time)
+double nextChangeOf(const ParameterInfo& parameter, const Motion& motion, double time)
 {
     if (motion.heldAt || motion.kind == MotionKind::distance || motion.from == motion.to) return standsStill;
     if (motion.kind == MotionKind::steps) {
         const double part = phaseOf(motion, time).part * motion.steps;
         return (std::floor(part) + 1 - part) * motion.period / motion.steps;
     }
-    if (isSwitched(row)) return nextSwitch(motion, time);
+    if (isSwitched(parameter)) return nextSwitch(motion, time);
     if (motion.kind != MotionKind::ease) return 0;
     if (time < motion.start) return motion.start - time;
     return time < motion.start + motion.period ? 0 : standsStill;
@@ -158,7 +158,7 @@ ParameterValues valuesAt(const ParameterValues& values, const AnimationTime& mom
     ParameterValues now = values;
     if (values.motions().empty()) return now;
     for (std::size_t i = 0; i < values.rows().size(); ++i)
-        if (const Motion* motion = values.motion(i)) now.setRow(i, valueOf(values.rows()[i], *motion, moment));
+        if (const Motion* motion = values.motion(i)) now.setParameter(i, valueOf(values.rows()[i], *motion, moment));
     return now;
 }
 
@@ -167,7 +167,7 @@ ParameterValues valuesAtEnd(const ParameterValues& values, int end)
     ParameterValues there = values;
     if (values.motions().empty()) return there;
     for (std::size_t i = 0; i < values.rows().size(); ++i)
-        if (const Motion* motion = values.motion(i)) there.setRow(i, end == 0 ? motion->from : motion->to);
+        if (const Motion* motion = values.motion(i)) there.setParameter(i, end == 0 ? motion->from : motion->to);
     return there;
 }
 
@@ -190,13 +190,13 @@ Motion resumed(Motion motion, const AnimationTime& moment)
     return motion;
 }
 
-std::string describe(const ParameterInfo& row, const Motion& motion)
+std::string describe(const ParameterInfo& parameter, const Motion& motion)
 {
     using render::shortestNumber;
-    const std::string_view symbol = info(row.unit).symbol;
+    const std::string_view symbol = info(parameter.unit).symbol;
     const auto shownValue = [&](const Value& value) {
-        std::string text = formatValue(row, value);
-        if (row.isNumeric() && !symbol.empty()) (text += ' ') += symbol;
+        std::string text = formatValue(parameter, value);
+        if (parameter.isNumeric() && !symbol.empty()) (text += ' ') += symbol;
         return text;
     };
     std::string text(nameOf(motionKinds, static_cast<std::size_t>(motion.kind)));

@@ -95,12 +95,12 @@ void noteUnknownKeys(const Json& json, const std::string& shownName, std::vector
 
 }  // namespace
 
-Json jsonFromMotion(const ParameterInfo& row, const Motion& motion)
+Json jsonFromMotion(const ParameterInfo& parameter, const Motion& motion)
 {
     Json json = Json::object();
     json["kind"] = motionKinds[static_cast<std::size_t>(motion.kind)];
-    json["from"] = jsonFromValue(row, motion.from);
-    json["to"] = jsonFromValue(row, motion.to);
+    json["from"] = jsonFromValue(parameter, motion.from);
+    json["to"] = jsonFromValue(parameter, motion.to);
     if (isEased(motion.kind)) json["ease"] = easeNames[static_cast<std::size_t>(motion.ease)];
     for (const NumberOfMotion& number : numbersOfMotion) {
         if (!number.usedBy(motion.kind)) continue;
@@ -113,19 +113,19 @@ Json jsonFromMotion(const ParameterInfo& row, const Motion& motion)
     return json;
 }
 
-Motion motionFromJson(const ParameterInfo& row, const Json& json, const JsonPlace& place, std::string_view shownName,
-                      std::vector<std::string>& notes)
+Motion motionFromJson(const ParameterInfo& parameter, const Json& json, const JsonPlace& place,
+                      std::string_view shownName, std::vector<std::string>& notes)
 {
     const std::string shown(shownName);
     if (!json.is_object()) throw place.failure("this must be an object; correct it there.");
-    if (const std::string_view why = whyUnmoved(row); !why.empty())
+    if (const std::string_view why = whyUnmoved(parameter); !why.empty())
         throw place.failure(std::string(why) + " Take it out.");
     if (!json.contains("kind")) throw place.failure("the key \"kind\" is missing; add it.");
     Motion motion;
     motion.kind = static_cast<MotionKind>(namedAt(json["kind"], place.inside("kind"), motionKinds, "kind of motion"));
-    motion.from = motion.to = row.initial;
+    motion.from = motion.to = parameter.initial;
     for (const auto& [key, end] : {std::pair("from", &motion.from), std::pair("to", &motion.to)})
-        if (json.contains(key)) *end = valueFromJson(row, json[key], place.inside(key), shown + '.' + key, notes);
+        if (json.contains(key)) *end = valueFromJson(parameter, json[key], place.inside(key), shown + '.' + key, notes);
     if (json.contains("ease"))
         motion.ease = static_cast<Ease>(namedAt(json["ease"], place.inside("ease"), easeNames, "ease"));
     // Numbers that the kind does not use are ignored and would not be written again.
@@ -141,12 +141,13 @@ Motion motionFromJson(const ParameterInfo& row, const Json& json, const JsonPlac
     return motion;
 }
 
-std::optional<Motion> motionFromText(const ParameterInfo& row, const std::string& json, std::vector<std::string>& notes)
+std::optional<Motion> motionFromText(const ParameterInfo& parameter, const std::string& json,
+                                     std::vector<std::string>& notes)
 {
-    const std::string name(row.name);
+    const std::string name(parameter.name);
     try {
         const render::JsonDocument document = render::parseJson(json, name, {});
-        return motionFromJson(row, document.root(), {document, {}}, name, notes);
+        return motionFromJson(parameter, document.root(), {document, {}}, name, notes);
     } catch (const Failure& failure) {
         notes.emplace_back(failure.what());
         return std::nullopt;
@@ -170,11 +171,11 @@ std::vector<std::string> betweenColons(const std::string& text)
 
 }  // namespace
 
-Motion typedMotion(const ParameterInfo& row, const std::string& option, const std::string& text,
+Motion typedMotion(const ParameterInfo& parameter, const std::string& option, const std::string& text,
                    const std::function<std::optional<Value>(const std::string&)>& parse)
 {
     const auto wrong = [&](const std::string& why) { return Failure(ErrorKind::usage, option + ": " + why); };
-    if (const std::string_view why = whyUnmoved(row); !why.empty()) throw wrong(std::string(why));
+    if (const std::string_view why = whyUnmoved(parameter); !why.empty()) throw wrong(std::string(why));
     const std::vector<std::string> parts = betweenColons(text);
     const auto kind = std::find(motionKinds.begin(), motionKinds.end(), parts.front());
     if (kind == motionKinds.end())
@@ -188,7 +189,7 @@ Motion typedMotion(const ParameterInfo& row, const std::string& option, const st
     for (const auto& [part, end] : {std::pair(1, &motion.from), std::pair(2, &motion.to)}) {
         const std::string& typed = parts[static_cast<std::size_t>(part)];
         const std::optional<Value> value = parse(typed);
-        const std::optional<Value> legal = value ? nearestLegal(row, *value) : std::nullopt;
+        const std::optional<Value> legal = value ? nearestLegal(parameter, *value) : std::nullopt;
         if (!legal) throw wrong("\"" + typed + "\" is not a valid value.");
         *end = *legal;
     }

@@ -75,7 +75,7 @@ GivenValues::GivenValues(ParameterValues document)
 
 void GivenValues::give(std::size_t parameter, const Value& value, const std::string& as)
 {
-    values_.setRow(parameter, value);
+    values_.setParameter(parameter, value);
     given_[parameter] = as;
 }
 
@@ -149,7 +149,7 @@ ParameterValues GivenValues::withImplied() const
             if (!isNew && known->second.first != implication.value)
                 throw Failure(ErrorKind::usage,
                               known->second.second + " and " + option + " exclude each other; give one of them.");
-            values.setRow(target, implication.value);
+            values.setParameter(target, implication.value);
         }
     return values;
 }

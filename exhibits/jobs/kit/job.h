@@ -25,10 +25,10 @@ class StudyParts;
 namespace vitrine::jobs {
 
 /// A parameter of a subject, by its index in the table.
-struct SceneRow {
+struct PinnedParameter {
     std::size_t subject = 0, row = 0;
 
-    bool operator==(const SceneRow&) const = default;
+    bool operator==(const PinnedParameter&) const = default;
 };
 
 /// Values of a picture's parameters that are left to the scene.
@@ -50,7 +50,7 @@ struct JobScene {
     FrameRequest frame = {};
     UsualPicture usual = {};
     /// Parameters that were set one by one, which a job with `JobNeeds::anySettings` does not change.
-    std::vector<SceneRow> pinned = {};
+    std::vector<PinnedParameter> pinned = {};
 };
 
 /// Inputs of a job besides its parameters, and the formats that it writes.

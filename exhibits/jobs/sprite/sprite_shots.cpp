@@ -298,7 +298,7 @@ void SpriteShots::step(render::RenderBackend& backend)
     const int i = static_cast<int>(frames_.size()) % request_.frames;
     ParameterValues values = look_;
     const double azimuth = look_[table.azimuth] + 2 * std::numbers::pi * d / request_.directions;
-    values.setRow(table.azimuth.row, std::remainder(azimuth, 2 * std::numbers::pi));
+    values.setParameter(table.azimuth.row, std::remainder(azimuth, 2 * std::numbers::pi));
     PixelShot shot{table, values, spriteCamera(scene_->extent, request_, values[table.elevation], azimuth)};
     shot.parts = scene_->poses[static_cast<std::size_t>(i)];
     shot.partsId = render::Hash().addValue(d).addValue(i).value();

@@ -15,7 +15,7 @@ StudyRequest orderedStudy(const ParameterValues& values, const JobScene& scene)
 {
     StudyRequest request = studyRequest(values, *scene.museum, scene.state, scene.subject);
     request.needsFiles = scene.frame.needsFiles;
-    for (const SceneRow& each : scene.pinned) request.pinned.push_back({each.subject, each.row});
+    for (const PinnedParameter& each : scene.pinned) request.pinned.push_back({each.subject, each.row});
     return request;
 }
 

@@ -110,8 +110,8 @@ std::string compareLossy(OIIO::ImageInput& input, const StoredPicture& picture)
 }
 
 template <typename Sample>
-std::string compareRows(OIIO::ImageInput& input, const StoredPicture& picture, const std::vector<Sample>& written,
-                        bool halfColor)
+std::string compareParameters(OIIO::ImageInput& input, const StoredPicture& picture, const std::vector<Sample>& written,
+                              bool halfColor)
 {
     const std::vector<std::size_t> map = channelMap(picture, input.spec().channelnames);
     if (map.empty()) return "the file lost a channel";
@@ -150,8 +150,9 @@ std::string verify(const StoredPicture& picture, const OiioTarget& target)
         return "the written file has another size";
     }
     if (target.format == ImageFormat::jpeg) return compareLossy(*input, picture);
-    return std::visit([&](const auto& samples) { return compareRows(*input, picture, samples, target.halfColor); },
-                      picture.samples);
+    return std::visit(
+        [&](const auto& samples) { return compareParameters(*input, picture, samples, target.halfColor); },
+        picture.samples);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Uniform material: that of SdfMaterialRows.
+// Uniform material: that of SdfMaterialParameters.
 
 FieldMaterial fieldMaterial(vec3 p)
 {

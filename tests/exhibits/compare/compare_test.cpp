@@ -29,40 +29,40 @@ SceneState stateOf(const Parameters& table)
     return {{table.initial()}, {}};
 }
 
-std::vector<std::string> namesOf(const std::vector<DifferingRow>& rows)
+std::vector<std::string> namesOf(const std::vector<DifferingParameter>& rows)
 {
     std::vector<std::string> names;
-    for (const DifferingRow& row : rows) names.push_back(row.name);
+    for (const DifferingParameter& row : rows) names.push_back(row.name);
     return names;
 }
 
-TEST(DifferingRows, AreThoseWithAnotherValueAndNoOthers)
+TEST(DifferingParameters, AreThoseWithAnotherValueAndNoOthers)
 {
     const OneOfEach table;
     const SceneState a = stateOf(table);
-    EXPECT_TRUE(differingRows(a, a).empty());
+    EXPECT_TRUE(differingParameters(a, a).empty());
     SceneState b = a;
     b.values[0].set(table.angle, 1.0);
     b.values[0].set(table.lit, false);
     b.values[0].set(table.glow, 0.25);
-    const std::vector<DifferingRow> rows = differingRows(a, b);
+    const std::vector<DifferingParameter> rows = differingParameters(a, b);
     ASSERT_EQ(namesOf(rows), (std::vector<std::string>{"angle", "lit", "glow"}));
     EXPECT_EQ(rows[0].b, Value(1.0));
     EXPECT_TRUE(rows[2].actsInA);
     EXPECT_FALSE(rows[2].actsInB) << "without light there is no glow";
 }
 
-TEST(DifferingRows, OfTablesThatFilesMadeAreToldByName)
+TEST(DifferingParameters, OfTablesThatFilesMadeAreToldByName)
 {
     const BallTable two({{"red", 0.5}, {"blue", 2}}), other({{"blue", 2}, {"green", 3}});
-    const std::vector<DifferingRow> rows = differingRows(stateOf(two), stateOf(other));
+    const std::vector<DifferingParameter> rows = differingParameters(stateOf(two), stateOf(other));
     ASSERT_EQ(namesOf(rows), (std::vector<std::string>{"redRadius", "redRings", "greenRadius", "greenRings"}));
     EXPECT_FALSE(rows[0].b) << "B has no red ball";
     EXPECT_FALSE(rows[2].a) << "A has no green one";
     EXPECT_EQ(rows[2].b, Value(3.0));
 }
 
-TEST(DifferingRows, CopiedOneByOneAreAllGone)
+TEST(DifferingParameters, CopiedOneByOneAreAllGone)
 {
     const OneOfEach table;
     SceneState a = stateOf(table), b = a;
@@ -70,20 +70,20 @@ TEST(DifferingRows, CopiedOneByOneAreAllGone)
     b.values[0].set(table.method, 1);
     b.values[0].set(table.color, ColorValue{{0, 1, 0}});
     b.values[0].set(table.file, std::string("a.glb"));
-    std::size_t left = differingRows(a, b).size();
+    std::size_t left = differingParameters(a, b).size();
     ASSERT_EQ(left, 4U);
-    for (const DifferingRow& row : differingRows(a, b)) {
-        EXPECT_TRUE(copyRow(b, a, row.subject, row.name)) << row.name;
-        EXPECT_EQ(differingRows(a, b).size(), --left) << row.name << " alone was to be copied";
+    for (const DifferingParameter& row : differingParameters(a, b)) {
+        EXPECT_TRUE(copyParameter(b, a, row.subject, row.name)) << row.name;
+        EXPECT_EQ(differingParameters(a, b).size(), --left) << row.name << " alone was to be copied";
     }
     EXPECT_EQ(a, b);
     const BallTable balls({{"red", 0.5}});
     SceneState unlike = stateOf(balls);
-    EXPECT_FALSE(copyRow(a, unlike, 0, "angle")) << "there is no such row";
+    EXPECT_FALSE(copyParameter(a, unlike, 0, "angle")) << "there is no such row";
     EXPECT_EQ(unlike, stateOf(balls));
 }
 
-TEST(DifferingRows, AreShownWithTheirUnits)
+TEST(DifferingParameters, AreShownWithTheirUnits)
 {
     const OneOfEach table;
     const ParameterValues values = table.initial();

@@ -2,7 +2,7 @@
 
 #include "exhibits/compare/offered_comparison.h"
 
-#include "exhibits/compare/differing_rows.h"
+#include "exhibits/compare/differing_parameters.h"
 #include "exhibits/crepuscular_rays/crepuscular_rays_table.h"
 #include "exhibits/exhibits.h"
 #include "render/failure.h"
@@ -51,7 +51,7 @@ TEST(OfferedComparison, NamesRowsThatThereAreAndValuesThatTheyMayHave)
     EXPECT_GE(offers, 9);
 }
 
-TEST(OfferedComparison, HasTheValuesOfAButForItsRowsWhichDoNotMove)
+TEST(OfferedComparison, HasTheValuesOfAButForItsParametersWhichDoNotMove)
 {
     const auto exhibits = allExhibits();
     const auto rays =
@@ -65,7 +65,7 @@ TEST(OfferedComparison, HasTheValuesOfAButForItsRowsWhichDoNotMove)
     EXPECT_EQ(b.values[1][table.technique], RayTechnique::screen);
     EXPECT_EQ(b.values[1][table.weight], 0.25);
     EXPECT_TRUE(b.values[1].motions().empty());
-    ASSERT_EQ(differingRows(a, b).size(), 1U);
+    ASSERT_EQ(differingParameters(a, b).size(), 1U);
     EXPECT_NE(refusalOf(**rays, "nothing").find("without, screen, air"), std::string::npos);
     EXPECT_NE(refusalOf(**rays, "scren").find("did you mean screen?"), std::string::npos);
     EXPECT_EQ(refusalOf(**rays, "air"), "");

@@ -153,7 +153,7 @@ TEST_F(Rays, OfTheVolumeAreThoseOfAMapDrawnAnewHoweverTheMobileCameToTurn)
     // Another sun in between draws the whole map again.
     shot.hall().set(hallTable().sunAzimuth, 0.2);
     (void)shot.take();
-    shot.hall().resetRow(hallTable().sunAzimuth.row);
+    shot.hall().resetParameter(hallTable().sunAzimuth.row);
     (void)shot.take();
     const render::Image anew = gallery().renderer.read("shadow.hall");
     EXPECT_EQ(test::largestDifference(stepped, anew), 0);
@@ -172,7 +172,7 @@ TEST_F(Rays, TheProbeIsTheSameHoweverTheMobileHungWhenItWasMade)
         shot.hall().set(hallTable().sunAzimuth, 0.2);  // Another sun in between makes the probe again.
         (void)shot.take();
         const render::Image elsewhere = gallery().renderer.read("probe.irradiance");
-        shot.hall().resetRow(hallTable().sunAzimuth.row);
+        shot.hall().resetParameter(hallTable().sunAzimuth.row);
         (void)shot.take();
         const render::Image irradiance = gallery().renderer.read("probe.irradiance");
         EXPECT_GT(test::largestDifference(irradiance, elsewhere), 0);

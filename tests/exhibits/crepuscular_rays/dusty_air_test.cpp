@@ -94,10 +94,10 @@ TEST_F(DustyAir, ShowsAShaftFromTheOculusAtNoon)
     shot.see({1.35, 1.65, 10.2}, {-0.35, 2.15, -4.0});
     shot.hall().set(hallTable().sunBy, SunBy::hour);
     ParameterValues& rays = shot.sceneState.values[*test::museum().find("crepuscular_rays")];
-    rays.resetRow(raysTable().technique.row);
+    rays.resetParameter(raysTable().technique.row);
     const auto brightened = [&](double hour) {
         shot.hall().set(hallTable().timeOfDay, hour);
-        rays.resetRow(raysTable().beamStrength.row);
+        rays.resetParameter(raysTable().beamStrength.row);
         const Picture with = shot.take();
         rays.set(raysTable().beamStrength, 0.0);
         const Picture without = shot.take();

@@ -128,11 +128,11 @@ TEST_F(Rays, AreNeverBrighterThanTheMask)
     const Picture even = shot.take();
     even.each([&](int x, int y) { EXPECT_LE(even.color(x, y).x, 1.002 * shot.white().x) << x << ',' << y; });
     for (const double decay : {1.1, 4.0, std::numeric_limits<double>::infinity()}) {
-        EXPECT_FALSE(shot.rays().setRow(raysTable().decay.row, decay));
+        EXPECT_FALSE(shot.rays().setParameter(raysTable().decay.row, decay));
         EXPECT_EQ(test::largestDifference(shot.take().image, even.image), 0) << decay;
     }
     for (const std::uint16_t row : {raysTable().rayExposure.row, raysTable().weight.row}) {
-        EXPECT_FALSE(shot.rays().setRow(row, std::nan("")));
+        EXPECT_FALSE(shot.rays().setParameter(row, std::nan("")));
         EXPECT_EQ(test::largestDifference(shot.take().image, even.image), 0) << row;
     }
     // Control: the reference's sum differs by far.

@@ -410,15 +410,15 @@ TEST_F(Rays, LegalValuesNeverMakeWhatIsNotANumber)
         for (std::size_t r = 0; r < rays.rows().size(); ++r) {
             const ParameterInfo& row = rays.rows()[r];
             if (row.kind == Kind::color)
-                rays.setRow(r, 0.5 + random.point(0.5));
+                rays.setParameter(r, 0.5 + random.point(0.5));
             else if (row.kind == Kind::real || row.kind == Kind::count)
-                rays.setRow(r, i % 5 == 0   ? row.range.low
-                               : i % 5 == 1 ? row.range.high
-                                            : row.range.low +
-                                                  (row.range.high - row.range.low) * std::pow(random.number(0, 1), 3));
+                rays.setParameter(r, i % 5 == 0   ? row.range.low
+                                     : i % 5 == 1 ? row.range.high
+                                                  : row.range.low + (row.range.high - row.range.low) *
+                                                                        std::pow(random.number(0, 1), 3));
             else
-                rays.setRow(r, std::floor(random.number(
-                                   0, row.kind == Kind::toggle ? 2 : static_cast<double>(row.choices.size()))));
+                rays.setParameter(r, std::floor(random.number(
+                                         0, row.kind == Kind::toggle ? 2 : static_cast<double>(row.choices.size()))));
         }
         rays.set(raysTable().samples, std::min(rays[raysTable().samples], 64));
         rays.set(raysTable().volumeSteps, std::min(rays[raysTable().volumeSteps], 32));

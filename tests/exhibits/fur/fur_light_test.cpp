@@ -32,12 +32,12 @@ TEST_F(FurLight, BareSkinIsLitAndNotBlack)
         return s.take();
     };
     const auto density = [](FurShot& s, int strands) {
-        for (const CoatRows& coat : furTable().coats) s.values().set(coat.density, strands);
+        for (const CoatParameters& coat : furTable().coats) s.values().set(coat.density, strands);
     };
     const Picture oneShell = shot([](FurShot& s) { s.shells(1, FurSilhouette::march); });
     const Picture sparse = shot([&](FurShot& s) { density(s, 100); });
     const Picture bald = shot([](FurShot& s) {
-        for (const CoatRows& coat : furTable().coats) s.values().set(coat.length, 0.0);
+        for (const CoatParameters& coat : furTable().coats) s.values().set(coat.length, 0.0);
     });
     const Picture dense = shot([&](FurShot& s) { density(s, 1000000); });
     for (const Picture* p : {&oneShell, &sparse, &bald, &dense}) EXPECT_LT(blackShare(*p, 1), 0.01);

@@ -188,7 +188,7 @@ TEST_F(FurQuality, SpinesAreSmooth)
         CloseShot s;
         s.see({-0.62, 0.9, 1.8}, {-0.62, 0.45, 0});
         ParameterValues& v = s.values();
-        const CoatRows ball = furTable().coats[furBall];
+        const CoatParameters ball = furTable().coats[furBall];
         v.set(ball.density, 900);
         v.set(ball.length, 0.26);
         v.set(ball.thickness, 0.017);

@@ -68,7 +68,7 @@ TEST_F(Floor, IsDarkerWhereSomethingStandsThanAStepAway)
         // Only ambient light is occluded, so lamps are off.
         for (const char* exhibit : {"fur", "lenticular"}) {
             ParameterValues& values = shot.sceneState.values[*test::gallery().museum.find(exhibit)];
-            values.setRow(values.table().find("lamp").value(), 0.0);
+            values.setParameter(values.table().find("lamp").value(), 0.0);
         }
         const Picture with = shot.take();
         shot.hall().set(hallTable().contactShadows, false);

@@ -110,12 +110,12 @@ TEST_F(GlareOfLight, MakesHalosThatFadeAwayFromALight)
 {
     Shot shot = lanterns();
     shot.size(320, 180);
-    shot.hall().resetRow(hallTable().glare.row);
+    shot.hall().resetParameter(hallTable().glare.row);
     ParameterValues& values = shot.values();
     // Only the moon shines, in the upper left part of the picture.
     for (const auto& [row, value] : std::initializer_list<std::pair<const char*, double>>{
              {"crowding", 0}, {"stars", 0}, {"hallGlow", 0}, {"moon", 1}})
-        values.setRow(values.table().find(row).value(), value);
+        values.setParameter(values.table().find(row).value(), value);
     const render::Image with = shot.take().image;
     shot.hall().set(hallTable().glare, 0.0);
     const Picture without = shot.take();
@@ -183,7 +183,7 @@ TEST_F(GlareOfLight, IsLeftOutForAReason)
     dark.hall().set(hallTable().lamps, LampsLit::off);
     for (ParameterValues& values : dark.sceneState.values)
         for (const char* lamp : {"lamp", "hallGlow"})
-            if (const auto row = values.table().find(lamp)) values.setRow(*row, 0.0);
+            if (const auto row = values.table().find(lamp)) values.setParameter(*row, 0.0);
     EXPECT_EQ(why(dark), "nothing is brighter than the screen's white");
 }
 

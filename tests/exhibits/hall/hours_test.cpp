@@ -134,7 +134,7 @@ TEST_F(Hours, LampsWithoutStrengthAreNoLampsToTheBit)
     shot.request.frame.runEverything = false;
     shot.hall().set(hallTable().lamps, LampsLit::off);
     EXPECT_EQ(test::largestDifference(shot.take().image, none), 0);
-    shot.hall().resetRow(hallTable().lamps.row);
+    shot.hall().resetParameter(hallTable().lamps.row);
     shot.hall().set(hallTable().lampStrength, 0.5);
     EXPECT_GT(test::largestDifference(shot.take().image, none), 0.01);
     shot.hall().set(hallTable().lampStrength, 0.0);

@@ -267,7 +267,7 @@ Shot displayed(const render::Camera& camera)
     shot.request.frame.camera = shot.sceneState.camera = camera;
     shot.size(192, 108);
     const std::size_t rays = *test::gallery().museum.find("crepuscular_rays");
-    shot.sceneState.values[rays].resetRow(test::raysTable().technique.row);
+    shot.sceneState.values[rays].resetParameter(test::raysTable().technique.row);
     shot.request.frame.averageIn = AverageIn::display;
     return shot;
 }

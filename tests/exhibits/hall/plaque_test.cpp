@@ -46,7 +46,7 @@ TEST_F(Plaques, CanBeReadInEveryLightOfTheDay)
         EXPECT_GT(contrastOf(shot.take()), 3) << number;
         shot.hall().set(hallTable().sunStrength, 0.0);
         EXPECT_GT(contrastOf(shot.take()), 3) << number << " in the shade";
-        shot.hall().resetRow(hallTable().sunStrength.row);
+        shot.hall().resetParameter(hallTable().sunStrength.row);
         shot.hall().set(hallTable().sunBy, SunBy::hour);
         for (const double hour : {6.0, 9.0, 12.0, 15.0, 18.0, 21.0}) {
             shot.hall().set(hallTable().timeOfDay, hour);

@@ -55,7 +55,7 @@ std::array<int, candyCount> candyPixels(double angle, bool placesOfTheReference)
         values.set(t().candies[4].x, -0.06);
         values.set(t().candies[4].z, -0.11);
     }
-    for (const CreamRows& layer : t().layers) values.set(layer.color, {dvec3(0)});
+    for (const CreamParameters& layer : t().layers) values.set(layer.color, {dvec3(0)});
     values.set(t().waferColor, {dvec3(0)});
     for (std::size_t i = 0; i < candyCount; ++i) {
         const double shade = (static_cast<double>(i) + 1) / candyCount;
@@ -103,8 +103,8 @@ TEST_F(IceCreamPicture, UndersidesAreDarkerThanTops)
     IceCreamShot shot;
     flat(shot.values());
     // Equal colors, so that only the normals make a difference.
-    for (const CreamRows& layer : t().layers) shot.values().set(layer.color, {dvec3(1)});
-    for (const CandyRows& candy : t().candies) shot.values().set(candy.color, {dvec3(1)});
+    for (const CreamParameters& layer : t().layers) shot.values().set(layer.color, {dvec3(1)});
+    for (const CandyParameters& candy : t().candies) shot.values().set(candy.color, {dvec3(1)});
     shot.values().set(t().waferColor, {dvec3(1)});
     shot.from({0, 0.6, 2.4}, {0, 0.6, 0});
     const Picture p = shot.take();

@@ -11,7 +11,7 @@ namespace vitrine::test {
 inline void setReferenceShape(const IceCreamTable& table, ParameterValues& values)
 {
     values.set(table.layerBlend, 0.05);
-    for (const CreamRows& layer : table.layers) values.set(layer.blend, 0.01);
+    for (const CreamParameters& layer : table.layers) values.set(layer.blend, 0.01);
     values.set(table.layers[1].raise, 0.4 * std::cos(1.0) - 0.02);
     values.set(table.candies[3].x, -0.2);
     values.set(table.candies[3].y, 0.84);

@@ -48,7 +48,7 @@ ParameterValues randomOf(const Job& job, RandomNumbers& random)
     for (std::size_t i = 0; i < values.rows().size(); ++i) {
         const ParameterInfo& parameter = values.rows()[i];
         if (!parameter.isWritten() || (!parameter.given.mustBeGiven && random.chance(0.5))) continue;
-        values.setRow(i, std::string(parameter.several ? "a b.png\nc=1,2.png" : "folder/a b.png"));
+        values.setParameter(i, std::string(parameter.several ? "a b.png\nc=1,2.png" : "folder/a b.png"));
     }
     return values;
 }

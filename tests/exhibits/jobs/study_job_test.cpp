@@ -78,7 +78,7 @@ TEST_F(StudyJobTest, WritesItsFolderAndADocumentThatKeepsWhatWasSet)
     const test::TemporaryFolder folder;
     JobOrder all = order(folder / "out");
     const auto row = museum_.subject(1).parameters().find("rays").value();
-    all.scene.state.values[1].setRow(row, 9.0);
+    all.scene.state.values[1].setParameter(row, 9.0);
     int written = 0;
     all.writeFolder = [&written](const JobRun& run) {
         ++written;

@@ -184,7 +184,7 @@ TEST_F(CardFar, NothingIsEverNotANumber)
             // Permutations take seconds to build; the loop below tests the choices.
             if (info.kind != Kind::real) continue;
             const double share = static_cast<double>(random() % 5) / 4;
-            values.setRow(row, info.range.low + share * (info.range.high - info.range.low));
+            values.setParameter(row, info.range.low + share * (info.range.high - info.range.low));
         }
         values.set(t.model, static_cast<CardModel>(i % 3));
         values.set(t.sheetKind, CardSheet::custom);

@@ -132,7 +132,7 @@ TEST(CardPlan, EverySheetThatCanBeChosenIsKnownAndEveryTableMakesOneThatCanBe)
     ParameterValues values = t.initial();
     const auto& choices = values.rows()[t.sheetKind.row].choices;
     for (std::size_t i = 0; i + 1 < choices.size(); ++i) {
-        values.setRow(t.sheetKind.row, static_cast<double>(i));
+        values.setParameter(t.sheetKind.row, static_cast<double>(i));
         EXPECT_EQ(lenticular::cardSheet(t, values).sheet.name, choices[i]);
         EXPECT_EQ(lenticular::cardSheet(t, values).note, "") << choices[i];
     }

@@ -158,7 +158,7 @@ TEST_F(BoundsOfEffects, OfTheTorusMugHold)
     const auto plain = [](Shot& shot) {
         noAir(shot);
         for (std::size_t row = sdfTable().morph.row; row <= sdfTable().blend.row; ++row)
-            shot.values().resetRow(row);  // A visible shape.
+            shot.values().resetParameter(row);  // A visible shape.
         shot.values().set(sdfTable().heatMap, SdfHeatMap::none);
         shot.values().set(sdfTable().shownAs, SdfShown::field);
         shot.values().set(sdfTable().animate, false);
@@ -230,7 +230,7 @@ TEST_F(BoundsOfEffects, RaysAddNoMoreThanTheMaskTimesTheirStrength)
         values.set(raysTable().samples, 64);
         // Bounds use the brightest point of lamps, which is not in this picture.
         ParameterValues& lanterns = valuesOf(shot, "paper_lanterns");
-        lanterns.setRow(lanterns.table().find("hallGlow").value(), 0.0);
+        lanterns.setParameter(lanterns.table().find("hallGlow").value(), 0.0);
     };
     expectHeld({"crepuscular_rays", "crepuscular_rays/composite", rays(RayTechnique::screen), true, plain}, 6);
     // Uniform, thin, isotropic air: the light that random dust absorbs of its own is not part of the bound.

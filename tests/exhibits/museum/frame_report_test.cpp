@@ -119,8 +119,8 @@ TEST_F(FrameReports, AnEffectThatIsOffHasNoPassNoProgramAndNoTexture)
         Shot on = shotOf(exhibit == hallIndex && s.alone ? *gallery().museum.find("sdf_morph") : exhibit, s.alone);
         const std::size_t row = *on.sceneState.values[exhibit].table().find(s.row);
         Shot off = on;
-        on.sceneState.values[exhibit].setRow(row, s.on);
-        off.sceneState.values[exhibit].setRow(row, s.off);
+        on.sceneState.values[exhibit].setParameter(row, s.on);
+        off.sceneState.values[exhibit].setParameter(row, s.off);
         const render::FramePlan with = test::planned(gallery().museum, on.sceneState, on.request.frame);
         const render::FramePlan without = test::planned(gallery().museum, off.sceneState, off.request.frame);
         const auto passesOf = [&](const render::FramePlan& plan) {

@@ -112,7 +112,7 @@ TEST_F(LampsTest, CostNothingWhereThereIsNone)
     for (const auto& [exhibit, row] :
          {std::pair("paper_lanterns", "hallGlow"), {"fur", "lamp"}, {"lenticular", "lamp"}}) {
         ParameterValues& values = shot.sceneState.values[test::gallery().museum.find(exhibit).value()];
-        values.setRow(values.table().find(row).value(), 0.0);
+        values.setParameter(values.table().find(row).value(), 0.0);
     }
     const render::FramePlan plan = test::planned(test::gallery().museum, shot.sceneState, shot.request.frame);
     EXPECT_TRUE(lampPasses(plan).empty());
@@ -245,7 +245,7 @@ TEST_F(LampsTest, OfExhibitsLightWhatIsNearThem)
     shot.hall().set(test::hallTable().sunStrength, 0.0);
     ParameterValues& fur = shot.sceneState.values[*test::gallery().museum.find("fur")];
     const test::Picture lit = shot.take();
-    fur.setRow(fur.table().find("lamp").value(), 0.0);
+    fur.setParameter(fur.table().find("lamp").value(), 0.0);
     const test::Picture dark = shot.take();
     const auto added = [&](double x, double y, double z) {
         const glm::dvec4 clip = lit.view.clipFromWorld * glm::dvec4(x, y, z, 1);

@@ -29,7 +29,7 @@ struct FileScene : test::Scene {
     }
     FileScene& name(const std::filesystem::path& path)
     {
-        sceneState.values[exhibit].setRow(*sceneState.values[exhibit].table().find(parameter), path.string());
+        sceneState.values[exhibit].setParameter(*sceneState.values[exhibit].table().find(parameter), path.string());
         return *this;
     }
     [[nodiscard]] std::vector<std::string> unreadable() const

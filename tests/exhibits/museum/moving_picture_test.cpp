@@ -15,7 +15,7 @@ namespace {
 
 using namespace test;
 
-const HallTable hallRows;
+const HallTable hallParameters;
 constexpr int width = 160;
 constexpr int height = 24;
 constexpr int barWidth = 40;
@@ -98,7 +98,7 @@ protected:
         for (int i = 1; i <= count; ++i) last = frame(i, i);
         return last;
     }
-    void switchOff() { sceneState_.hall().set(hallRows.temporalAntialiasing, false); }
+    void switchOff() { sceneState_.hall().set(hallParameters.temporalAntialiasing, false); }
 
     render::gl::Renderer& renderer_ = gallery().renderer;
     std::unique_ptr<Museum> museum_;
@@ -110,7 +110,7 @@ TEST_F(MovingPictures, DragNothingAlongBehindWhatMoves)
 {
     constexpr int frames = 10;
     const render::Image shown = afterFrames(frames);
-    const float share = 1.0F / static_cast<float>(sceneState_.hall()[hallRows.historyFrames]);
+    const float share = 1.0F / static_cast<float>(sceneState_.hall()[hallParameters.historyFrames]);
     render::Image truth;
     render::Image mean;  // Mean of the same frames, without rejecting history.
     for (int i = 1; i <= frames; ++i) {
@@ -210,7 +210,7 @@ protected:
     {
         const Museum& museum = gallery().museum;
         SceneState sceneState = museum.initialSceneState();
-        sceneState.hall().set(hallRows.temporalAntialiasing, antialiasing);
+        sceneState.hall().set(hallParameters.temporalAntialiasing, antialiasing);
         const std::size_t index = *museum.find(subject);
         const render::Camera end = museum.bestView(index, sceneState.values[index]);
         const int frames = antialiasing ? 10 : 2;

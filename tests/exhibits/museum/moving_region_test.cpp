@@ -126,8 +126,8 @@ TEST_F(MovingRegion, AFrameGivenUpAnywhereLeavesTheNextOneAsItWouldHaveBeen)
     size_ = {160, 96};
     SceneState other = sceneState_;
     const auto fur = museum_.find("fur").value();
-    other.values[fur].setRow(*other.values[fur].table().find("ballLength"), 0.1);
-    other.hall().setRow(*other.hall().table().find("shadowMapSize"), 512.0);
+    other.values[fur].setParameter(*other.values[fur].table().find("ballLength"), 0.1);
+    other.hall().setParameter(*other.hall().table().find("shadowMapSize"), 512.0);
     const SceneState first = sceneState_;
     const auto fresh = test::gallery().renderer.sibling();
     const render::gl::ScreenPixels wanted = whole(*fresh, at(0));

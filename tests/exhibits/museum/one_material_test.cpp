@@ -121,7 +121,7 @@ LightAt inTheHall(const std::string& file, int squares)
     ParameterValues& hall = shot.hall();
     for (const Toggle* off : {&hallTable().sunShadows, &hallTable().reflectionProbe, &hallTable().contactShadows})
         hall.set(*off, false);
-    const OwnObjectRows& rows = hallTable().objects.front();
+    const OwnObjectParameters& rows = hallTable().objects.front();
     hall.set(rows.model, file);
     // High up and small, so that the light on it is uniform.
     hall.set(rows.modelStand, ObjectStand::ownPlinth);

@@ -30,7 +30,7 @@ TEST_F(OwnObjectsPictures, EachStandsAtItsPlaceAndTakingOneAwayChangesItsPixelsA
 {
     Shot shot = plainHall();
     const Picture none = shot.take();
-    for (const OwnObjectRows& rows : hallTable().objects) {
+    for (const OwnObjectParameters& rows : hallTable().objects) {
         shot.hall().set(rows.model, render::asset("models/teddy.glb").string());
         shot.hall().set(rows.modelSize, 1.2);
     }
@@ -40,7 +40,7 @@ TEST_F(OwnObjectsPictures, EachStandsAtItsPlaceAndTakingOneAwayChangesItsPixelsA
     ASSERT_EQ(objects.size(), mostOwnObjects);
     for (const OwnObjectShown& one : objects) {
         SCOPED_TRACE(one.which);
-        const OwnObjectRows& rows = hallTable().objects[one.which];
+        const OwnObjectParameters& rows = hallTable().objects[one.which];
         Shot without = shot;
         without.hall().set(rows.model, std::string());
         const Picture picture = without.take();
@@ -60,7 +60,7 @@ TEST_F(OwnObjectsPictures, EachStandsAtItsPlaceAndTakingOneAwayChangesItsPixelsA
         EXPECT_EQ(inBox, changed);
     }
     // Without objects, the hall is exactly as before.
-    for (const OwnObjectRows& rows : hallTable().objects) shot.hall().set(rows.model, std::string());
+    for (const OwnObjectParameters& rows : hallTable().objects) shot.hall().set(rows.model, std::string());
     EXPECT_EQ(test::largestDifference(none.image, shot.take().image), 0);
 }
 

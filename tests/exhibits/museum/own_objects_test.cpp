@@ -17,7 +17,7 @@ namespace {
 using glm::dvec3;
 using namespace test;
 
-const std::array<const char*, mostOwnObjects> modelRows{"model", "secondModel", "thirdModel", "fourthModel"};
+const std::array<const char*, mostOwnObjects> modelParameters{"model", "secondModel", "thirdModel", "fourthModel"};
 const std::array<const char*, mostOwnObjects> passes{"hall/visitor", "hall/visitor/2", "hall/visitor/3",
                                                      "hall/visitor/4"};
 
@@ -105,7 +105,7 @@ TEST(OwnObjects, AreLeftOutWhereNoneSeesThem)
 TEST(OwnObjects, StandWhereTheirRowsSayAndWallsAndFurnitureKeepThemOff)
 {
     Scene scene = withBears({2});
-    const OwnObjectRows& rows = table().objects[2];
+    const OwnObjectParameters& rows = table().objects[2];
     scene.hall().set(rows.modelAcross, 0.5);
     scene.hall().set(rows.modelAlong, 5.5);
     const dvec3 free = foot(scene);
@@ -184,13 +184,14 @@ TEST(OwnObjects, PresetsOfOneLoadAsTheFirstAndOfFourComeBack)
 
     Preset four = old;
     for (std::size_t which = 0; which < mostOwnObjects; ++which) {
-        const OwnObjectRows& rows = table().objects[which];
+        const OwnObjectParameters& rows = table().objects[which];
         four.values.set(rows.model, "m" + std::to_string(which) + ".glb");
         four.values.set(rows.modelAcross, 0.25 * static_cast<double>(which));
         four.values.set(rows.modelStand, ObjectStand::floor);
     }
     const std::string text = presetText(four);
-    for (const char* row : modelRows) EXPECT_NE(text.find('"' + std::string(row) + '"'), std::string::npos) << text;
+    for (const char* row : modelParameters)
+        EXPECT_NE(text.find('"' + std::string(row) + '"'), std::string::npos) << text;
     EXPECT_EQ(parsePreset(text, "four.json", "hall", table()).values, four.values);
 }
 

@@ -62,7 +62,7 @@ TEST_F(PickTest, AnExhibitCutOutOfTheHallIsTheExhibitInTheHallsLight)
     shot.inHall().size(96, 54);
     const std::size_t rays = *gallery().museum.find("crepuscular_rays");
     ParameterValues& air = shot.sceneState.values[rays];
-    air.setRow(*air.table().find("airDensity"), 0.0);
+    air.setParameter(*air.table().find("airDensity"), 0.0);
     shot.request.frame.transparent = false;
     const Picture whole = shot.take();
     shot.request.frame.cutOut = shot.exhibit;

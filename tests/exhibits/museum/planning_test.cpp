@@ -151,7 +151,7 @@ TEST(Planning, TheMeshDependsOnTheShapeAlone)
                                : info.kind == Kind::choice ? (before > 0 ? 0 : 1)
                                : info.kind == Kind::count  ? before + 1
                                                            : 0.9 * before + 0.001;
-        other.object().setRow(row, changed);
+        other.object().setParameter(row, changed);
         ASSERT_NE(std::get<double>(other.object().row(row)), before);
         const std::int64_t builds = own.assets().builds("sdf_morph.mesh");
         (void)own.prepare(other.sceneState, other.request);

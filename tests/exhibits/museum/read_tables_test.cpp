@@ -22,7 +22,7 @@ protected:
     [[nodiscard]] ParameterValues valuesOf(const std::string& file)
     {
         ParameterValues values = balls().parameters().initial();
-        setRow(values, "scene", file);
+        setParameter(values, "scene", file);
         return read(values).sceneState.values[0];
     }
     [[nodiscard]] TabledSceneState read(const ParameterValues& values)
@@ -44,14 +44,14 @@ protected:
     render::AssetStore assets_;
 };
 
-TEST_F(ReadTables, GiveTheRowsThatTheFileDescribes)
+TEST_F(ReadTables, GiveTheParametersThatTheFileDescribes)
 {
     writeBalls(path("two.json"), {{"red", 0.5}, {"blue", 2}});
     const ParameterValues values = valuesOf(path("two.json"));
-    EXPECT_EQ(rowOf(values, "redRadius"), Value(0.5));
-    EXPECT_EQ(rowOf(values, "blueRadius"), Value(2.0));
-    EXPECT_EQ(rowOf(values, "scene"), Value(path("two.json")));
-    EXPECT_FALSE(rowOf(values, "greenRadius"));
+    EXPECT_EQ(parameterOf(values, "redRadius"), Value(0.5));
+    EXPECT_EQ(parameterOf(values, "blueRadius"), Value(2.0));
+    EXPECT_EQ(parameterOf(values, "scene"), Value(path("two.json")));
+    EXPECT_FALSE(parameterOf(values, "greenRadius"));
 }
 
 TEST_F(ReadTables, AreReadOnceAndAreTheSameForTheSameFile)
@@ -67,15 +67,15 @@ TEST_F(ReadTables, KeepValuesOfTheSameNameWhenTheFileIsAnother)
     writeBalls(path("two.json"), {{"red", 0.5}, {"blue", 2}});
     writeBalls(path("other.json"), {{"blue", 1}, {"green", 3}});
     ParameterValues values = valuesOf(path("two.json"));
-    setRow(values, "spin", 7.0);
-    setRow(values, "blueRadius", 4.5);
-    setRow(values, "scene", path("other.json"));
+    setParameter(values, "spin", 7.0);
+    setParameter(values, "blueRadius", 4.5);
+    setParameter(values, "scene", path("other.json"));
     const ParameterValues other = read(values).sceneState.values[0];
-    EXPECT_EQ(rowOf(other, "spin"), Value(7.0));
-    EXPECT_EQ(rowOf(other, "blueRadius"), Value(4.5));
-    EXPECT_EQ(rowOf(other, "greenRadius"), Value(3.0));
-    EXPECT_FALSE(rowOf(other, "redRadius"));
-    setRow(values, "scene", std::string());
+    EXPECT_EQ(parameterOf(other, "spin"), Value(7.0));
+    EXPECT_EQ(parameterOf(other, "blueRadius"), Value(4.5));
+    EXPECT_EQ(parameterOf(other, "greenRadius"), Value(3.0));
+    EXPECT_FALSE(parameterOf(other, "redRadius"));
+    setParameter(values, "scene", std::string());
     EXPECT_EQ(&read(values).sceneState.values[0].table(), &balls().parameters());
 }
 
@@ -83,21 +83,21 @@ TEST_F(ReadTables, AFileThatCannotBeReadKeepsTheTableAndSaysSoOnce)
 {
     writeBalls(path("two.json"), {{"red", 0.5}});
     ParameterValues values = valuesOf(path("two.json"));
-    setRow(values, "redRadius", 4.5);
-    setRow(values, "scene", path("gone.json"));
+    setParameter(values, "redRadius", 4.5);
+    setParameter(values, "scene", path("gone.json"));
     const TabledSceneState tabled = read(values);
     EXPECT_EQ(&tabled.sceneState.values[0].table(), &values.table());
-    EXPECT_EQ(rowOf(tabled.sceneState.values[0], "redRadius"), Value(4.5));
+    EXPECT_EQ(parameterOf(tabled.sceneState.values[0], "redRadius"), Value(4.5));
     ASSERT_EQ(tabled.unreadable.size(), 1U);
     EXPECT_NE(tabled.unreadable[0].english().find("gone.json"), std::string::npos);
     EXPECT_EQ(tabled.unreadable[0].english().rfind("Scene of Balls: ", 0), 0U) << tabled.unreadable[0];
 }
 
-TEST_F(ReadTables, PresetsBringBackWhatWasSetInTheRowsOfAFile)
+TEST_F(ReadTables, PresetsBringBackWhatWasSetInTheParametersOfAFile)
 {
     writeBalls(path("two.json"), {{"red", 0.5}, {"blue", 2}});
     ParameterValues values = valuesOf(path("two.json"));
-    setRow(values, "blueRadius", 3.25);
+    setParameter(values, "blueRadius", 3.25);
     const std::string text = presetOf(values);
     EXPECT_NE(text.find("\"blueRadius\": 3.25"), std::string::npos) << text;
 
@@ -114,13 +114,13 @@ TEST_F(ReadTables, PresetsSurviveAFileThatChangedSince)
 {
     writeBalls(path("two.json"), {{"red", 0.5}, {"blue", 2}});
     ParameterValues values = valuesOf(path("two.json"));
-    setRow(values, "blueRadius", 3.25);
-    setRow(values, "redRadius", 1.25);
+    setParameter(values, "blueRadius", 3.25);
+    setParameter(values, "redRadius", 1.25);
     const std::string text = presetOf(values);
     writeBalls(path("two.json"), {{"green", 1}, {"blue", 2}, {"white", 1}});
     const TabledSceneState tabled = read(parsed(text).values);
-    EXPECT_EQ(rowOf(tabled.sceneState.values[0], "blueRadius"), Value(3.25));
-    EXPECT_EQ(rowOf(tabled.sceneState.values[0], "greenRadius"), Value(1.0));
+    EXPECT_EQ(parameterOf(tabled.sceneState.values[0], "blueRadius"), Value(3.25));
+    EXPECT_EQ(parameterOf(tabled.sceneState.values[0], "greenRadius"), Value(1.0));
     // The red ball is unknown now: a note says so, and the value is kept.
     ASSERT_EQ(tabled.notes.size(), 1U);
     EXPECT_NE(tabled.notes[0].find("redRadius"), std::string::npos) << tabled.notes[0];
@@ -131,7 +131,7 @@ TEST_F(ReadTables, ValuesAreNotLostWhileTheFileIsAway)
 {
     writeBalls(path("two.json"), {{"red", 0.5}, {"blue", 2}});
     ParameterValues values = valuesOf(path("two.json"));
-    setRow(values, "blueRadius", 3.25);
+    setParameter(values, "blueRadius", 3.25);
     const std::string text = presetOf(values);
 
     std::filesystem::remove(path("two.json"));
@@ -143,15 +143,15 @@ TEST_F(ReadTables, ValuesAreNotLostWhileTheFileIsAway)
     EXPECT_EQ(read(away.sceneState.values[0]).sceneState.values[0], values);
 }
 
-TEST_F(ReadTables, APendingValueThatFitsNoRowIsSaidAndLeftInitial)
+TEST_F(ReadTables, APendingValueThatFitsNoParameterIsSaidAndLeftInitial)
 {
     writeBalls(path("two.json"), {{"red", 0.5}, {"blue", 2}});
     const std::string text = R"({"format": "vitrine-preset", "version": 1, "exhibit": "balls", "name": "x", "values": {
         "scene": ")" + path("two.json") +
                              R"(", "redRadius": "wide", "blueRadius": 99}})";
     const TabledSceneState tabled = read(parsed(text).values);
-    EXPECT_EQ(rowOf(tabled.sceneState.values[0], "redRadius"), Value(0.5));
-    EXPECT_EQ(rowOf(tabled.sceneState.values[0], "blueRadius"), Value(10.0));
+    EXPECT_EQ(parameterOf(tabled.sceneState.values[0], "redRadius"), Value(0.5));
+    EXPECT_EQ(parameterOf(tabled.sceneState.values[0], "blueRadius"), Value(10.0));
     EXPECT_EQ(tabled.notes.size(), 2U);
 }
 
@@ -169,7 +169,7 @@ TEST_F(ReadTables, SettingsOfTheWholeExhibitionKeepThemToo)
 {
     writeBalls(path("two.json"), {{"red", 0.5}});
     ParameterValues values = valuesOf(path("two.json"));
-    setRow(values, "redRadius", 3.25);
+    setParameter(values, "redRadius", 3.25);
     const std::string text = exhibitionText({"All", {{"balls", values}}, {}});
     EXPECT_NE(text.find("\"balls.redRadius\": 3.25"), std::string::npos) << text;
     const Exhibition all = parseExhibition(text, "all.json", {{"balls", balls().parameters().initial()}});
@@ -185,13 +185,13 @@ TEST_F(ReadTables, ValuesOutliveEverybodyElseWhoHoldsTheirTable)
     {
         render::AssetStore own;
         ParameterValues values = balls().parameters().initial();
-        setRow(values, "scene", path("two.json"));
+        setParameter(values, "scene", path("two.json"));
         const SceneState sceneState = readTables(subjects_, own, {{values}, {}}).sceneState;
         table = sceneState.values[0].sharedTable();
         initial = sceneState.values[0].table().initial();
     }
     EXPECT_FALSE(table.expired());
-    EXPECT_EQ(rowOf(*initial, "redRadius"), Value(0.5));
+    EXPECT_EQ(parameterOf(*initial, "redRadius"), Value(0.5));
     initial.reset();
     EXPECT_TRUE(table.expired());
 }

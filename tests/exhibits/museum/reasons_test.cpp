@@ -373,13 +373,13 @@ void drawSettings(ParameterValues& values, RandomNumbers& random)
         const ParameterInfo& info = values.rows()[row];
         if (!random.chance(0.6)) continue;
         if (info.kind == Kind::color && random.chance(0.4)) {
-            values.setRow(row, glm::dvec3(0));
+            values.setParameter(row, glm::dvec3(0));
         } else if (info.isNumeric() && random.chance(0.5)) {
             // Higher counts cost time and have no other reasons.
             const double high = info.kind == Kind::count ? std::get<double>(info.initial) : info.range.softHigh;
-            values.setRow(row, random.chance(0.6) ? info.range.low : high);
+            values.setParameter(row, random.chance(0.6) ? info.range.low : high);
         } else if (info.kind != Kind::count) {
-            values.setRow(row, randomValue(info, random));
+            values.setParameter(row, randomValue(info, random));
         }
     }
 }

@@ -82,16 +82,16 @@ void shuffle(ParameterValues& values, test::Random& random)
         case Kind::real:
         case Kind::count: {
             const double t = random.number(0, 1) < 0.2 ? std::round(random.number(0, 1)) : random.number(0, 1);
-            values.setRow(i, row.range.scale == Scale::logarithmic ? low * std::pow(high / low, t)
-                                                                   : low + (high - low) * t);
+            values.setParameter(i, row.range.scale == Scale::logarithmic ? low * std::pow(high / low, t)
+                                                                         : low + (high - low) * t);
             break;
         }
-        case Kind::toggle: values.setRow(i, std::floor(random.number(0, 2))); break;
+        case Kind::toggle: values.setParameter(i, std::floor(random.number(0, 2))); break;
         case Kind::choice:
-            values.setRow(i, std::floor(random.number(0, static_cast<double>(row.choices.size()))));
+            values.setParameter(i, std::floor(random.number(0, static_cast<double>(row.choices.size()))));
             break;
-        case Kind::color: values.setRow(i, 0.5 + random.point(0.5)); break;
-        case Kind::direction: values.setRow(i, random.direction()); break;
+        case Kind::color: values.setParameter(i, 0.5 + random.point(0.5)); break;
+        case Kind::direction: values.setParameter(i, random.direction()); break;
         case Kind::file:
         case Kind::text: break;
         }
@@ -153,7 +153,7 @@ TEST_F(Robustness, WhatIsShownAsNumbersIsTheSameColorInFilesOfLight)
         Shot shot;
         const std::size_t exhibit = *gallery().museum.find(view.exhibit);
         ParameterValues& values = shot.sceneState.values[exhibit];
-        values.setRow(*values.table().find(view.row), view.value);
+        values.setParameter(*values.table().find(view.row), view.value);
         shot.request.frame.alone = exhibit;
         shot.request.frame.transparent = std::string_view(view.exhibit) != "crepuscular_rays";
         shot.request.frame.camera = gallery().museum.subject(exhibit).bestView(values);

@@ -82,8 +82,8 @@ TEST_F(HighJump, IsSeenWhereItIs)
     test::Shot shot;
     const std::size_t fur = *gallery().museum.find("fur");
     ParameterValues& values = shot.sceneState.values[fur];
-    values.setRow(*values.table().find("jump"), 8.0);
-    values.setRow(*values.table().find("frozenAt"), 0.7);
+    values.setParameter(*values.table().find("jump"), 8.0);
+    values.setParameter(*values.table().find("frozenAt"), 0.7);
     const glm::dvec3 place(gallery().museum.worldFromExhibit(fur)[3]);
     shot.inHall().size(80, 45).see(place + glm::dvec3(0, 1.6, 5), place + glm::dvec3(0, 4.6, 0));
     shot.request.frame.subject.reset();
@@ -93,7 +93,7 @@ TEST_F(HighJump, IsSeenWhereItIs)
     EXPECT_EQ(test::largestDifference(shot.take().image, needed.image), 0);
     shot.request.frame.runEverything = false;
     const test::Picture jumping = shot.take();
-    values.setRow(*values.table().find("frozenAt"), 0.0);
+    values.setParameter(*values.table().find("frozenAt"), 0.0);
     EXPECT_GT(test::largestDifference(shot.take().image, jumping.image), 0.05) << "no body is in this picture";
 }
 

@@ -316,7 +316,7 @@ TEST(Pick, TheVisitorsOwnObjectCanBeVisited)
     const dvec3 above = dvec3(test::building().place(freePlinthPlace)->worldFromPlace[3]) + dvec3(0, 0.15, 0);
     scene.see(above + dvec3(0.3, 0.6, 2.2), above);
     EXPECT_FALSE(pointed(scene));
-    scene.hall().setRow(*scene.hall().table().find("model"), render::asset("models/teddy.glb").string());
+    scene.hall().setParameter(*scene.hall().table().find("model"), render::asset("models/teddy.glb").string());
     const auto found = pointed(scene);
     ASSERT_TRUE(found);
     EXPECT_EQ(found->exhibit, std::size_t{0});

@@ -293,7 +293,7 @@ LakeShot frameInTheHall(double glow)
     shot.set(row().hallGlow, glow);
     for (const char* exhibit : {"fur", "lenticular"}) {
         ParameterValues& values = shot.sceneState.values[gallery().museum.find(exhibit).value()];
-        values.setRow(values.table().find("lamp").value(), 0.0);
+        values.setParameter(values.table().find("lamp").value(), 0.0);
     }
     const glm::dmat4 world = gallery().museum.worldFromExhibit(shot.exhibit);
     shot.request.frame.camera = {dvec3(world * glm::dvec4(0.5, 0, 4, 1)), dvec3(world * glm::dvec4(0.5, -0.4, 0, 1)),

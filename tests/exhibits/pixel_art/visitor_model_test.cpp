@@ -20,7 +20,7 @@ namespace {
 
 using namespace test;
 
-const PixelArtTable& modelRows()
+const PixelArtTable& modelParameters()
 {
     static const PixelArtTable t;
     return t;
@@ -29,18 +29,18 @@ const PixelArtTable& modelRows()
 struct VisitorModel : testing::Test {
     const TemporaryFolder folder;
     render::AssetStore assets;
-    ParameterValues values = modelRows().initial();
+    ParameterValues values = modelParameters().initial();
 
     VisitorModel()
     {
-        values.set(modelRows().model, writeMovedModel(folder));
-        values.set(modelRows().animate, true);
-        values.set(modelRows().turn, false);
+        values.set(modelParameters().model, writeMovedModel(folder));
+        values.set(modelParameters().animate, true);
+        values.set(modelParameters().turn, false);
     }
     /// Returns the position of the triangle's first corner.
     glm::dvec3 cornerAt(double now)
     {
-        const PosedModel posed = posedModel(modelRows(), values, now, assets);
+        const PosedModel posed = posedModel(modelParameters(), values, now, assets);
         EXPECT_TRUE(posed.model) << posed.failure;
         const render::MeshInstance& part = posed.model->parts.front();
         return {part.modelFromPart * glm::dvec4(glm::dvec3(part.mesh->vertices.front().position), 1)};
@@ -54,15 +54,15 @@ TEST_F(VisitorModel, PlaysTheChosenAnimationAtTheChosenSpeedAgainAndAgain)
     EXPECT_NEAR(cornerAt(1.2).x, 2, 1e-6);
     EXPECT_NEAR(cornerAt(2.6).x, 1, 1e-6);  // During the second pass.
     EXPECT_NEAR(cornerAt(1e6 + 0.6).x, 1, 1e-4);
-    values.set(modelRows().animationSpeed, 2.0);
+    values.set(modelParameters().animationSpeed, 2.0);
     EXPECT_NEAR(cornerAt(0.3).x, 1, 1e-6);
-    values.set(modelRows().animationSpeed, 1.0);
-    values.set(modelRows().animation, 2);
+    values.set(modelParameters().animationSpeed, 1.0);
+    values.set(modelParameters().animation, 2);
     EXPECT_NEAR(cornerAt(0.9).y, 1.5, 1e-6);
     EXPECT_EQ(cornerAt(0.9).x, 0);
-    values.set(modelRows().animation, 1000);  // Beyond the last animation: the last one.
+    values.set(modelParameters().animation, 1000);  // Beyond the last animation: the last one.
     EXPECT_NEAR(cornerAt(0.9).y, 1.5, 1e-6);
-    values.set(modelRows().animation, 0);
+    values.set(modelParameters().animation, 0);
     EXPECT_EQ(cornerAt(0.9), cornerAt(0.2));
     // The file was read once for all queries.
     EXPECT_EQ(assets.builds("pixel_art.model"), 1);
@@ -70,12 +70,12 @@ TEST_F(VisitorModel, PlaysTheChosenAnimationAtTheChosenSpeedAgainAndAgain)
 
 TEST_F(VisitorModel, IsFramedWithAllThatItsAnimationReaches)
 {
-    values.set(modelRows().animation, 2);
-    const render::Box box = posedModel(modelRows(), values, 0, assets).framed;
+    values.set(modelParameters().animation, 2);
+    const render::Box box = posedModel(modelParameters(), values, 0, assets).framed;
     EXPECT_GT(box.high.y, 3.5);
-    EXPECT_EQ(posedModel(modelRows(), values, 1.1, assets).framed.high, box.high);
-    values.set(modelRows().animation, 0);
-    EXPECT_NEAR(posedModel(modelRows(), values, 0, assets).framed.high.y, 1, 1e-6);
+    EXPECT_EQ(posedModel(modelParameters(), values, 1.1, assets).framed.high, box.high);
+    values.set(modelParameters().animation, 0);
+    EXPECT_NEAR(posedModel(modelParameters(), values, 0, assets).framed.high.y, 1, 1e-6);
 }
 
 /// Frames of the exhibit alone in its own hall.
@@ -126,29 +126,29 @@ TEST_F(ModelFrames, AreDrawnAgainOnlyWhereSomethingMoves)
     // Nothing changes between two frames of the animation.
     EXPECT_EQ(keysOf(planAt(0.51)), keysOf(planAt(0.53)));
 
-    values.set(modelRows().animationSpeed, 0.0);
+    values.set(modelParameters().animationSpeed, 0.0);
     EXPECT_FALSE(moves());
     EXPECT_EQ(whyStill(0.5), "the speed of the model's animation is 0");
     EXPECT_FALSE(std::isfinite(art.nextChange(values, 0.5)));
-    values.set(modelRows().turn, true);
+    values.set(modelParameters().turn, true);
     EXPECT_TRUE(moves());
     EXPECT_TRUE(std::isfinite(art.nextChange(values, 0.5)));
-    values.set(modelRows().turn, false);
-    values.set(modelRows().animationSpeed, 1.0);
-    values.set(modelRows().animation, 0);
+    values.set(modelParameters().turn, false);
+    values.set(modelParameters().animationSpeed, 1.0);
+    values.set(modelParameters().animation, 0);
     EXPECT_FALSE(moves());
     EXPECT_EQ(whyStill(0.5), "no animation of the model is chosen");
     EXPECT_FALSE(std::isfinite(art.nextChange(values, 0.5)));
-    values.set(modelRows().animation, 1);
-    values.set(modelRows().animate, false);
+    values.set(modelParameters().animation, 1);
+    values.set(modelParameters().animate, false);
     EXPECT_FALSE(moves());
     EXPECT_EQ(whyStill(0.5), "time does not run");
-    values.set(modelRows().animate, true);
+    values.set(modelParameters().animate, true);
     const std::string path = (folder / "still.glb").string();
     GltfBuilder b;
     b.node({{"mesh", b.triangle()}});
     writeBytes(path, b.glb());
-    values.set(modelRows().model, path);
+    values.set(modelParameters().model, path);
     EXPECT_FALSE(moves());
     EXPECT_EQ(whyStill(0.5), "the model has no animation");
 }
@@ -172,9 +172,9 @@ class TransparentModel : public GlTest {
 protected:
     static render::Image litWith(std::vector<WorldPart> parts, double sunAzimuth)
     {
-        ParameterValues values = modelRows().initial();
-        values.set(modelRows().sunAzimuth, sunAzimuth);
-        PixelShot shot{modelRows(), values, pixelCamera(modelRows(), values, {0, 0}), 0.5};
+        ParameterValues values = modelParameters().initial();
+        values.set(modelParameters().sunAzimuth, sunAzimuth);
+        PixelShot shot{modelParameters(), values, pixelCamera(modelParameters(), values, {0, 0}), 0.5};
         shot.camera.size = {120, 68};
         shot.parts = std::move(parts);
         render::FramePlan plan;
@@ -237,7 +237,7 @@ TEST_F(TransparentModel, HasItsOpacityInSprites)
         writeBytes(path, b.glb());
         const SpriteSubject subject{std::filesystem::path(path)};
         warnings = subject.warnings();
-        const auto frames = drawSprite(modelRows().initial(), subject, {1, 1, {24, 24}, {}}, gallery().renderer);
+        const auto frames = drawSprite(modelParameters().initial(), subject, {1, 1, {24, 24}, {}}, gallery().renderer);
         opacity = 0;
         for (std::size_t i = 3; i < frames.front().color.pixels.size(); i += 4)
             opacity = std::max(opacity, frames.front().color.pixels[i]);
@@ -290,7 +290,7 @@ protected:
 
     std::vector<SpriteFrame> framesOf(const std::string& path, const SpriteRequest& request)
     {
-        return drawSprite(modelRows().initial(), SpriteSubject{std::filesystem::path(path)}, request,
+        return drawSprite(modelParameters().initial(), SpriteSubject{std::filesystem::path(path)}, request,
                           gallery().renderer);
     }
 };
@@ -308,9 +308,9 @@ TEST_F(SpriteFraming, HoldsAnObjectAsLargeWhereverItsFileHasIt)
             EXPECT_NEAR(seenPixels(frames[i]), seen[i], 0.03 * seen[i]) << place.x << ' ' << place.y << ' ' << place.z;
     }
     // The pivot is the file's origin, ten times the box's width to the side: on the left, seen from the front.
-    ParameterValues front = modelRows().initial();
-    front.set(modelRows().azimuth, 0.0);
-    front.set(modelRows().elevation, 0.0);
+    ParameterValues front = modelParameters().initial();
+    front.set(modelParameters().azimuth, 0.0);
+    front.set(modelParameters().elevation, 0.0);
     const auto aside = drawSprite(front, SpriteSubject{std::filesystem::path(writeBox(folder, {10, 0, 0}))},
                                   {1, 1, {64, 64}, {}}, gallery().renderer);
     int columns = 0;
@@ -353,9 +353,9 @@ TEST_F(SpriteFraming, FailsWhereNothingIsToBeSeen)
         EXPECT_FAILURE(framesOf(path, {2, 2, {32, 32}, {}}), why);
         // The exhibit shows its own world instead, and the hall nothing. Both report it.
         render::AssetStore assets;
-        ParameterValues values = modelRows().initial();
-        values.set(modelRows().model, path);
-        const PosedModel posed = posedModel(modelRows(), values, 0, assets);
+        ParameterValues values = modelParameters().initial();
+        values.set(modelParameters().model, path);
+        const PosedModel posed = posedModel(modelParameters(), values, 0, assets);
         EXPECT_FALSE(posed.model);
         EXPECT_NE(posed.failure.english().find(why), std::string::npos) << posed.failure;
     }

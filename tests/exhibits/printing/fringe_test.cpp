@@ -53,7 +53,7 @@ int changes(const std::vector<double>& line)
     return count;
 }
 
-std::vector<double> rowOf(const render::Image& seen, int y)
+std::vector<double> parameterOf(const render::Image& seen, int y)
 {
     std::vector<double> line;
     for (int x = 0; x < seen.width; ++x) line.push_back(static_cast<double>(seen.at(x, y)));
@@ -68,7 +68,7 @@ TEST(Fringes, APitchErrorShowsLengthTimesErrorOfThem)
         const PrintLayout layout(s);
         const render::Image seen =
             lookThrough(layout, linearImage(layout, printOf(layout, blackAndWhite())), {.angle = 0.02});
-        EXPECT_NEAR(strongest(rowOf(seen, 0)), std::abs(error) * 20, 0.15) << error;
+        EXPECT_NEAR(strongest(parameterOf(seen, 0)), std::abs(error) * 20, 0.15) << error;
     }
 }
 
@@ -105,7 +105,7 @@ TEST(Fringes, TheSheetsOwnPitchShowsThemFromNearAndThePrintPitchDoesNot)
         // Straight ahead, a quarter of a lens from the border between strips.
         own.phase = 0.25;
         const PrintLayout shifted(own);
-        std::vector<double> line = rowOf(
+        std::vector<double> line = parameterOf(
             lookThrough(shifted, linearImage(shifted, printOf(shifted, blackAndWhite())), {.distance = s.distance}), 0);
         // At the edges the paper beside the print is visible.
         return std::vector<double>(line.begin() + 3, line.end() - 3);

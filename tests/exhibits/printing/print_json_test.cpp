@@ -32,9 +32,9 @@ TEST_F(SettingsText, EverySettingSurvivesItsTextWhateverItIs)
                 x = std::floor(row.range.low +
                                unit(random) * (std::min(row.range.high, row.range.softHigh) + 1 - row.range.low));
             if (row.isWritten())
-                values.setRow(i, std::string(row.several ? "/a/view 1.png\nü.png" : "ü.png"));
+                values.setParameter(i, std::string(row.several ? "/a/view 1.png\nü.png" : "ü.png"));
             else
-                values.setRow(i, x);
+                values.setParameter(i, x);
         }
         if (printPlan(values, nullptr, "p.tif").refusal.empty()) ++possible;
         const SavedSettings back = savedSettings(settingsText(values), "kept.json");

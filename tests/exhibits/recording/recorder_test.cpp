@@ -150,7 +150,7 @@ TEST_F(RecorderTest, ACopiedCommandLineDrawsTheSamePicture)
     test::useSmallMaps(sceneState.hall(), 512);
     const auto set = [&](const char* exhibit, const char* row, const Value& value) {
         ParameterValues& values = sceneState.values[*museum.find(exhibit)];
-        values.setRow(values.table().find(row).value(), value);
+        values.setParameter(values.table().find(row).value(), value);
     };
     set("sdf_morph", "morph", 0.1 + 0.2);
     set("crepuscular_rays", "tint", glm::dvec3(0.1, 1.0 / 3, 0.7));

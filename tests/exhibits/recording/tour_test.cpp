@@ -126,7 +126,7 @@ TEST(TourPath, IsLedRoundWhatStandsBetween)
 TEST(TourPath, IsLedRoundTheVisitorsOwnObjects)
 {
     const HallTable& table = test::hallTable();
-    const OwnObjectRows& rows = table.objects[1];
+    const OwnObjectParameters& rows = table.objects[1];
     SceneState sceneState = museum().initialSceneState();
     sceneState.hall().set(rows.model, render::asset("models/teddy.glb").string());
     sceneState.hall().set(rows.modelStand, ObjectStand::ownPlinth);

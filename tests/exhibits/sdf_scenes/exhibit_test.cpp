@@ -128,7 +128,7 @@ TEST(SceneExhibit, HasASliderForEachParameterOfItsScene)
     EXPECT_FALSE(info.help.empty());
     const auto block = [&] { return shown.plan().find("sdf_scenes/scene")->blocks.at(BLOCK_EXHIBIT); };
     const render::Bytes before = block();
-    shown.values().setRow(*row, 0.1);
+    shown.values().setParameter(*row, 0.1);
     EXPECT_NE(block(), before);
     // Another scene has other parameters, and keeps the values of common ones.
     shown.values().set(table().hitTolerance, 3.0);
@@ -162,7 +162,7 @@ TEST(SceneExhibit, AFileThatCannotBeReadKeepsTheLastSceneAndIsReadAgain)
     write(R"({"kind": "sphere", "radius": "size"})");
     Shown shown(path);
     ASSERT_TRUE(shown.unreadable.empty()) << shown.unreadable.front();
-    shown.values().setRow(*shown.values().table().find("size"), 1.5);
+    shown.values().setParameter(*shown.values().table().find("size"), 1.5);
     const render::FramePlan good = shown.plan();
     write(R"({"kind": "sphere", "raduis": 1})");
     shown.read();

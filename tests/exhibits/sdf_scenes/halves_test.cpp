@@ -23,9 +23,9 @@ struct HalvesCase {
 std::vector<HalvesCase> halvesCases()
 {
     const SdfScenesTable& t = scenesTable();
-    const auto both = [](const char* name, const auto& row, const auto& rightRow, const auto& value) {
+    const auto both = [](const char* name, const auto& row, const auto& rightParameter, const auto& value) {
         return HalvesCase{name, [&row, value](ParameterValues& v) { v.set(row, value); },
-                          [&rightRow, value](ParameterValues& v) { v.set(rightRow, value); }};
+                          [&rightParameter, value](ParameterValues& v) { v.set(rightParameter, value); }};
     };
     return {both("shadows", t.shadowMethod, t.rightShadowMethod, SceneShadow::none),
             both("occlusion", t.occlusionMethod, t.rightOcclusionMethod, SceneOcclusion::cones),

@@ -32,7 +32,7 @@ struct SceneShot : ExhibitShot<SdfScenesTable> {
     /// Sets a parameter of the scene.
     SceneShot& set(std::string_view name, double value)
     {
-        values().setRow(values().table().find(name).value(), value);
+        values().setParameter(values().table().find(name).value(), value);
         return *this;
     }
     [[nodiscard]] const scenes::ShownScene& shown()

@@ -66,12 +66,12 @@ struct Edited : test::Scene {
     }
     void set(const char* node, const char* name, const Value& value)
     {
-        const TreeRows rows = shown().rowsOf(values(), node).value();
-        values() = shown().withRow(values(), node, rows.values.table().find(name).value(), value, assets);
+        const TreeParameters rows = shown().parametersOf(values(), node).value();
+        values() = shown().withParameter(values(), node, rows.values.table().find(name).value(), value, assets);
     }
     [[nodiscard]] Value number(const char* node, const char* name)
     {
-        const TreeRows rows = shown().rowsOf(values(), node).value();
+        const TreeParameters rows = shown().parametersOf(values(), node).value();
         return rows.values.row(rows.values.table().find(name).value());
     }
     [[nodiscard]] std::string text() { return values()[row().document]; }
@@ -123,10 +123,10 @@ TEST(SceneTree, ANodesNumbersAreRowsInTheirUnits)
     EXPECT_EQ(e.number("root.children[0]", "radius"), Value(0.5));
     EXPECT_NEAR(std::get<double>(e.number("root.children[1]", "rotateX")), std::acos(-1.0) / 2, 1e-12);
     EXPECT_EQ(e.number("root.children[1]", "translateX"), Value(1.0)) << "computed from gap";
-    const TreeRows torus = e.shown().rowsOf(e.values(), "root.children[1]").value();
+    const TreeParameters torus = e.shown().parametersOf(e.values(), "root.children[1]").value();
     EXPECT_NE(torus.note.find("Expressions: translate x."), std::string::npos) << torus.note;
-    EXPECT_TRUE(e.shown().rowsOf(e.values(), "root.children[0]").value().note.empty());
-    EXPECT_FALSE(e.shown().rowsOf(e.values(), "root.children[9]"));
+    EXPECT_TRUE(e.shown().parametersOf(e.values(), "root.children[0]").value().note.empty());
+    EXPECT_FALSE(e.shown().parametersOf(e.values(), "root.children[9]"));
     const ParameterInfo& radius = torus.values.rows()[torus.values.table().find("rotateX").value()];
     EXPECT_EQ(radius.unit, Unit::degree);
 }
@@ -137,7 +137,7 @@ TEST(SceneTree, SlidersOfSizesAreLogarithmic)
     Edited e;
     for (const auto& [node, name, initial] :
          {std::tuple{"root.children[0]", "radius", 0.5}, std::tuple{"root.children[3].child", "sizeX", 1.0}}) {
-        const TreeRows rows = e.shown().rowsOf(e.values(), node).value();
+        const TreeParameters rows = e.shown().parametersOf(e.values(), node).value();
         const Range range = rows.values.rows()[rows.values.table().find(name).value()].range;
         EXPECT_EQ(range.scale, Scale::logarithmic) << node;
         EXPECT_LE(range.softHigh / range.softLow, 64.0) << node;
@@ -145,7 +145,7 @@ TEST(SceneTree, SlidersOfSizesAreLogarithmic)
         EXPECT_GT(range.softHigh, initial) << node;
     }
     // Numbers that may be 0 or negative stay linear.
-    const TreeRows round = e.shown().rowsOf(e.values(), "root.children[3]").value();
+    const TreeParameters round = e.shown().parametersOf(e.values(), "root.children[3]").value();
     for (const char* name : {"radius", "translateX"})
         EXPECT_EQ(round.values.rows()[round.values.table().find(name).value()].range.scale, Scale::linear) << name;
 }
@@ -335,8 +335,8 @@ TEST(SceneTree, HandlesOfWhatIsSeenNowhereAreSaidToBeImpossible)
     Edited e(R"({"format": "vitrine-scene", "version": 1, "root": {"kind": "mirror", "x": true, "child":
  {"kind": "sphere", "translate": [-1, 0, 0]}}})");
     EXPECT_NE(e.shown().placeOf(e.state(), "root.child").value().without, "");
-    EXPECT_NE(e.shown().rowsOf(e.values(), "root.child").value().note.find("No handles"), std::string::npos);
-    EXPECT_EQ(e.shown().rowsOf(e.values(), "root").value().note, "");
+    EXPECT_NE(e.shown().parametersOf(e.values(), "root.child").value().note.find("No handles"), std::string::npos);
+    EXPECT_EQ(e.shown().parametersOf(e.values(), "root").value().note, "");
 }
 
 TEST(SceneTree, KnowsItsFilesAndWhoseTheyAre)
@@ -378,12 +378,13 @@ TEST(SceneTree, AnotherFileTakesTheDocumentWithItAndPresetsCarryIt)
     e.set("root.children[0]", "radius", 0.75);
     ParameterValues loaded(e.row());
     std::vector<std::string> notes;
-    for (const SdfScenesTable* table = &e.row(); const File row : {table->scene, table->document})
-        loaded.setRow(row.row,
-                      valueFromText(table->rows()[row.row],
-                                    render::writeJson(jsonFromValue(table->rows()[row.row], e.values().row(row.row))),
-                                    notes)
-                          .value());
+    for (const SdfScenesTable* table = &e.row(); const File parameter : {table->scene, table->document})
+        loaded.setParameter(
+            parameter.row,
+            valueFromText(table->rows()[parameter.row],
+                          render::writeJson(jsonFromValue(table->rows()[parameter.row], e.values().row(parameter.row))),
+                          notes)
+                .value());
     e.values() = loaded;
     e.read();
     EXPECT_EQ(e.number("root.children[0]", "radius"), Value(0.75));

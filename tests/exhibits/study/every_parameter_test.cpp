@@ -47,7 +47,7 @@ Found measure(std::size_t subject, std::size_t row)
 {
     StudyRequest request = plainRequest(subject, row);
     StudyAxis& axis = request.axes.front();
-    const ParameterInfo& info = rowOf(request.sceneState, axis);
+    const ParameterInfo& info = parameterOf(request.sceneState, axis);
     const Exactness exact = exactness(info);
     // If a study checks its reference with a nearby value, that value need not be among its points, because the most
     // exact values take longest. Pictures in motion are not checked.
@@ -102,7 +102,7 @@ TEST_P(EveryParameter, ShowsItsErrorOrSaysWhyThereIsNone)
         if (!info.qualityReference) continue;
         const std::string name = GetParam() + '.' + std::string(info.name);
         SCOPED_TRACE(name);
-        const StudiedRow declared = StudiedRows::of(table, info.name);
+        const StudiedParameter declared = StudiedParameters::of(table, info.name);
         const Found found = measure(subject, row);
         print(name, found);
         if (!declared.same.empty()) {

@@ -1,6 +1,6 @@
 // Kept studies: reading their files, refused files, and storage on disk.
 
-#include "exhibits/study/kept_rows.h"
+#include "exhibits/study/kept_parameters.h"
 #include "exhibits/study/study.h"
 #include "exhibits/study/study_store.h"
 #include "exhibits/study/study_text.h"
@@ -85,11 +85,11 @@ TEST_F(KeptStudies, ComeBackAsTheyWereMeasured)
     EXPECT_EQ(kept.sentences, std::vector<std::string>{result_.convergence});
 }
 
-TEST_F(KeptStudies, GiveTheirValuesToTheRowsThatAreThere)
+TEST_F(KeptStudies, GiveTheirValuesToTheParametersThatAreThere)
 {
     const KeptStudy kept = parsed(json_);
     const SceneState look = museum_.initialSceneState();
-    const KeptRows rows = rowsOf(kept, museum_.subjects(), look);
+    const KeptParameters rows = parametersOf(kept, museum_.subjects(), look);
     ASSERT_TRUE(rows.all());
     std::string wrong;
     for (std::size_t i = 0; i < kept.points.size(); ++i) {
@@ -99,10 +99,10 @@ TEST_F(KeptStudies, GiveTheirValuesToTheRowsThatAreThere)
     }
     KeptStudy other = kept;
     other.exhibit = "unknown";
-    EXPECT_EQ(rowsOf(other, museum_.subjects(), look).missingExhibit, "unknown");
+    EXPECT_EQ(parametersOf(other, museum_.subjects(), look).missingExhibit, "unknown");
     other = kept;
     other.parameters[0].name = "strides";
-    EXPECT_EQ(rowsOf(other, museum_.subjects(), look).missingRow, "strides");
+    EXPECT_EQ(parametersOf(other, museum_.subjects(), look).missingParameter, "strides");
     other = kept;
     other.points[0].values[0] = 1e9;  // Beyond the parameter's range.
     EXPECT_FALSE(valuesOf(other, 0, rows, look, wrong));

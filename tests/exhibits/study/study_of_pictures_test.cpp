@@ -56,7 +56,7 @@ double errorOfEdges(int samples)
 TEST_F(StudyOfPictures, SupersamplesOfEdgesConvergeAsTheirSequenceShould)
 {
     // The mug alone: samples differ only at outlines and creases.
-    StudyRequest request = requestFor(0, supersamplesRow, {2, 4, 8, 16, 32, 64});
+    StudyRequest request = requestFor(0, supersamplesParameter, {2, 4, 8, 16, 32, 64});
     request.size = {128, 72};
     request.views = 1;
     const StudyResult result = run(request);
@@ -86,7 +86,7 @@ TEST_F(StudyOfPictures, SupersamplesOfTheHallFollowTheEdgesOnceThereAreTwo)
 {
     // With the visitors' settings, including beams and noise. Up to 16 samples the sequence has not reached its law:
     // straight edges need more than three times the samples there, and so does the hall.
-    StudyRequest request = requestFor(0, supersamplesRow, {2, 4, 8, 16});
+    StudyRequest request = requestFor(0, supersamplesParameter, {2, 4, 8, 16});
     request.subject = 0;
     request.views = 1;
     request.size = {96, 54};
@@ -106,7 +106,7 @@ TEST_F(StudyOfPictures, SupersamplesOfTheHallFollowTheEdgesOnceThereAreTwo)
 
 TEST_F(StudyOfPictures, InMotionMoreFramesComeNearerToThePictureAtRest)
 {
-    const StudyResult result = run(requestFor(0, historyFramesRow, {1, 8}));
+    const StudyResult result = run(requestFor(0, historyFramesParameter, {1, 8}));
     ASSERT_EQ(result.points.size(), 2U);
     EXPECT_GT(result.points[0].error, 1.3 * result.points[1].error);
     EXPECT_FALSE(result.converged) << "there is no second reference to tell by";

@@ -47,7 +47,7 @@ std::string valueOf(const StudySituation& situation, const StudyRequest& request
     return axisValueText(situation.sceneState, {request.subject, index, {}}, std::get<double>(values.row(index)));
 }
 
-TEST(StudySituation, TablesDeclareRowsAndViewsThatTheyHave)
+TEST(StudySituation, TablesDeclareParametersAndViewsThatTheyHave)
 {
     for (const auto* subject : museum().subjects()) {
         const Parameters& table = subject->parameters();
@@ -57,14 +57,14 @@ TEST(StudySituation, TablesDeclareRowsAndViewsThatTheyHave)
         };
         const std::vector<StudyView> views = subject->studyViews(table.initial());
         std::vector<std::string_view> seen;
-        for (const StudiedRow& declared : StudiedRows::allOf(table)) {
+        for (const StudiedParameter& declared : StudiedParameters::allOf(table)) {
             SCOPED_TRACE(std::string(subject->name()) + '.' + std::string(declared.name));
             EXPECT_TRUE(isQuality(declared.name)) << "studies have nothing to say of it";
             EXPECT_EQ(std::find(seen.begin(), seen.end(), declared.name), seen.end()) << "declared twice";
             seen.push_back(declared.name);
             for (const std::string_view name : declared.lifted) EXPECT_TRUE(isQuality(name)) << name;
             for (const std::string_view name : declared.exactInReference) EXPECT_TRUE(isQuality(name)) << name;
-            for (const StudiedRow::Setting& setting : declared.with) {
+            for (const StudiedParameter::Setting& setting : declared.with) {
                 const auto row = table.find(setting.row);
                 ASSERT_TRUE(row) << setting.row;
                 EXPECT_EQ(nearestLegal(table.rows()[*row], setting.value), Value(setting.value)) << setting.row;
@@ -89,7 +89,8 @@ TEST(StudySituation, EveryAccuracyParameterActsInEveryViewOfItsStudy)
             request.subject = subject;
             request.sceneState = initial;
             request.axes = {axis};
-            SCOPED_TRACE(std::string(museum().subject(subject).name()) + '.' + std::string(rowOf(initial, axis).name));
+            SCOPED_TRACE(std::string(museum().subject(subject).name()) + '.' +
+                         std::string(parameterOf(initial, axis).name));
             const StudySituation situation = situationOf(request);
             ASSERT_FALSE(situation.views.empty());
             for (const StudyView& view : situation.views) {
@@ -169,7 +170,7 @@ TEST(StudySituation, ItsSettingsAreListedAsOptionsThatLeadToTheSameOne)
 {
     StudyRequest request = requestOf("noise", {"cloudSteps"});
     const std::size_t elevation = request.sceneState.values[request.subject].table().find("sunElevation").value();
-    request.sceneState.values[request.subject].setRow(elevation, 0.25);
+    request.sceneState.values[request.subject].setParameter(elevation, 0.25);
     StudyResult result;
     result.changes = situationOf(request).changes;
     EXPECT_EQ(settingsToRepeat(museum().subjects(), request, result),
@@ -188,7 +189,7 @@ struct ActingTable final : Parameters {
     Count texels = count("texels", 4, {1, 64}, "More is exact.", quality(64), whenGiven(picture));
 };
 
-TEST(MakeAct, ChangesAsFewRowsAsItTakesAndNoneThatIsFixed)
+TEST(MakeAct, ChangesAsFewParametersAsItTakesAndNoneThatIsFixed)
 {
     const ActingTable table;
     ParameterValues values = table.initial();

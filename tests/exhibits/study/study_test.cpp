@@ -304,7 +304,7 @@ struct Sweep {
         Setting s(4, 0);
         while (true) {
             ParameterValues v = request.sceneState.values[1];
-            for (std::size_t a = 0; a < 4; ++a) v.setRow(request.axes[a].row, request.axes[a].values[s[a]]);
+            for (std::size_t a = 0; a < 4; ++a) v.setParameter(request.axes[a].row, request.axes[a].values[s[a]]);
             settings.push_back(s);
             worst.push_back({law.cost(subject.table, v, 1), law.error(subject.table, v, 2)});
             std::size_t a = 0;
@@ -412,7 +412,7 @@ TEST(StudyChooser, TheSentenceSaysDearerWhereTheChoiceIsDearer)
 {
     SceneObject subject(sumOfParts());
     StudyRequest request = subject.request({"steps"});
-    request.sceneState.values[1].setRow(request.axes[0].row, request.axes[0].values[1]);
+    request.sceneState.values[1].setParameter(request.axes[0].row, request.axes[0].values[1]);
     request.maxError = 0.1;
     const StudyResult dearer = subject.run(request);
     ASSERT_TRUE(dearer.choice && dearer.present);
@@ -420,7 +420,7 @@ TEST(StudyChooser, TheSentenceSaysDearerWhereTheChoiceIsDearer)
     EXPECT_NE(choiceSentence(subject.museum.subjects(), request, dearer).find("times the cost of the present setting"),
               std::string::npos);
 
-    request.sceneState.values[1].setRow(request.axes[0].row, request.axes[0].values.back());
+    request.sceneState.values[1].setParameter(request.axes[0].row, request.axes[0].values.back());
     const StudyResult cheaper = subject.run(request);
     EXPECT_NE(choiceSentence(subject.museum.subjects(), request, cheaper).find("times cheaper than at present"),
               std::string::npos);
@@ -471,7 +471,7 @@ TEST(Study, ResolutionAndSupersamplesAreParametersOfEveryPicture)
     SceneObject subject(sumOfParts());
     StudyRequest request = subject.request({});
     request.axes.push_back(
-        *studyAxis(request.sceneState, 0, *subject.museum.hall().parameters().find(supersamplesRow), 3));
+        *studyAxis(request.sceneState, 0, *subject.museum.hall().parameters().find(supersamplesParameter), 3));
     EXPECT_EQ(axisName(subject.museum.subjects(), request.sceneState, 1, request.axes[0]), "hall.supersamples");
     request.axes[0].values = {1, 4, 16};
     const StudyResult result = subject.run(request);
@@ -479,7 +479,8 @@ TEST(Study, ResolutionAndSupersamplesAreParametersOfEveryPicture)
     EXPECT_EQ(result.points[1].counters.at("work"), 4 * result.points[0].counters.at("work"));
     EXPECT_NEAR(result.points[2].time->median, 16 * result.points[0].time->median, 1e-9);
 
-    request.axes = {*studyAxis(request.sceneState, 0, *subject.museum.hall().parameters().find(resolutionScaleRow), 3)};
+    request.axes = {
+        *studyAxis(request.sceneState, 0, *subject.museum.hall().parameters().find(resolutionScaleParameter), 3)};
     const StudyResult scaled = subject.run(request);
     for (const StudyPoint& p : scaled.points) {
         EXPECT_EQ(p.shots[0].picture.width, 16);

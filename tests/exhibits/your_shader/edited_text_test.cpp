@@ -36,7 +36,7 @@ TEST_F(EditedTexts, BecomeTheShaderAndTakeTheValuesOfInputsThatStay)
     EditedText first = edited(initial(), text);
     ASSERT_TRUE(first.isShown);
     EXPECT_EQ(exhibit_.unsavedText(first.values), text);
-    first.values.setRow(first.values.table().find("gain").value(), 7.0);
+    first.values.setParameter(first.values.table().find("gain").value(), 7.0);
     std::string other = text;
     other.replace(other.find("uniform float bias"), 18, "uniform float tilt");
     other.replace(other.find("bias, 0.0"), 4, "tilt");
@@ -107,7 +107,7 @@ TEST_F(EditedTexts, OfTheFirstShaderHaveItsInputsBeforeAFileIsChosen)
     named.set(exhibit_.parameters().file, path);
     const DynamicParameters read = exhibit_.dynamicParameters(named, assets_);
     ASSERT_TRUE(read.table) << read.why.english();
-    EXPECT_TRUE(first.table->hasRowsOf(*read.table));
+    EXPECT_TRUE(first.table->hasParametersOf(*read.table));
     EXPECT_GT(first.table->rows().size(), exhibit_.parameters().rows().size());
     // So it is where the name was taken away.
     ParameterValues none = initial();

@@ -40,7 +40,7 @@ public:
         shot.request.frame.transparent = false;
         shot.request.samples = 1;
         const auto glare = shot.hall().table().find("glare");
-        shot.hall().setRow(*glare, 0.0);  // Halos are the hall's, and no part of an exported shader.
+        shot.hall().setParameter(*glare, 0.0);  // Halos are the hall's, and no part of an exported shader.
         shot.size(width, height);
     }
     explicit ExportShot(const fs::path& shader) : ExportShot()
@@ -52,7 +52,7 @@ public:
     {
         const auto row = shot.values().table().find(name);
         ASSERT_TRUE(row) << name;
-        shot.values().setRow(*row, value);
+        shot.values().setParameter(*row, value);
     }
     void read()
     {

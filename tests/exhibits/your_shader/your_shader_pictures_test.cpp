@@ -56,7 +56,7 @@ public:
     {
         const auto row = shot.values().table().find(name);
         ASSERT_TRUE(row) << name;
-        shot.values().setRow(*row, value);
+        shot.values().setParameter(*row, value);
     }
     /// Copies the shaders of the folder "shadertoy" with a picture, shows one of them, and returns the problems.
     std::string showOurs(const char* file)

@@ -5,11 +5,11 @@
 
 namespace vitrine::test {
 
-struct BallRows : virtual Parameters {
+struct BallParameters : virtual Parameters {
     Group shape = group("Ball");
     Real radius = real("radius", 0.3, meter, Range{0.01, 2}.soft(0.1, 0.6), "Radius of the ball.");
 };
-struct BallTable final : BallRows, SdfMaterialRows, SdfRows {};
+struct BallTable final : BallParameters, SdfMaterialParameters, SdfParameters {};
 
 /// A ball: the simplest distance field.
 class Ball final : public SdfExhibit {
@@ -33,8 +33,8 @@ public:
     }
 
 private:
-    [[nodiscard]] const SdfRows& rows() const override { return table_; }
-    [[nodiscard]] const SdfMaterialRows* materialRows() const override { return &table_; }
+    [[nodiscard]] const SdfParameters& rows() const override { return table_; }
+    [[nodiscard]] const SdfMaterialParameters* materialParameters() const override { return &table_; }
 
     BallTable table_;
     int place_;

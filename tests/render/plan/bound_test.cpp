@@ -82,7 +82,7 @@ TEST(BoundsOfPlans, AHallWithoutLightHasNoProbeAndNoShadow)
     for (const auto& [exhibit, row] :
          {std::pair("paper_lanterns", "hallGlow"), {"fur", "lamp"}, {"lenticular", "lamp"}}) {
         ParameterValues& values = scene.sceneState.values[test::museum().find(exhibit).value()];
-        values.setRow(values.table().find(row).value(), 0.0);
+        values.setParameter(values.table().find(row).value(), 0.0);
     }
     const FramePlan plan = scene.plan();
     EXPECT_EQ(reasonFor(plan, "probe"), "there is no light to reflect");

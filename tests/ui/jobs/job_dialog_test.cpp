@@ -59,7 +59,7 @@ class JobDialogTest : public QObject {
     void set(const std::map<std::string, Value>& rows)
     {
         ParameterValues values = dialog_->setup().values();
-        for (const auto& [row, value] : rows) values.setRow(values.table().find(row).value(), value);
+        for (const auto& [row, value] : rows) values.setParameter(values.table().find(row).value(), value);
         dialog_->setup().change("Change", values);
     }
     [[nodiscard]] SpritePreview& preview() { return *static_cast<SpritePreview*>(dialog_->preview()); }

@@ -85,10 +85,11 @@ qsizetype mnemonicsOf(QString text)
 std::set<std::string> textsOf(const Parameters& table)
 {
     std::set<std::string> texts;
-    for (const ParameterInfo& row : table.rows()) {
-        texts.insert({label(row), labelInGroup(row), std::string(row.group), std::string(row.help)});
-        for (const std::string_view choice : row.choices) texts.emplace(choice);
-        for (const Word& word : row.words) texts.emplace(word.text);
+    for (const ParameterInfo& parameter : table.rows()) {
+        texts.insert(
+            {label(parameter), labelInGroup(parameter), std::string(parameter.group), std::string(parameter.help)});
+        for (const std::string_view choice : parameter.choices) texts.emplace(choice);
+        for (const Word& word : parameter.words) texts.emplace(word.text);
     }
     texts.erase("");
     return texts;

@@ -242,7 +242,7 @@ private slots:
         QTest::keyClick(&window_->viewport(), Qt::Key_PageUp, Qt::ControlModifier);
         QTRY_VERIFY(says("2 steps"));
         controller().next();
-        emit controller().rowAsked(QStringLiteral("roughness"));
+        emit controller().parameterRequested(QStringLiteral("roughness"));
         QVERIFY(window_->panel().row("roughness")->isAncestorOf(window_->panel().focusWidget()));
         activate();
         QTest::keyClick(&window_->viewport(), Qt::Key_L, Qt::ControlModifier | Qt::ShiftModifier);
@@ -431,9 +431,9 @@ private slots:
         auto* dialog = window_->findChild<PageDialog*>();
         QVERIFY(dialog->browser().source().path().endsWith("/sdf_morph.html"));
         const QString page = dialog->browser().toPlainText();
-        for (const ParameterInfo& row : window_->history().sceneState().values[1].rows())
-            QVERIFY2(page.contains(translatedText(label(row))) && page.contains(translatedText(row.help)),
-                     row.name.data());
+        for (const ParameterInfo& parameter : window_->history().sceneState().values[1].rows())
+            QVERIFY2(page.contains(translatedText(label(parameter))) && page.contains(translatedText(parameter.help)),
+                     parameter.name.data());
         const auto lesson = [dialog] {
             for (QPushButton* each : dialog->findChildren<QPushButton*>())
                 if (each->text() == "&Start the exhibit's lesson") return each;

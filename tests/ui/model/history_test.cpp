@@ -17,7 +17,7 @@
 
 using namespace vitrine;
 using namespace vitrine::ui;
-using vitrine::test::rowOf;
+using vitrine::test::parameterOf;
 
 class HistoryTest : public QObject {
     Q_OBJECT
@@ -39,8 +39,8 @@ private slots:
         const test::BlocksExhibit blocks;
         const BlockRows rows{blocks.parameters().pile.row, blocks.parameters().document.row};
         SceneState look{{blocks.parameters().initial()}, {}};
-        look.values[0].setRow(rows.file, std::string("a.json"));
-        look.values[0].setRow(rows.document, std::string("edited"));
+        look.values[0].setParameter(rows.file, std::string("a.json"));
+        look.values[0].setParameter(rows.document, std::string("edited"));
         History history(look);
         history.set(0, rows.file, std::string("b.json"), 0);
         QCOMPARE(history.stack().count(), 1);
@@ -50,7 +50,7 @@ private slots:
         // Writing a document to its file is no step, and undo restores the earlier picture.
         history.set(0, rows.document, std::string("edited twice"), 0);
         SceneState saved = history.sceneState();
-        saved.values[0].setRow(rows.document, std::string());
+        saved.values[0].setParameter(rows.document, std::string());
         history.settle(saved);
         QCOMPARE(history.stack().count(), 1);
         QVERIFY(history.sceneState() == saved);
@@ -310,22 +310,22 @@ private slots:
         history.set(0, *two->find("blueRadius"), 4.0, newGesture());
         named("other.json", other);
         QCOMPARE(history.stack().count(), 4);
-        QVERIFY(!rowOf(history.sceneState().values[0], "redRadius"));
-        QCOMPARE(rowOf(history.sceneState().values[0], "blueRadius").value(), Value(4.0));
+        QVERIFY(!parameterOf(history.sceneState().values[0], "redRadius"));
+        QCOMPARE(parameterOf(history.sceneState().values[0], "blueRadius").value(), Value(4.0));
 
         history.stack().undo();
-        QCOMPARE(rowOf(history.sceneState().values[0], "redRadius").value(), Value(3.0));
-        QCOMPARE(rowOf(history.sceneState().values[0], "scene").value(), Value(std::string("two.json")));
+        QCOMPARE(parameterOf(history.sceneState().values[0], "redRadius").value(), Value(3.0));
+        QCOMPARE(parameterOf(history.sceneState().values[0], "scene").value(), Value(std::string("two.json")));
         history.stack().undo();
-        QCOMPARE(rowOf(history.sceneState().values[0], "blueRadius").value(), Value(2.0));
+        QCOMPARE(parameterOf(history.sceneState().values[0], "blueRadius").value(), Value(2.0));
         history.stack().undo();
-        QCOMPARE(rowOf(history.sceneState().values[0], "redRadius").value(), Value(0.5));
+        QCOMPARE(parameterOf(history.sceneState().values[0], "redRadius").value(), Value(0.5));
         history.stack().undo();
-        QVERIFY(!rowOf(history.sceneState().values[0], "redRadius"));
+        QVERIFY(!parameterOf(history.sceneState().values[0], "redRadius"));
         QVERIFY(history.sceneState().values[0] == none.initial());
         for (int i = 0; i < 4; ++i) history.stack().redo();
         QCOMPARE(&history.sceneState().values[0].table(), static_cast<const Parameters*>(other.get()));
-        QCOMPARE(rowOf(history.sceneState().values[0], "blueRadius").value(), Value(4.0));
+        QCOMPARE(parameterOf(history.sceneState().values[0], "blueRadius").value(), Value(4.0));
     }
 
     void aFileReadAgainLeavesOlderAndNewerStepsTheirRows()
@@ -341,15 +341,15 @@ private slots:
         SceneState tabled = history.sceneState();
         tabled.values[0] = ParameterValues(after);
         history.exchangeTables(tabled);
-        QCOMPARE(rowOf(history.sceneState().values[0], "blueRadius").value(), Value(4.0));
+        QCOMPARE(parameterOf(history.sceneState().values[0], "blueRadius").value(), Value(4.0));
         // The parameter of the newer step has another index now.
         QSignalSpy changed(&history, &History::changed);
         QSignalSpy replaced(&history, &History::replaced);
         history.stack().redo();
         QCOMPARE(replaced.count(), 1);  // More than one parameter changed.
         QCOMPARE(changed.count(), 0);
-        QCOMPARE(rowOf(history.sceneState().values[0], "blueRings").value(), Value(16.0));
-        QCOMPARE(rowOf(history.sceneState().values[0], "blueRadius").value(), Value(4.0));
+        QCOMPARE(parameterOf(history.sceneState().values[0], "blueRings").value(), Value(16.0));
+        QCOMPARE(parameterOf(history.sceneState().values[0], "blueRadius").value(), Value(4.0));
         history.stack().undo();
         history.stack().undo();
         QVERIFY(history.sceneState() == start);
@@ -364,7 +364,7 @@ private slots:
         history.exchangeTables({{ParameterValues(one)}, {}});
         QCOMPARE(replaced.count(), 1);
         QVERIFY(!history.stack().canUndo());
-        QVERIFY(rowOf(history.sceneState().values[0], "redRadius").has_value());
+        QVERIFY(parameterOf(history.sceneState().values[0], "redRadius").has_value());
         history.exchangeTables({{ParameterValues(one)}, {}});
         QCOMPARE(replaced.count(), 1);
     }

@@ -11,7 +11,7 @@
 
 using namespace vitrine;
 using namespace vitrine::ui;
-using vitrine::test::rowOf;
+using vitrine::test::parameterOf;
 
 class GroupEditsTest : public test::OpenWindow {
     Q_OBJECT
@@ -28,7 +28,7 @@ class GroupEditsTest : public test::OpenWindow {
     [[nodiscard]] const ParameterValues& values() { return window_->history().sceneState().values[balls]; }
     [[nodiscard]] double number(const char* row)
     {
-        return std::get<double>(rowOf(values(), row).value_or(Value(-1.0)));
+        return std::get<double>(parameterOf(values(), row).value_or(Value(-1.0)));
     }
     [[nodiscard]] QUndoStack& stack() { return window_->history().stack(); }
     [[nodiscard]] QAbstractButton* heading(const char* title)

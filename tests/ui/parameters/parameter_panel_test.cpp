@@ -154,7 +154,7 @@ private slots:
         QVERIFY(!panel_->row("morph")->isVisible());
     }
 
-    void allRowsAreVariedAtOnceButForLockedOnes()
+    void allParametersAreVariedAtOnceButForLockedOnes()
     {
         choose("roughness", "Exclude from randomizing");
         QCOMPARE(panel_->choices().list(PanelChoice::locked), QStringList{"sample/roughness"});

@@ -31,7 +31,7 @@ private slots:
             const ParameterValues values = exhibit->parameters().initial();
             for (std::size_t row = 0; row < values.rows().size(); ++row) {
                 const std::string name = std::string(exhibit->name()) + '.' + std::string(values.rows()[row].name);
-                const std::optional<RowChanges> changes = changesToAct(values, row);
+                const std::optional<ParameterChanges> changes = changesToAct(values, row);
                 if (acts(values, row)) {
                     QVERIFY2(changes && changes->empty(), name.c_str());
                     continue;
@@ -41,7 +41,7 @@ private slots:
                     continue;
                 }
                 ParameterValues changed = values;
-                for (const auto& [other, value] : *changes) changed.setRow(other, value);
+                for (const auto& [other, value] : *changes) changed.setParameter(other, value);
                 QVERIFY2(acts(changed, row), name.c_str());
                 ++ways;
             }

@@ -71,7 +71,7 @@ protected:
     void set(const char* row, double value)
     {
         ParameterValues values = dialog_->values();
-        values.setRow(*values.table().find(row), value);
+        values.setParameter(*values.table().find(row), value);
         dialog_->setValues(values);
         settle();
     }

@@ -27,10 +27,11 @@ private slots:
         dialog_->open(solidViews(count));
         settle();
         ParameterValues values = dialog_->values();
-        values.setRow(*values.table().find("distance"), 1000.0);  // One direction for the whole card and both eyes.
-        values.setRow(*values.table().find("width"), 0.03);
-        values.setRow(*values.table().find("height"), 0.02);
-        values.setRow(*values.table().find("dotsPerInch"), 1440.0);
+        values.setParameter(*values.table().find("distance"),
+                            1000.0);  // One direction for the whole card and both eyes.
+        values.setParameter(*values.table().find("width"), 0.03);
+        values.setParameter(*values.table().find("height"), 0.02);
+        values.setParameter(*values.table().find("dotsPerInch"), 1440.0);
         dialog_->setValues(values);
         settle();
         auto* eyes = dialog_->findChild<EyesPreview*>();

@@ -135,7 +135,7 @@ private slots:
         const std::size_t phase = *values.table().find("phase");
         const Gesture gesture = newGesture();
         for (const double to : {0.1, 0.2, 0.3}) {
-            values.setRow(phase, to);
+            values.setParameter(phase, to);
             emit panel->row("phase")->findChild<NumberField*>()->edited(to, gesture);
         }
         settle();

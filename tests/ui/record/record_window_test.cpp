@@ -231,12 +231,12 @@ private slots:
         QVERIFY(preset && preset->find("-0.5") != std::string::npos);
     }
 
-    void everySettingOfTheTableIsARowOfTheDialog()
+    void everySettingOfTheTableIsAParameterOfTheDialog()
     {
         JobDialog* dialog = openDialog(RecordPath::still);
         const auto* panel = dialog->findChild<ParameterPanel*>();
-        for (const ParameterInfo& row : recordTable().rows())
-            QVERIFY2(panel->row(row.name), std::string(row.name).c_str());
+        for (const ParameterInfo& parameter : recordTable().rows())
+            QVERIFY2(panel->row(parameter.name), std::string(parameter.name).c_str());
     }
 
     void theFilmOfTheDialogIsThatOfItsCommandLine()

@@ -577,7 +577,7 @@ private slots:
         auto* button = dock_->findChild<BothSettingsButton*>();
         QVERIFY(button && !button->isVisibleTo(dock_.get()));
         SceneState b = history_->sceneState();
-        b.values[1].setRow(row("rays"), 64.0);
+        b.values[1].setParameter(row("rays"), 64.0);
         other.set(b, QStringLiteral("Many rays"));
         QVERIFY(button->isVisibleTo(dock_.get()));
         dock_->ask(1, row("steps"));

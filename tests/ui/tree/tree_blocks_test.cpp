@@ -40,7 +40,7 @@ class TreeBlocksTest : public test::OpenWindow {
     [[nodiscard]] QTreeWidgetItem& root() { return *dock().view().topLevelItem(0); }
     [[nodiscard]] double size(const char* node)
     {
-        const auto rows = editor().source()->rowsOf(values(), node);
+        const auto rows = editor().source()->parametersOf(values(), node);
         return rows ? std::get<double>(rows->values.row(0)) : 0;
     }
     /// Drops the file on the window.
@@ -174,7 +174,7 @@ private slots:
     void presetsCarryWhatIsNotInTheFile()
     {
         editor().select("red");
-        editor().setRow(0, 0.3, newGesture(), "Change");
+        editor().setParameter(0, 0.3, newGesture(), "Change");
         window_->presetController().saveUnder("Small red");
         stack().undo();
         QCOMPARE(size("red"), 0.6);
@@ -186,7 +186,7 @@ private slots:
     void savedElsewhereTheOldFileStaysAsItIs()
     {
         editor().select("red");
-        editor().setRow(0, 0.3, newGesture(), "Change");
+        editor().setParameter(0, 0.3, newGesture(), "Change");
         const QString other = home_->filePath("other.json");
         QVERIFY(window_->docks().documentFile().saveTo(other));
         QTRY_COMPARE(std::get<std::string>(values().row(values().table().find("pile").value())), other.toStdString());

@@ -62,7 +62,7 @@ class TreeWindowTest : public test::OpenWindow {
     /// Returns a number of the selected node.
     [[nodiscard]] double number(const char* row)
     {
-        const TreeRows rows = editor().source()->rowsOf(editor().values(), editor().selected()).value();
+        const TreeParameters rows = editor().source()->parametersOf(editor().values(), editor().selected()).value();
         return std::get<double>(rows.values.row(rows.values.table().find(row).value()));
     }
     /// Returns the position of a point of the scene in the picture: x, y at the depth of the balls.
@@ -168,8 +168,8 @@ private slots:
         const auto beside = [this](const std::string& node) { return dock().view().itemOf(node)->text(1); };
         QVERIFY2(beside(first).startsWith("Radius 0."), qPrintable(beside(first)));
         QCOMPARE(beside(second), beside(first));
-        const TreeRows rows = editor().source()->rowsOf(editor().values(), second).value();
-        editor().setRow(rows.values.table().find("radius").value(), 0.123, 0, "third");
+        const TreeParameters rows = editor().source()->parametersOf(editor().values(), second).value();
+        editor().setParameter(rows.values.table().find("radius").value(), 0.123, 0, "third");
         QCOMPARE(beside(second), QString::fromUtf8("Radius 0.123\u2009m"));
         QVERIFY(beside(first) != beside(second));
     }
@@ -365,7 +365,7 @@ private slots:
     {
         for (const char* answer : {"keepMine", "takeTheirs"}) {
             editor().select("root.children[1]");
-            editor().setRow(0, 0.625, newGesture(), "Change");
+            editor().setParameter(0, 0.625, newGesture(), "Change");
             QCOMPARE(number("radius"), 0.625);
             std::string other = twoBalls;
             other.replace(other.rfind("0.50"), 4, answer[0] == 'k' ? "0.75" : "0.875");
@@ -383,7 +383,7 @@ private slots:
     void closingAsksToSave()
     {
         editor().select("root.children[1]");
-        editor().setRow(0, 0.625, newGesture(), "Change");
+        editor().setParameter(0, 0.625, newGesture(), "Change");
         window_->close();
         QVERIFY(window_->isVisible());
         QVERIFY(question());
@@ -396,7 +396,7 @@ private slots:
     void sessionsBringWhatIsNotSavedBack()
     {
         editor().select("root.children[1]");
-        editor().setRow(0, 0.625, newGesture(), "Change");
+        editor().setParameter(0, 0.625, newGesture(), "Change");
         const std::string before = document();
         window_->close();
         question()->findChild<QPushButton*>("closeUnsaved")->click();

@@ -64,7 +64,7 @@ private slots:
         MuseumRenderers renderers(museum);
         renderers.open();
         SceneState sceneState = museum.initialSceneState();
-        sceneState.hall().setRow(*sceneState.hall().table().find("reflectionProbe"), 0.0);
+        sceneState.hall().setParameter(*sceneState.hall().table().find("reflectionProbe"), 0.0);
         FrameRequest frame;
         frame.camera = museum.exhibit(1).bestView(sceneState.values[1]);
         frame.raster.size = {16, 9};
@@ -100,10 +100,10 @@ private slots:
         renderers.open();
         const QSize screen(16, 9);
         SceneState a = museum.initialSceneState();
-        a.hall().setRow(*a.hall().table().find("reflectionProbe"), 0.0);
-        a.hall().setRow(*a.hall().table().find("exposure"), -3.0);
+        a.hall().setParameter(*a.hall().table().find("reflectionProbe"), 0.0);
+        a.hall().setParameter(*a.hall().table().find("exposure"), -3.0);
         SceneState b = a;
-        b.hall().setRow(*b.hall().table().find("exposure"), 0.0);
+        b.hall().setParameter(*b.hall().table().find("exposure"), 0.0);
         FrameRequest frame;
         frame.camera = museum.exhibit(1).bestView(a.values[1]);
         frame.raster.size = {16, 9};

@@ -248,10 +248,10 @@ private slots:
         QVERIFY(QTest::qWaitForWindowExposed(window_.get(), vitrine::test::patience));
         // One sample of a small picture, because the counts do not depend on quality.
         SceneState sceneState = window_->history().sceneState();
-        sceneState.hall().setRow(*sceneState.hall().table().find(supersamplesRow), 1.0);
-        sceneState.hall().setRow(*sceneState.hall().table().find("shadowMapSize"), 512.0);
+        sceneState.hall().setParameter(*sceneState.hall().table().find(supersamplesParameter), 1.0);
+        sceneState.hall().setParameter(*sceneState.hall().table().find("shadowMapSize"), 512.0);
         const std::size_t rays = museum_->find("crepuscular_rays").value();
-        sceneState.values[rays].setRow(*sceneState.values[rays].table().find("technique"), 0.0);
+        sceneState.values[rays].setParameter(*sceneState.values[rays].table().find("technique"), 0.0);
         window_->history().change(QStringLiteral("Small"), sceneState);
         window_->visit(exhibit_);
         settle();

@@ -306,7 +306,7 @@ private slots:
         dialog->open({path("view1.png"), path("view2.png")});
         const auto set = [&](const char* row, double value) {
             ParameterValues values = dialog->values();
-            values.setRow(*values.table().find(row), value);
+            values.setParameter(*values.table().find(row), value);
             dialog->setValues(values);
         };
         set("width", 0.02);

@@ -33,7 +33,7 @@ private slots:
     }
     void cleanup() { finish(); }
 
-    void aRowMovesUntilItIsHeldAndStopsWhereItIs()
+    void aParameterMovesUntilItIsHeldAndStopsWhereItIs()
     {
         const int steps = window_->history().stack().count();
         const double before = roughness();

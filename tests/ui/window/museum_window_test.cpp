@@ -112,7 +112,7 @@ class MuseumWindowTest : public QObject {
     void setPrint(PrintDialog& dialog, const char* row, double value)
     {
         ParameterValues values = dialog.values();
-        values.setRow(*values.table().find(row), value);
+        values.setParameter(*values.table().find(row), value);
         dialog.setValues(values);
     }
 

@@ -259,7 +259,7 @@ private slots:
     {
         window_->choose(1);
         SceneState alight = window_->history().sceneState();  // A shadow on the floor would move, too.
-        alight.hall().setRow(*alight.hall().table().find("sunShadows"), 0.0);
+        alight.hall().setParameter(*alight.hall().table().find("sunShadows"), 0.0);
         window_->history().change("Without shadows", alight);
         settle();
         const QImage before = window_->viewport().shown();

@@ -145,7 +145,7 @@ private slots:
             QCOMPARE(list->item(i)->data(TileDelegate::secondLine).toString(), QString());
     }
 
-    void lockedRowsComeBackAndAreLeftOutWhenTheOthersAreVaried()
+    void lockedParametersComeBackAndAreLeftOutWhenTheOthersAreVaried()
     {
         window_->choose(1);
         window_->panel().choices().set(PanelChoice::locked, {"sdf_morph/roughness"}, true);

@@ -15,24 +15,24 @@ using render::Json;
 using test::everyKind;
 
 /// Generates any legal value of a parameter.
-rc::Gen<Value> legalValue(const ParameterInfo& row)
+rc::Gen<Value> legalValue(const ParameterInfo& parameter)
 {
-    return rc::gen::exec([&row]() -> Value {
+    return rc::gen::exec([&parameter]() -> Value {
         const auto fraction = [] { return *rc::gen::inRange<int>(0, 1'000'001) / 1e6; };
         const auto number = [] { return *rc::gen::arbitrary<double>(); };
         Value value = 0.0;
-        if (row.kind == Kind::color)
+        if (parameter.kind == Kind::color)
             value = glm::dvec3(fraction(), fraction(), fraction());
-        else if (row.kind == Kind::direction)
+        else if (parameter.kind == Kind::direction)
             value = glm::dvec3(fraction() - 0.5, fraction() - 0.5, 1.0);
-        else if (row.isWritten())
+        else if (parameter.isWritten())
             value = *rc::gen::string<std::string>();
         else if (*rc::gen::arbitrary<bool>())
             value = number();
         else
-            value = row.range.low + fraction() * (row.range.high - row.range.low);
-        const std::optional<Value> legal = nearestLegal(row, value);
-        return legal ? *legal : row.initial;
+            value = parameter.range.low + fraction() * (parameter.range.high - parameter.range.low);
+        const std::optional<Value> legal = nearestLegal(parameter, value);
+        return legal ? *legal : parameter.initial;
     });
 }
 
@@ -42,9 +42,9 @@ rc::Gen<ParameterValues> legalValues()
         ParameterValues values = everyKind.initial();
         for (std::size_t i = 0; i < values.rows().size(); ++i) {
             if (values.rows()[i].isWritten())
-                values.setRow(i, std::string("picture ") + std::to_string(*rc::gen::inRange(0, 99)) + ".png");
+                values.setParameter(i, std::string("picture ") + std::to_string(*rc::gen::inRange(0, 99)) + ".png");
             else if (*rc::gen::arbitrary<bool>())
-                values.setRow(i, *legalValue(values.rows()[i]));
+                values.setParameter(i, *legalValue(values.rows()[i]));
         }
         return values;
     });

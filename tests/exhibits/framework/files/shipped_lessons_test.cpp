@@ -127,7 +127,7 @@ TEST_F(ShippedLessons, CountersThatAreReadCountTheWorkThatIsPlanned)
             if (!step.read || step.read->of != LessonNumber::Of::counter) continue;
             SceneState state = museum.initialSceneState();
             state.values[index] = step.values;
-            for (const auto& [row, value] : step.hall) state.hall().setRow(row, value);
+            for (const auto& [row, value] : step.hall) state.hall().setParameter(row, value);
             FrameRequest frame;
             frame.camera = step.camera ? *step.camera : museum.bestView(index, step.values);
             frame.raster.size = {64, 36};
@@ -162,7 +162,7 @@ std::vector<std::string> blocksOf(const std::string& lesson)
 }
 
 /// Returns the names of parameters in a text, sorted and unique.
-std::set<std::string> rowsIn(const std::string& text)
+std::set<std::string> parametersIn(const std::string& text)
 {
     static const std::regex mark(R"(\[row:([^\]]*)\])");
     return {std::sregex_token_iterator(text.begin(), text.end(), mark, 1), std::sregex_token_iterator()};
@@ -186,11 +186,11 @@ TEST_F(ShippedLessons, AreTheSameStepsInEveryLanguage)
                 const LessonStep &step = lesson.steps[i], &of = model.steps[i];
                 EXPECT_NE(step.title, of.title);
                 EXPECT_NE(step.text, of.text);
-                EXPECT_EQ(rowsIn(step.text), rowsIn(of.text)) << step.title;
+                EXPECT_EQ(parametersIn(step.text), parametersIn(of.text)) << step.title;
                 EXPECT_EQ(test::numbersIn(step.text), test::numbersIn(of.text)) << step.title;
                 for (const auto text : {&LessonStep::task, &LessonStep::question, &LessonStep::answer}) {
                     EXPECT_NE(step.*text, of.*text);
-                    EXPECT_EQ(rowsIn(step.*text), rowsIn(of.*text)) << of.*text;
+                    EXPECT_EQ(parametersIn(step.*text), parametersIn(of.*text)) << of.*text;
                     EXPECT_EQ(test::numbersIn(step.*text), test::numbersIn(of.*text)) << of.*text;
                 }
             }

@@ -37,7 +37,7 @@ protected:
     [[nodiscard]] bool acting(std::string_view row) const { return acts(values, table.find(row).value()); }
 };
 
-TEST_F(Conditions, ARowWithoutOneAlwaysActs)
+TEST_F(Conditions, AParameterWithoutOneAlwaysActs)
 {
     EXPECT_TRUE(acting("light"));
     EXPECT_TRUE(acting("picture"));
@@ -61,7 +61,7 @@ TEST_F(Conditions, AllAndAnyAreWhatTheySay)
     EXPECT_TRUE(acting("glow"));
 }
 
-TEST_F(Conditions, WhatHangsOnARowThatDoesNotActDoesNotActEither)
+TEST_F(Conditions, WhatHangsOnAParameterThatDoesNotActDoesNotActEither)
 {
     values.set(table.light, Light::none);
     EXPECT_FALSE(acting("shadows"));
@@ -69,7 +69,7 @@ TEST_F(Conditions, WhatHangsOnARowThatDoesNotActDoesNotActEither)
     EXPECT_FALSE(acting("looks"));
 }
 
-TEST_F(Conditions, SnapshotsThatDifferInIdleRowsAloneAreAlike)
+TEST_F(Conditions, SnapshotsThatDifferInIdleParametersAloneAreAlike)
 {
     values.set(table.light, Light::none);
     ParameterValues other = values;
@@ -100,7 +100,7 @@ TEST_F(Conditions, StandInTheManual)
         << derive::manualTable(table);
 }
 
-TEST_F(Conditions, ARowIsCalledWhatItsTableSaysAndDoesNotRepeatItsHeading)
+TEST_F(Conditions, AParameterIsCalledWhatItsTableSaysAndDoesNotRepeatItsHeading)
 {
     const auto row = [&](std::string_view name) -> const ParameterInfo& {
         return table.rows()[table.find(name).value()];

@@ -49,7 +49,7 @@ TEST(Documents, GoWithTheirFile)
     EXPECT_EQ(values[document], "");
     EXPECT_EQ(values[pile], "b");
     values = named("a", text);
-    values.setRow(pile.row, std::string("b"));
+    values.setParameter(pile.row, std::string("b"));
     EXPECT_EQ(values[document], text) << "whoever reads a preset sets one row after the other";
 }
 
@@ -68,14 +68,14 @@ TEST(Documents, AreNothingForShaders)
     EXPECT_TRUE(derive::uniformBytes(named("a", text)).empty());
 }
 
-TEST(Documents, OfTablesWithTheSameRowsAreTold)
+TEST(Documents, OfTablesWithTheSameParametersAreTold)
 {
     const test::BlocksExhibit other;
-    EXPECT_TRUE(blocks().parameters().hasRowsOf(other.parameters()));
+    EXPECT_TRUE(blocks().parameters().hasParametersOf(other.parameters()));
     MadeTable one, two;
     static_cast<void>(one.toggle("a", true, "What."));
     static_cast<void>(two.toggle("a", false, "What."));
-    EXPECT_FALSE(one.hasRowsOf(two)) << "another initial value";
+    EXPECT_FALSE(one.hasParametersOf(two)) << "another initial value";
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ TEST(MadeTable, KeepsItsOwnTexts)
     EXPECT_EQ(table->rows()[3].choices[1], "old gold");
 }
 
-TEST(MadeTable, GroupsOfAnArrayHaveTheSameRowsUnderNamesOfTheirOwn)
+TEST(MadeTable, GroupsOfAnArrayHaveTheSameParametersUnderNamesOfTheirOwn)
 {
     std::vector<Real> radii;
     const auto table = madeTable({"red", "blue"}, 10, &radii);
@@ -68,7 +68,7 @@ TEST(MadeTable, GroupsOfAnArrayHaveTheSameRowsUnderNamesOfTheirOwn)
     const ParameterInfo& row = table->rows()[blue];
     EXPECT_EQ(row.array, "balls");
     EXPECT_EQ(row.element, 1U);
-    EXPECT_EQ(row.elementRow, "radius");
+    EXPECT_EQ(row.elementParameter, "radius");
     EXPECT_EQ(row.group, "Ball blue");
     EXPECT_EQ(label(row), "Blue radius");
     EXPECT_EQ(labelInGroup(row), "Radius");
@@ -77,7 +77,7 @@ TEST(MadeTable, GroupsOfAnArrayHaveTheSameRowsUnderNamesOfTheirOwn)
     EXPECT_TRUE(table->rows()[0].array.empty());
 }
 
-TEST(MadeTable, ConditionsWithinAGroupMeanTheRowsOfThatGroup)
+TEST(MadeTable, ConditionsWithinAGroupMeanTheParametersOfThatGroup)
 {
     struct Lamps final : Parameters {
         struct Lamp {
@@ -122,9 +122,9 @@ TEST(MadeTable, ValuesGoOverToAnotherTableByName)
 {
     const auto before = madeTable({"red", "blue"}, 10), after = madeTable({"blue", "green"}, 2);
     ParameterValues values(before);
-    values.setRow(before->find("speed").value(), 7.0);
-    values.setRow(before->find("blueRadius").value(), 9.0);
-    values.setRow(before->find("blueFinish").value(), 2.0);
+    values.setParameter(before->find("speed").value(), 7.0);
+    values.setParameter(before->find("blueRadius").value(), 9.0);
+    values.setParameter(before->find("blueFinish").value(), 2.0);
     std::vector<std::string> notes;
     const ParameterValues moved = underTable(values, after, notes);
     EXPECT_TRUE(notes.empty());
@@ -135,7 +135,7 @@ TEST(MadeTable, ValuesGoOverToAnotherTableByName)
     EXPECT_TRUE(moved.isInitial(after->find("greenRadius").value()));
 }
 
-TEST(MadeTable, ValuesOfOtherRowsDifferWhateverTheirNumbers)
+TEST(MadeTable, ValuesOfOtherParametersDifferWhateverTheirNumbers)
 {
     const ParameterValues red(madeTable({"red"}, 10)), blue(madeTable({"blue"}, 10)), redAgain(madeTable({"red"}, 10));
     EXPECT_FALSE(red == blue);
@@ -146,8 +146,8 @@ TEST(MadeTable, HasPresetsLikeAnyOther)
 {
     const auto table = madeTable({"red", "blue"}, 10);
     Preset preset{"scene", "Large", ParameterValues(table), std::nullopt, render::Json::object(), {}};
-    preset.values.setRow(table->find("blueRadius").value(), 3.25);
-    preset.values.setRow(table->find("redFinish").value(), 1.0);
+    preset.values.setParameter(table->find("blueRadius").value(), 3.25);
+    preset.values.setParameter(table->find("redFinish").value(), 1.0);
     const std::string text = presetText(preset);
     EXPECT_NE(text.find("\"blueRadius\": 3.25"), std::string::npos) << text;
     EXPECT_NE(text.find("\"redFinish\": \"old gold\""), std::string::npos) << text;

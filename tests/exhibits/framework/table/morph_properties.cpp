@@ -26,9 +26,9 @@ double share()
     return *rc::gen::inRange<int>(0, 1025) / 1024.0;
 }
 
-Value legalValue(const ParameterInfo& row)
+Value legalValue(const ParameterInfo& parameter)
 {
-    switch (row.kind) {
+    switch (parameter.kind) {
     case Kind::color: return glm::dvec3(share(), share(), share());
     // Within half of the sphere or circle, where the mean is unique.
     case Kind::direction: return glm::dvec3(8 * (share() - 0.5), 8 * (share() - 0.5), 1.0);
@@ -36,8 +36,8 @@ Value legalValue(const ParameterInfo& row)
     case Kind::text: return "picture " + std::to_string(*rc::gen::inRange(0, 9)) + ".png";
     default: break;
     }
-    if (row.unit == Unit::degree) return 2.5 + 2.8 * (share() - 0.5);  // Also beyond the end of its range.
-    return row.range.low + share() * (row.range.high - row.range.low);
+    if (parameter.unit == Unit::degree) return 2.5 + 2.8 * (share() - 0.5);  // Also beyond the end of its range.
+    return parameter.range.low + share() * (parameter.range.high - parameter.range.low);
 }
 
 ParameterValues legalValues()
@@ -47,7 +47,7 @@ ParameterValues legalValues()
         Value value = legalValue(values.rows()[i]);
         if (values.rows()[i].unit == Unit::degree)
             value = std::remainder(std::get<double>(value), 2 * 3.14159265358979323846);
-        values.setRow(i, value);
+        values.setParameter(i, value);
     }
     return values;
 }
@@ -71,13 +71,13 @@ ParameterValues among(const Four& four, const Weights& weights)
 }
 
 /// Returns whether two values are equal up to rounding, including directions, colors, and angles on the circle.
-bool nearlyEqual(const ParameterInfo& row, const Value& a, const Value& b)
+bool nearlyEqual(const ParameterInfo& parameter, const Value& a, const Value& b)
 {
-    if (row.isWritten() || row.kind == Kind::toggle || row.kind == Kind::choice) return a == b;
+    if (parameter.isWritten() || parameter.kind == Kind::toggle || parameter.kind == Kind::choice) return a == b;
     if (const auto* three = std::get_if<glm::dvec3>(&a)) return glm::distance(*three, std::get<glm::dvec3>(b)) < 1e-9;
     const double x = std::get<double>(a), y = std::get<double>(b);
-    if (row.unit == Unit::degree) return std::abs(std::remainder(x - y, 2 * 3.14159265358979323846)) < 1e-9;
-    return std::abs(x - y) <= 1e-12 * std::max(std::abs(x), std::abs(y)) + (row.kind == Kind::count ? 1 : 0);
+    if (parameter.unit == Unit::degree) return std::abs(std::remainder(x - y, 2 * 3.14159265358979323846)) < 1e-9;
+    return std::abs(x - y) <= 1e-12 * std::max(std::abs(x), std::abs(y)) + (parameter.kind == Kind::count ? 1 : 0);
 }
 
 bool nearlyEqual(const ParameterValues& a, const ParameterValues& b)

@@ -220,11 +220,11 @@ TEST(Morphing, BetweenTablesOfTwoFilesTakesTheNearerOne)
 {
     const test::BallTable two({{"red", 1}, {"blue", 2}}), other({{"blue", 4}, {"green", 3}});
     const ParameterValues a = two.initial(), b = other.initial();
-    EXPECT_EQ(test::rowOf(morphed(a, b, 0.25), "blueRadius"), Value(2.5));
-    EXPECT_EQ(test::rowOf(morphed(a, b, 0.25), "redRadius"), Value(1.0));
-    EXPECT_FALSE(test::rowOf(morphed(a, b, 0.25), "greenRadius"));
-    EXPECT_EQ(test::rowOf(morphed(a, b, 0.75), "greenRadius"), Value(3.0));
-    EXPECT_EQ(test::rowOf(morphed(a, b, 0.75), "blueRadius"), Value(3.5));
+    EXPECT_EQ(test::parameterOf(morphed(a, b, 0.25), "blueRadius"), Value(2.5));
+    EXPECT_EQ(test::parameterOf(morphed(a, b, 0.25), "redRadius"), Value(1.0));
+    EXPECT_FALSE(test::parameterOf(morphed(a, b, 0.25), "greenRadius"));
+    EXPECT_EQ(test::parameterOf(morphed(a, b, 0.75), "greenRadius"), Value(3.0));
+    EXPECT_EQ(test::parameterOf(morphed(a, b, 0.75), "blueRadius"), Value(3.5));
 }
 
 TEST(Variation, StaysWithinTheComfortableRangesOfEveryExhibit)
@@ -270,7 +270,7 @@ TEST(Variation, GoesSoFarAsItsStrengthSays)
     EXPECT_NEAR(switched, 200 * 0.25 * 2 / 3, 15) << "a quarter of the time, and to another one in two of three";
 }
 
-TEST(Variation, IsTheSameForASeedAndALockMovesNoOtherRow)
+TEST(Variation, IsTheSameForASeedAndALockMovesNoOtherParameter)
 {
     const MorphTable table;
     const ParameterValues from = table.initial();

@@ -50,14 +50,14 @@ TEST(ParameterWords, StandForNumbersBeyondTheRange)
 {
     ParameterValues values(table);
     EXPECT_EQ(values[table.distance], infinity);
-    EXPECT_TRUE(values.setRow(table.distance.row, 2.0));
-    EXPECT_TRUE(values.setRow(table.distance.row, infinity));
-    EXPECT_FALSE(values.setRow(table.distance.row, -infinity)) << "no word stands for that";
+    EXPECT_TRUE(values.setParameter(table.distance.row, 2.0));
+    EXPECT_TRUE(values.setParameter(table.distance.row, infinity));
+    EXPECT_FALSE(values.setParameter(table.distance.row, -infinity)) << "no word stands for that";
     EXPECT_EQ(values[table.distance], 0.0001);
-    EXPECT_FALSE(values.setRow(table.baseline.row, -2.0));
+    EXPECT_FALSE(values.setParameter(table.baseline.row, -2.0));
     EXPECT_EQ(values[table.baseline], 0);
-    EXPECT_TRUE(values.setRow(table.baseline.row, -1.0));
-    EXPECT_FALSE(values.setRow(table.distance.row, std::nan("")));
+    EXPECT_TRUE(values.setParameter(table.baseline.row, -1.0));
+    EXPECT_FALSE(values.setParameter(table.distance.row, std::nan("")));
 }
 
 TEST(ParameterWords, AreTypedAndShownEachByItsName)

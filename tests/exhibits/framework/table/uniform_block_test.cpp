@@ -58,15 +58,15 @@ void expectBlockOf(const Parameters& table, const std::string& exhibit)
         const ParameterInfo& row = table.rows()[i];
         const double share = (static_cast<double>(i) + 1) / (static_cast<double>(table.rows().size()) + 2);
         if (row.kind == Kind::color)
-            values.setRow(i, glm::dvec3(share, 0.5 * share, 0.25 * share));
+            values.setParameter(i, glm::dvec3(share, 0.5 * share, 0.25 * share));
         else if (row.kind == Kind::direction)
-            values.setRow(i, glm::dvec3(share, 0.3, 1 - share));
+            values.setParameter(i, glm::dvec3(share, 0.3, 1 - share));
         else if (!row.isWritten())
-            values.setRow(i, row.range.low + share * (row.range.high - row.range.low));
+            values.setParameter(i, row.range.low + share * (row.range.high - row.range.low));
     }
     const render::Bytes bytes = derive::uniformBytes(values);
     const auto number = std::find_if(table.rows().begin(), table.rows().end(),
-                                     [](const ParameterInfo& row) { return row.isNumeric(); });
+                                     [](const ParameterInfo& parameter) { return parameter.isNumeric(); });
     ASSERT_NE(number, table.rows().end()) << exhibit;
     const GLuint program = programOf(table, number->name);
     ASSERT_NE(program, 0U) << exhibit;

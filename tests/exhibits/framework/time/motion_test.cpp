@@ -32,7 +32,7 @@ struct MotionTable final : Parameters {
     Direction axis = direction("axis", {1, 0, 0}, "On a great circle.");
     File file = this->Parameters::file("file", "Read.");
 };
-const MotionTable rowsThatMove;
+const MotionTable movingParameters;
 
 /// Returns an animation of `radius` from 0.01 to 100 m in four seconds.
 Motion movingRadius(MotionKind kind)
@@ -76,7 +76,7 @@ TEST(Motions, StepsStandStillAtEvenlySpacedPositions)
     for (int step = 0; step < 5; ++step)
         for (const double within : {0.0, 1.9}) EXPECT_DOUBLE_EQ(positionAfter(motion, 2 * step + within), step / 4.0);
     EXPECT_DOUBLE_EQ(positionAfter(motion, 10), 0);
-    EXPECT_NEAR(nextChangeOf(rowsThatMove.rows()[rowsThatMove.radius.row], motion, 3.5), 0.5, 1e-12);
+    EXPECT_NEAR(nextChangeOf(movingParameters.rows()[movingParameters.radius.row], motion, 3.5), 0.5, 1e-12);
 }
 
 TEST(Motions, NoiseIsSmoothFillsItsRangeAndIsAnotherOneForAnotherSeed)
@@ -121,38 +121,38 @@ TEST(Motions, AnEaseGoesOnceAndADistanceGoesByTheVisitor)
 
 TEST(Motions, ValuesGoAsAMorphDoesAndAreAlwaysLegal)
 {
-    const ParameterInfo& radius = rowsThatMove.rows()[rowsThatMove.radius.row];
+    const ParameterInfo& radius = movingParameters.rows()[movingParameters.radius.row];
     EXPECT_NEAR(std::get<double>(valueOf(radius, movingRadius(MotionKind::sine), {1, 0})), 1, 1e-12)
         << "halfway by factors";
     std::mt19937 random(7);
     const auto anyOf = [&](double low, double high) {
         return std::uniform_real_distribution<double>(low, high)(random);
     };
-    for (const ParameterInfo& row : rowsThatMove.rows()) {
-        if (!whyUnmoved(row).empty()) continue;
+    for (const ParameterInfo& parameter : movingParameters.rows()) {
+        if (!whyUnmoved(parameter).empty()) continue;
         for (int i = 0; i < 300; ++i) {
             Motion motion;
             motion.kind = static_cast<MotionKind>(i % static_cast<int>(motionKinds.size()));
             motion.ease = static_cast<Ease>(i % static_cast<int>(easeNames.size()));
             const auto anyEnd = [&]() -> Value {
-                if (row.kind == Kind::color || row.kind == Kind::direction)
+                if (parameter.kind == Kind::color || parameter.kind == Kind::direction)
                     return glm::dvec3(anyOf(-2, 2), anyOf(-2, 2), anyOf(-2, 2));
                 return anyOf(-10, 200);
             };
-            motion.from = nearestLegal(row, anyEnd()).value_or(row.initial);
-            motion.to = nearestLegal(row, anyEnd()).value_or(row.initial);
+            motion.from = nearestLegal(parameter, anyEnd()).value_or(parameter.initial);
+            motion.to = nearestLegal(parameter, anyEnd()).value_or(parameter.initial);
             motion.period = anyOf(shortestPeriod, 20);
             motion.phase = anyOf(-3, 3);
-            const Value value = valueOf(row, motion, {anyOf(-100, 1e6), anyOf(0, 20)});
-            EXPECT_EQ(nearestLegal(row, value), value) << row.name << ' ' << describe(row, motion);
+            const Value value = valueOf(parameter, motion, {anyOf(-100, 1e6), anyOf(0, 20)});
+            EXPECT_EQ(nearestLegal(parameter, value), value) << parameter.name << ' ' << describe(parameter, motion);
         }
     }
 }
 
-TEST(Motions, FilesAndRowsOfAccuracyStandStillAndAllOthersOfEveryExhibitMayMove)
+TEST(Motions, FilesAndParametersOfAccuracyStandStillAndAllOthersOfEveryExhibitMayMove)
 {
-    EXPECT_FALSE(whyUnmoved(rowsThatMove.rows()[rowsThatMove.file.row]).empty());
-    EXPECT_FALSE(whyUnmoved(rowsThatMove.rows()[rowsThatMove.samples.row]).empty());
+    EXPECT_FALSE(whyUnmoved(movingParameters.rows()[movingParameters.file.row]).empty());
+    EXPECT_FALSE(whyUnmoved(movingParameters.rows()[movingParameters.samples.row]).empty());
     std::size_t moved = 0;
     for (const auto& exhibit : allExhibits()) {
         ParameterValues values = exhibit->parameters().initial();
@@ -176,7 +176,7 @@ TEST(Motions, FilesAndRowsOfAccuracyStandStillAndAllOthersOfEveryExhibitMayMove)
 
 TEST(Motions, WhatHasNoValuesBetweenIsSwitchedInTheMiddleAndSaysWhen)
 {
-    const ParameterInfo& method = rowsThatMove.rows()[rowsThatMove.method.row];
+    const ParameterInfo& method = movingParameters.rows()[movingParameters.method.row];
     for (const MotionKind kind : {MotionKind::ease, MotionKind::sine, MotionKind::triangle})
         for (int ease = 0; ease < 4; ++ease) {
             Motion motion;
@@ -200,22 +200,22 @@ TEST(Motions, WhatHasNoValuesBetweenIsSwitchedInTheMiddleAndSaysWhen)
 
 TEST(Motions, OnlyWhatActsAndGoesByTheClockAsksForPictures)
 {
-    ParameterValues values = rowsThatMove.initial();
+    ParameterValues values = movingParameters.initial();
     EXPECT_EQ(nextMotion(values, 5), noChange);
     Motion distance = movingRadius(MotionKind::distance);
-    values.setMotion(rowsThatMove.radius.row, distance);
+    values.setMotion(movingParameters.radius.row, distance);
     EXPECT_EQ(nextMotion(values, 5), noChange);
     Motion switched;
     switched.from = 0.0;
     switched.to = 1.0;
-    values.setMotion(rowsThatMove.method.row, switched);
+    values.setMotion(movingParameters.method.row, switched);
     EXPECT_EQ(nextMotion(values, 5), noChange) << "it waits for another row";
-    values.set(rowsThatMove.lit, true);
+    values.set(movingParameters.lit, true);
     EXPECT_NEAR(nextMotion(values, 4.5), 0.5, 1e-12);
-    values.setMotion(rowsThatMove.radius.row, movingRadius(MotionKind::sine));
+    values.setMotion(movingParameters.radius.row, movingRadius(MotionKind::sine));
     EXPECT_EQ(nextMotion(values, 5), 0);
-    values.setMotion(rowsThatMove.radius.row, held(movingRadius(MotionKind::sine), {5, 0}));
-    values.setMotion(rowsThatMove.method.row, std::nullopt);
+    values.setMotion(movingParameters.radius.row, held(movingRadius(MotionKind::sine), {5, 0}));
+    values.setMotion(movingParameters.method.row, std::nullopt);
     EXPECT_EQ(nextMotion(values, 6), noChange);
 }
 
@@ -235,19 +235,19 @@ TEST(Motions, HeldStandStillAndGoOnFromThere)
 TEST(Motions, FilesBringThemBackOfEveryKind)
 {
     for (std::size_t kind = 0; kind < motionKinds.size(); ++kind) {
-        ParameterValues values = rowsThatMove.initial();
+        ParameterValues values = movingParameters.initial();
         Motion motion = movingRadius(static_cast<MotionKind>(kind));
         motion.heldAt = 2.5;
         if (kind == static_cast<std::size_t>(MotionKind::ease)) motion.start = 3;
         if (kind == static_cast<std::size_t>(MotionKind::noise)) motion.seed = 4000000000U;
-        values.setMotion(rowsThatMove.radius.row, motion);
+        values.setMotion(movingParameters.radius.row, motion);
         const Preset written{"some", "A", values, std::nullopt, render::Json::object(), {}};
         const std::string text = presetText(written);
         EXPECT_NE(text.find("\"version\": 1"), std::string::npos) << text;
-        const Preset read = parsePreset(text, "a.json", "some", rowsThatMove);
+        const Preset read = parsePreset(text, "a.json", "some", movingParameters);
         EXPECT_TRUE(read.notes.empty()) << read.notes.front();
-        ASSERT_TRUE(read.values.motion(rowsThatMove.radius.row));
-        EXPECT_EQ(*read.values.motion(rowsThatMove.radius.row), motion) << text;
+        ASSERT_TRUE(read.values.motion(movingParameters.radius.row));
+        EXPECT_EQ(*read.values.motion(movingParameters.radius.row), motion) << text;
         EXPECT_EQ(presetText(read), text);
     }
 }
@@ -262,7 +262,7 @@ std::string fileWithMotion(const std::string& motion, const std::string& row = "
 
 TEST(Motions, AFileThatIsWrongSaysWhichKeyAndWhatToDo)
 {
-    const auto readFile = [](const std::string& text) { return parsePreset(text, "a.json", "some", rowsThatMove); };
+    const auto readFile = [](const std::string& text) { return parsePreset(text, "a.json", "some", movingParameters); };
     for (const char* part : {"a.json", "motions.radius.kind", "waltz", "choose one of ease, sine"})
         EXPECT_FAILURE(readFile(fileWithMotion("{\"kind\": \"waltz\"}")), part);
     EXPECT_FAILURE(readFile(fileWithMotion("{\"from\": 1}")), "\"kind\" is missing");
@@ -271,13 +271,13 @@ TEST(Motions, AFileThatIsWrongSaysWhichKeyAndWhatToDo)
     const Preset odd =
         readFile(fileWithMotion("{\"kind\": \"sine\", \"from\": 1e9, \"to\": 2, \"period\": 0, \"x\": 1}"));
     EXPECT_EQ(odd.notes.size(), 3U) << "out of range, too short, unknown";
-    EXPECT_EQ(odd.values.motion(rowsThatMove.radius.row)->period, shortestPeriod);
+    EXPECT_EQ(odd.values.motion(movingParameters.radius.row)->period, shortestPeriod);
     EXPECT_EQ(readFile(fileWithMotion("{\"kind\": \"sine\"}", "tail")).notes.size(), 1U) << "kept and said";
 }
 
 TEST(Motions, AFileWithoutThemIsReadByOlderPrograms)
 {
-    const Preset still{"some", "A", rowsThatMove.initial(), std::nullopt, render::Json::object(), {}};
+    const Preset still{"some", "A", movingParameters.initial(), std::nullopt, render::Json::object(), {}};
     EXPECT_NE(presetText(still).find("\"version\": 1"), std::string::npos);
     EXPECT_EQ(presetText(still).find("motions"), std::string::npos);
 }
@@ -314,7 +314,7 @@ TEST(Motions, WhatNobodySeesAsksForNoPictures)
 
 Motion typed(const std::string& text)
 {
-    const ParameterInfo& row = rowsThatMove.rows()[rowsThatMove.width.row];
+    const ParameterInfo& row = movingParameters.rows()[movingParameters.width.row];
     return typedMotion(row, "--animate width", text,
                        [](const std::string& x) -> std::optional<Value> { return std::stod(x); });
 }
@@ -335,7 +335,7 @@ TEST(TypedMotion, RefusesWhatContradictsItself)
 
 TEST(MotionsOfFiles, HaveTheirFarEndBehindTheirNearOne)
 {
-    const ParameterInfo& row = rowsThatMove.rows()[rowsThatMove.width.row];
+    const ParameterInfo& row = movingParameters.rows()[movingParameters.width.row];
     std::vector<std::string> notes;
     const auto motion = motionFromText(row, R"({"kind": "distance", "nearest": 5, "farthest": 1})", notes);
     ASSERT_TRUE(motion);

@@ -1,4 +1,4 @@
-#include "exhibits/compare/differing_rows.h"
+#include "exhibits/compare/differing_parameters.h"
 
 #include "exhibits/framework/table/acting.h"
 #include "exhibits/framework/table/value_text.h"
@@ -7,24 +7,24 @@ namespace vitrine {
 namespace {
 
 /// Returns the parameter of the same name and kind.
-std::optional<std::size_t> twinOf(const ParameterInfo& row, const ParameterValues& other)
+std::optional<std::size_t> twinOf(const ParameterInfo& parameter, const ParameterValues& other)
 {
-    const std::optional<std::size_t> found = other.table().find(row.name);
-    return found && other.rows()[*found].kind == row.kind ? found : std::nullopt;
+    const std::optional<std::size_t> found = other.table().find(parameter.name);
+    return found && other.rows()[*found].kind == parameter.kind ? found : std::nullopt;
 }
 
 }  // namespace
 
-std::vector<DifferingRow> differingRows(const SceneState& a, const SceneState& b)
+std::vector<DifferingParameter> differingParameters(const SceneState& a, const SceneState& b)
 {
-    std::vector<DifferingRow> all;
+    std::vector<DifferingParameter> all;
     for (std::size_t s = 0; s < a.values.size(); ++s) {
         const ParameterValues &ofA = a.values[s], &ofB = b.values[s];
         for (std::size_t i = 0; i < ofA.rows().size(); ++i) {
             const ParameterInfo& row = ofA.rows()[i];
             const std::optional<std::size_t> twin = twinOf(row, ofB);
             if (twin && ofB.row(*twin) == ofA.row(i)) continue;
-            DifferingRow differing{s, std::string(row.name), row, ofA.row(i)};
+            DifferingParameter differing{s, std::string(row.name), row, ofA.row(i)};
             differing.actsInA = acts(ofA, i);
             if (twin) {
                 differing.b = ofB.row(*twin);
@@ -41,7 +41,7 @@ std::vector<DifferingRow> differingRows(const SceneState& a, const SceneState& b
     return all;
 }
 
-bool copyRow(const SceneState& from, SceneState& to, std::size_t subject, const std::string& name)
+bool copyParameter(const SceneState& from, SceneState& to, std::size_t subject, const std::string& name)
 {
     const ParameterValues& source = from.values[subject];
     ParameterValues& target = to.values[subject];
@@ -52,13 +52,13 @@ bool copyRow(const SceneState& from, SceneState& to, std::size_t subject, const 
     return true;
 }
 
-std::string valueWithUnit(const ParameterInfo& row, const Value& value)
+std::string valueWithUnit(const ParameterInfo& parameter, const Value& value)
 {
-    const std::string text = formatValue(row, value);
-    if (row.isWritten()) return text.empty() ? "none" : text;
-    const bool isWord = std::holds_alternative<double>(value) && row.wordFor(std::get<double>(value));
-    if (!row.isNumeric() || isWord) return text;
-    const std::string unit(info(row.unit).symbol);
+    const std::string text = formatValue(parameter, value);
+    if (parameter.isWritten()) return text.empty() ? "none" : text;
+    const bool isWord = std::holds_alternative<double>(value) && parameter.wordFor(std::get<double>(value));
+    if (!parameter.isNumeric() || isWord) return text;
+    const std::string unit(info(parameter.unit).symbol);
     return unit.empty() ? text : unit == "°" ? text + unit : text + ' ' + unit;
 }
 

@@ -3,7 +3,7 @@
 #include "tests/ui/open_window.h"
 #include "tests/ui/ui_main.h"
 
-#include "exhibits/framework/scene/dragged_rows.h"
+#include "exhibits/framework/scene/dragged_parameters.h"
 #include "exhibits/framework/table/measured_table.h"
 #include "ui/study/table_export.h"
 
@@ -42,7 +42,7 @@ private:
 };
 
 /// Exhibit with a square of two meters, divided by an upright line.
-class Divided final : public Exhibit, public HasDraggedRows, public MeasuresTable {
+class Divided final : public Exhibit, public HasDraggedParameters, public MeasuresTable {
 public:
     inline static const DividedTable table;
 
@@ -73,7 +73,7 @@ public:
 
 }  // namespace
 
-class DraggedRowsTest : public test::OpenWindow {
+class DraggedParametersTest : public test::OpenWindow {
     Q_OBJECT
 
     static constexpr std::size_t divided = 2;
@@ -207,6 +207,6 @@ private slots:
     }
 };
 
-VITRINE_WINDOW_TEST(DraggedRowsTest)
+VITRINE_WINDOW_TEST(DraggedParametersTest)
 
-#include "dragged_rows_test.moc"
+#include "dragged_parameters_test.moc"

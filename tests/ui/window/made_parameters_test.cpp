@@ -15,10 +15,10 @@
 
 using namespace vitrine;
 using namespace vitrine::ui;
-using vitrine::test::rowOf;
+using vitrine::test::parameterOf;
 
 /// An exhibit in the window whose parameters a file describes.
-class MadeRowsTest : public test::OpenWindow {
+class MadeParametersTest : public test::OpenWindow {
     Q_OBJECT
 
     static constexpr std::size_t balls = 2;
@@ -56,18 +56,18 @@ private slots:
         QTRY_VERIFY(window_->panel().row("redRadius"));
         auto* slider = in<ValueSlider>("redRadius");
         QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint(slider->width() - 14, slider->height() / 2));
-        const Value set = rowOf(values(), "redRadius").value();
+        const Value set = parameterOf(values(), "redRadius").value();
         QVERIFY(std::get<double>(set) > 5);
-        QTRY_COMPARE(rowOf(gallery_->drawn().values[balls], "redRadius").value_or(Value(0.0)), set);
+        QTRY_COMPARE(parameterOf(gallery_->drawn().values[balls], "redRadius").value_or(Value(0.0)), set);
 
         name(path("other.json"));
         QTRY_VERIFY(window_->panel().row("greenRadius"));
         QVERIFY(!window_->panel().row("redRadius"));
         undo();
-        QCOMPARE(rowOf(values(), "redRadius").value(), set);
+        QCOMPARE(parameterOf(values(), "redRadius").value(), set);
         QVERIFY(window_->panel().row("redRadius"));
         undo();
-        QCOMPARE(rowOf(values(), "redRadius").value(), Value(0.5));
+        QCOMPARE(parameterOf(values(), "redRadius").value(), Value(0.5));
         undo();
         QVERIFY(!window_->panel().row("redRadius"));
         QVERIFY(!window_->history().stack().canUndo());
@@ -85,11 +85,11 @@ private slots:
         // The reader waits, but not the window: a value is set in the meantime.
         window_->history().set(balls, *exhibit_->parameters().find("spin"), 7.0, newGesture());
         QTest::qWait(50);
-        QVERIFY(!rowOf(values(), "redRadius"));
+        QVERIFY(!parameterOf(values(), "redRadius"));
         mayRead.release(100);
-        QTRY_VERIFY(rowOf(values(), "redRadius"));
+        QTRY_VERIFY(parameterOf(values(), "redRadius"));
         QVERIFY(elsewhere);
-        QCOMPARE(rowOf(values(), "spin").value(), Value(7.0));
+        QCOMPARE(parameterOf(values(), "spin").value(), Value(7.0));
         exhibit_->beforeReading = nullptr;
     }
 
@@ -104,32 +104,32 @@ private slots:
         QVERIFY(window_->panel().row("redRadius"));
     }
 
-    void aFileThatIsWrittenAnewGivesItsRowsAnew()
+    void aFileThatIsWrittenAnewGivesItsParametersAnew()
     {
         name(path("two.json"));
         QTRY_VERIFY(window_->panel().row("redRadius"));
         window_->history().set(balls, *values().table().find("blueRadius"), 4.5, newGesture());
         test::writeBalls(path("two.json"), {{"blue", 2}, {"white", 1}});
         QTRY_VERIFY_WITH_TIMEOUT(window_->panel().row("whiteRadius"), vitrine::test::patience);
-        QCOMPARE(rowOf(values(), "blueRadius").value(), Value(4.5));
+        QCOMPARE(parameterOf(values(), "blueRadius").value(), Value(4.5));
     }
 
-    void aRowThatNobodyTouchedFollowsItsFile()
+    void aParameterThatNobodyTouchedFollowsItsFile()
     {
         name(path("two.json"));
         QTRY_VERIFY(window_->panel().row("redRadius"));
         window_->history().set(balls, *values().table().find("blueRadius"), 4.5, newGesture());
         test::writeBalls(path("two.json"), {{"red", 0.75}, {"blue", 3}});
-        QTRY_COMPARE_WITH_TIMEOUT(rowOf(values(), "redRadius").value(), Value(0.75), vitrine::test::patience);
+        QTRY_COMPARE_WITH_TIMEOUT(parameterOf(values(), "redRadius").value(), Value(0.75), vitrine::test::patience);
         QVERIFY(values().isInitial(*values().table().find("redRadius")));
         QVERIFY(!window_->panel().row("redRadius")->differs());
         // The picture shows it, and the visitor's value stays.
-        QTRY_COMPARE(rowOf(gallery_->drawn().values[balls], "redRadius").value_or(Value(0.0)), Value(0.75));
-        QCOMPARE(rowOf(values(), "blueRadius").value(), Value(4.5));
+        QTRY_COMPARE(parameterOf(gallery_->drawn().values[balls], "redRadius").value_or(Value(0.0)), Value(0.75));
+        QCOMPARE(parameterOf(values(), "blueRadius").value(), Value(4.5));
         // Undo restores the value that is in the file now.
         undo();
-        QTRY_COMPARE(rowOf(values(), "blueRadius").value(), Value(3.0));
-        QTRY_COMPARE(rowOf(values(), "redRadius").value(), Value(0.75));
+        QTRY_COMPARE(parameterOf(values(), "blueRadius").value(), Value(3.0));
+        QTRY_COMPARE(parameterOf(values(), "redRadius").value(), Value(0.75));
     }
 
     void theMessageAboutAFileLeavesOnceItIsMended()
@@ -161,12 +161,12 @@ private slots:
         bar->setValue(300);
         many.front().radius = 2;
         test::writeBalls(path("many.json"), many);
-        QTRY_COMPARE_WITH_TIMEOUT(rowOf(values(), "ballaRadius").value(), Value(2.0), vitrine::test::patience);
+        QTRY_COMPARE_WITH_TIMEOUT(parameterOf(values(), "ballaRadius").value(), Value(2.0), vitrine::test::patience);
         QTest::qWait(50);
         QCOMPARE(bar->value(), 300);
     }
 
-    void presetsAndSessionsBringTheRowsBack()
+    void presetsAndSessionsBringTheParametersBack()
     {
         name(path("two.json"));
         QTRY_VERIFY(window_->panel().row("redRadius"));
@@ -175,29 +175,29 @@ private slots:
         name(path("other.json"));
         QTRY_VERIFY(window_->panel().row("greenRadius"));
         window_->presetController().load(rowsNamed("Large").front()->data(Qt::UserRole).toString());
-        QTRY_VERIFY(rowOf(values(), "redRadius").has_value());
-        QCOMPARE(rowOf(values(), "redRadius").value(), Value(3.5));
+        QTRY_VERIFY(parameterOf(values(), "redRadius").has_value());
+        QCOMPARE(parameterOf(values(), "redRadius").value(), Value(3.5));
         QVERIFY(!window_->presetController().titleOfUse().contains('*'));
 
         closeWindow();
         openWindow();
-        QTRY_VERIFY(rowOf(values(), "redRadius").has_value());
-        QCOMPARE(rowOf(values(), "redRadius").value(), Value(3.5));
+        QTRY_VERIFY(parameterOf(values(), "redRadius").has_value());
+        QCOMPARE(parameterOf(values(), "redRadius").value(), Value(3.5));
         QVERIFY(!window_->history().stack().canUndo());
 
         // Missing for a whole session, and back again.
         closeWindow();
         QVERIFY(QFile::rename(home_->filePath("two.json"), home_->filePath("aside.json")));
         openWindow();
-        QVERIFY(!rowOf(values(), "redRadius"));
+        QVERIFY(!parameterOf(values(), "redRadius"));
         closeWindow();
         QVERIFY(QFile::rename(home_->filePath("aside.json"), home_->filePath("two.json")));
         openWindow();
-        QTRY_VERIFY(rowOf(values(), "redRadius").has_value());
-        QCOMPARE(rowOf(values(), "redRadius").value(), Value(3.5));
+        QTRY_VERIFY(parameterOf(values(), "redRadius").has_value());
+        QCOMPARE(parameterOf(values(), "redRadius").value(), Value(3.5));
     }
 
-    void studiesOfferTheRowsOfTheFile()
+    void studiesOfferTheParametersOfTheFile()
     {
         auto* choices = window_->findChild<StudyDock*>()->findChild<QComboBox*>();
         QCOMPARE(choices->accessibleName(), QString("What to measure"));
@@ -208,6 +208,6 @@ private slots:
     }
 };
 
-VITRINE_WINDOW_TEST(MadeRowsTest)
+VITRINE_WINDOW_TEST(MadeParametersTest)
 
-#include "made_rows_test.moc"
+#include "made_parameters_test.moc"

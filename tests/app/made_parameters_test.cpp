@@ -14,7 +14,7 @@
 namespace vitrine {
 namespace {
 
-using test::rowOf;
+using test::parameterOf;
 
 /// Exhibit with known errors and costs: the more rings a red ball has, the smaller the error of its picture, and the
 /// higher the cost.
@@ -35,9 +35,9 @@ public:
     }
 };
 
-class MadeRows : public testing::Test {
+class MadeParameters : public testing::Test {
 protected:
-    MadeRows() : museum_(exhibits()) { test::writeBalls(folder_ / "two.json", {{"red", 0.5}, {"blue", 2}}); }
+    MadeParameters() : museum_(exhibits()) { test::writeBalls(folder_ / "two.json", {{"red", 0.5}, {"blue", 2}}); }
 
     static std::vector<std::unique_ptr<Exhibit>> exhibits()
     {
@@ -75,19 +75,19 @@ protected:
     Museum museum_;
 };
 
-TEST_F(MadeRows, AreSetAsAnyOtherWhateverTheOrder)
+TEST_F(MadeParameters, AreSetAsAnyOtherWhateverTheOrder)
 {
     for (const std::vector<std::string>& sets :
          {std::vector<std::string>{"scene=" + file(), "redRadius=3", "balls.blueRings=16"},
           std::vector<std::string>{"balls.blueRings=16", "redRadius=3", "scene=" + file()}}) {
         const ParameterValues values = with(sets);
-        EXPECT_EQ(rowOf(values, "redRadius"), Value(3.0));
-        EXPECT_EQ(rowOf(values, "blueRings"), Value(16.0));
-        EXPECT_EQ(rowOf(values, "redRings"), Value(8.0));
+        EXPECT_EQ(parameterOf(values, "redRadius"), Value(3.0));
+        EXPECT_EQ(parameterOf(values, "blueRings"), Value(16.0));
+        EXPECT_EQ(parameterOf(values, "redRings"), Value(8.0));
     }
 }
 
-TEST_F(MadeRows, AreUnknownWithoutTheirFile)
+TEST_F(MadeParameters, AreUnknownWithoutTheirFile)
 {
     EXPECT_THROW(static_cast<void>(with({"redRadius=3"})), Failure);
     try {
@@ -98,19 +98,19 @@ TEST_F(MadeRows, AreUnknownWithoutTheirFile)
     }
 }
 
-TEST_F(MadeRows, ComeFromPresetsToo)
+TEST_F(MadeParameters, ComeFromPresetsToo)
 {
     const ParameterValues values = with({"scene=" + file(), "redRadius=3"});
     const std::string preset = (folder_ / "large.json").string();
     std::ofstream(preset) << presetText({"balls", "Large", values, std::nullopt});
     EXPECT_EQ(with({}, preset), values);
-    EXPECT_EQ(rowOf(with({"blueRadius=4"}, preset), "blueRadius"), Value(4.0));
+    EXPECT_EQ(parameterOf(with({"blueRadius=4"}, preset), "blueRadius"), Value(4.0));
 }
 
-TEST_F(MadeRows, AreStudied)
+TEST_F(MadeParameters, AreStudied)
 {
     const StudyRequest request = studyOf("redRings");
-    EXPECT_EQ(rowOf(request.sceneState, request.axes.at(0)).name, "redRings");
+    EXPECT_EQ(parameterOf(request.sceneState, request.axes.at(0)).name, "redRings");
     test::KnownBackend backend;
     Study study(museum_, backend, request);
     while (study.step()) {
@@ -121,11 +121,11 @@ TEST_F(MadeRows, AreStudied)
         EXPECT_LT(points[i].error, points[i - 1].error);
         EXPECT_GT(points[i].cost, points[i - 1].cost);
     }
-    EXPECT_EQ(test::rowOf(study.sceneStateOf(points.front()).values[1], "redRings"),
+    EXPECT_EQ(test::parameterOf(study.sceneStateOf(points.front()).values[1], "redRings"),
               Value(request.axes[0].values.front()));
 }
 
-TEST_F(MadeRows, AreNamedWhereAStudyOfAnotherIsAskedFor)
+TEST_F(MadeParameters, AreNamedWhereAStudyOfAnotherIsAskedFor)
 {
     try {
         static_cast<void>(studyOf("redRadius"));

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exhibits/framework/table/parameters.h"
-#include "exhibits/framework/table/studied_rows.h"
+#include "exhibits/framework/table/studied_parameters.h"
 
 #include <optional>
 
@@ -16,11 +16,11 @@ enum class SdfHeatMap : int { none, steps, evaluations, normals, distance };
 
 // Parameters of every exhibit that is a distance field. A table inherits them after its own:
 //
-//     struct BallRows : virtual Parameters { Real radius = real("radius", 0.3, meter, {0.01, 1}, "Ball radius"); };
-//     struct BallTable final : BallRows, SdfMaterialRows, SdfRows {};
+//     struct BallParameters : virtual Parameters { Real radius = real("radius", 0.3, meter, {0.01, 1}, "Ball radius");
+//     }; struct BallTable final : BallParameters, SdfMaterialParameters, SdfParameters {};
 
 /// Uniform material of the whole body, read by shaders/kit/sdf/even_material.glsl.
-struct SdfMaterialRows : virtual Parameters {
+struct SdfMaterialParameters : virtual Parameters {
     Group surface = group("Material");
     Choice<SdfMaterial> material =
         choice("material", SdfMaterial::opaque, {"opaque", "glass"},
@@ -41,11 +41,11 @@ struct SdfMaterialRows : virtual Parameters {
 };
 
 /// Parameters of marching, shading and inspecting the body.
-struct SdfRows : virtual Parameters {
+struct SdfParameters : virtual Parameters {
     /// `initialBounces` is small for rough bodies, on which reflections of themselves are invisible. `litBesides` is
     /// the condition for a light of the exhibit itself, which also shines on the surroundings. Then ambient occlusion
     /// acts on glass, too, and occlusion and shadow act on the surroundings.
-    explicit SdfRows(int initialBounces = 2, std::optional<Condition> litBesides = {})
+    explicit SdfParameters(int initialBounces = 2, std::optional<Condition> litBesides = {})
         : initialBounces_(initialBounces), litBesides_(std::move(litBesides))
     {
     }
@@ -133,11 +133,12 @@ public:
                           when(heatMap, {SdfHeatMap::steps, SdfHeatMap::evaluations}));
 
 private:
-    StudiedRows studiedMarch_{*this,
-                              {{.name = "hitTolerance", .lifted = {"stepLimit"}},
-                               {.name = "stepLimit", .settles = "Rays end before they have taken this many steps."},
-                               {.name = "normalStep", .settles = "A quarter of a pixel is wider, and is used instead."},
-                               {.name = "bounces", .settles = "No ray meets the object this many times."}}};
+    StudiedParameters studiedMarch_{
+        *this,
+        {{.name = "hitTolerance", .lifted = {"stepLimit"}},
+         {.name = "stepLimit", .settles = "Rays end before they have taken this many steps."},
+         {.name = "normalStep", .settles = "A quarter of a pixel is wider, and is used instead."},
+         {.name = "bounces", .settles = "No ray meets the object this many times."}}};
 
     /// Returns the condition that rays are marched for the picture.
     [[nodiscard]] static Condition whenMarched() { return whenLater("shownAs", static_cast<double>(SdfShown::field)); }

@@ -33,32 +33,33 @@ void satisfy(ParameterValues& values, const Condition& condition, const FileFor&
     const ParameterInfo& info = values.table().rows()[row];
     if (info.actsWhen) satisfy(values, *info.actsWhen, fileFor);
     switch (condition.test) {
-    case Condition::Test::among: values.setRow(row, condition.values.front()); break;
+    case Condition::Test::among: values.setParameter(row, condition.values.front()); break;
     case Condition::Test::differs: {
         double other = info.range.low;
         while (std::find(condition.values.begin(), condition.values.end(), other) != condition.values.end()) ++other;
-        values.setRow(row, other);
+        values.setParameter(row, other);
         break;
     }
     case Condition::Test::above:
-        if (!(std::get<double>(values.row(row)) > condition.values.front())) values.setRow(row, info.range.softHigh);
+        if (!(std::get<double>(values.row(row)) > condition.values.front()))
+            values.setParameter(row, info.range.softHigh);
         break;
-    case Condition::Test::given: values.setRow(row, fileFor(info)); break;
+    case Condition::Test::given: values.setParameter(row, fileFor(info)); break;
     case Condition::Test::all:
     case Condition::Test::any: break;
     }
 }
 
 /// Returns other values of a parameter, as far from the present one as its slider allows.
-std::vector<Value> others(const ParameterInfo& row, const Value& now, const std::string& file)
+std::vector<Value> others(const ParameterInfo& parameter, const Value& now, const std::string& file)
 {
     std::vector<Value> values;
-    switch (row.kind) {
+    switch (parameter.kind) {
     case Kind::real:
-    case Kind::count: values = {row.range.softHigh, row.range.softLow}; break;
+    case Kind::count: values = {parameter.range.softHigh, parameter.range.softLow}; break;
     case Kind::toggle:
     case Kind::choice:
-        for (double x = row.range.low; x <= row.range.high; ++x) values.emplace_back(x);
+        for (double x = parameter.range.low; x <= parameter.range.high; ++x) values.emplace_back(x);
         break;
     case Kind::color: values = {glm::dvec3(0.1, 0.8, 0.9), glm::dvec3(0.9, 0.1, 0.2)}; break;
     case Kind::direction: values = {glm::dvec3(0.6, 0.64, 0.48), glm::dvec3(-0.6, 0.0, 0.8)}; break;
@@ -124,7 +125,7 @@ ParameterValues cheap(ParameterValues hall)
     return hall;
 }
 
-class ActingRows : public GlTest {
+class ActingParameters : public GlTest {
 protected:
     /// Takes a picture like the window, but small.
     Picture take(std::size_t exhibit, const ParameterValues& values, const Situation& situation)
@@ -157,13 +158,15 @@ protected:
     }
 
     /// Returns a picture or a model in place of the user's file.
-    std::string fileFor(const Parameters& table, const ParameterInfo& row)
+    std::string fileFor(const Parameters& table, const ParameterInfo& parameter)
     {
-        if (!row.documentOf.empty()) return fileFor(table, table.rows()[table.find(row.documentOf).value()]);
+        if (!parameter.documentOf.empty())
+            return fileFor(table, table.rows()[table.find(parameter.documentOf).value()]);
         const std::filesystem::path assets = std::filesystem::path(VITRINE_SOURCE_DIR) / "assets";
         if (table.find("animation")) return writeMovedModel(folder_);
-        if (row.extensions.find("glb") != std::string_view::npos) return (assets / "models" / "teddy.glb").string();
-        if (row.assetFolder == "scenes") return (assets / "scenes" / "torus.json").string();
+        if (parameter.extensions.find("glb") != std::string_view::npos)
+            return (assets / "models" / "teddy.glb").string();
+        if (parameter.assetFolder == "scenes") return (assets / "scenes" / "torus.json").string();
         const std::filesystem::path panorama = folder_.path() / "panorama.hdr";
         if (!std::filesystem::exists(panorama))
             writePanorama(panorama,
@@ -177,7 +180,7 @@ protected:
         ParameterValues start = gallery().museum.subject(exhibit).parameters().initial();
         if (exhibit == hallIndex) start = cheap(start);
         // In the first scene, the size of the lamp changes no pixel of so small a picture.
-        if (const auto scene = start.table().find("scene")) start.setRow(*scene, std::string("mercury.json"));
+        if (const auto scene = start.table().find("scene")) start.setParameter(*scene, std::string("mercury.json"));
         const ParameterInfo& info = start.table().rows()[row];
         if (info.actsWhen && !acts(start, row))
             satisfy(start, *info.actsWhen, [&](const ParameterInfo& file) { return fileFor(start.table(), file); });
@@ -188,7 +191,7 @@ protected:
             const Picture before = take(exhibit, situation.values, situation);
             for (const Value& value : others(info, situation.values.row(row), fileFor(start.table(), info))) {
                 ParameterValues changed = situation.values;
-                changed.setRow(row, value);
+                changed.setParameter(row, value);
                 ++tried;
                 if (largestDifference(before.image, take(exhibit, changed, situation).image) > 0) return {};
             }
@@ -196,7 +199,7 @@ protected:
         return "none of " + std::to_string(tried) + " other pictures differs";
     }
 
-    void expectEveryRowActs(std::string_view exhibit, const std::set<std::string_view>& exceptions = {})
+    void expectEveryParameterActs(std::string_view exhibit, const std::set<std::string_view>& exceptions = {})
     {
         const std::size_t index = gallery().museum.find(exhibit).value();
         const Parameters& table = gallery().museum.subject(index).parameters();
@@ -217,56 +220,56 @@ protected:
     TemporaryFolder folder_;
 };
 
-TEST_F(ActingRows, EveryRowOfTheHallActs)
+TEST_F(ActingParameters, EveryParameterOfTheHallActs)
 {
-    expectEveryRowActs("hall");
+    expectEveryParameterActs("hall");
 }
 
-TEST_F(ActingRows, EveryRowOfTheTorusMugActs)
+TEST_F(ActingParameters, EveryParameterOfTheTorusMugActs)
 {
-    expectEveryRowActs("sdf_morph");
+    expectEveryParameterActs("sdf_morph");
 }
 
-TEST_F(ActingRows, EveryRowOfTheLenticularCardActs)
+TEST_F(ActingParameters, EveryParameterOfTheLenticularCardActs)
 {
-    expectEveryRowActs("lenticular");
+    expectEveryParameterActs("lenticular");
 }
 
-TEST_F(ActingRows, EveryRowOfTheFurActs)
+TEST_F(ActingParameters, EveryParameterOfTheFurActs)
 {
     // Hidden surfaces are drawn first or not at all.
-    expectEveryRowActs("fur", {"drawOrder"});
+    expectEveryParameterActs("fur", {"drawOrder"});
 }
 
-TEST_F(ActingRows, EveryRowOfTheSunbeamsActs)
+TEST_F(ActingParameters, EveryParameterOfTheSunbeamsActs)
 {
     // Three methods for the same mask, if everything in front of the sky is opaque, as here.
-    expectEveryRowActs("crepuscular_rays", {"mask"});
+    expectEveryParameterActs("crepuscular_rays", {"mask"});
 }
 
-TEST_F(ActingRows, EveryRowOfThePaperLanternsActs)
+TEST_F(ActingParameters, EveryParameterOfThePaperLanternsActs)
 {
-    expectEveryRowActs("paper_lanterns");
+    expectEveryParameterActs("paper_lanterns");
 }
 
-TEST_F(ActingRows, EveryRowOfTheIceCreamActs)
+TEST_F(ActingParameters, EveryParameterOfTheIceCreamActs)
 {
-    expectEveryRowActs("ice_cream");
+    expectEveryParameterActs("ice_cream");
 }
 
-TEST_F(ActingRows, EveryRowOfTheScenesActs)
+TEST_F(ActingParameters, EveryParameterOfTheScenesActs)
 {
-    expectEveryRowActs("sdf_scenes");
+    expectEveryParameterActs("sdf_scenes");
 }
 
-TEST_F(ActingRows, EveryRowOfTheNoiseActs)
+TEST_F(ActingParameters, EveryParameterOfTheNoiseActs)
 {
-    expectEveryRowActs("noise");
+    expectEveryParameterActs("noise");
 }
 
-TEST_F(ActingRows, EveryRowOfThePixelArtActs)
+TEST_F(ActingParameters, EveryParameterOfThePixelArtActs)
 {
-    expectEveryRowActs("pixel_art");
+    expectEveryParameterActs("pixel_art");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "exhibits/study/kept_rows.h"
+#include "exhibits/study/kept_parameters.h"
 
 #include "exhibits/framework/table/preset_values.h"
 
@@ -16,9 +16,9 @@ std::optional<std::size_t> subjectNamed(Subjects subjects, const std::string& na
 
 }  // namespace
 
-KeptRows rowsOf(const KeptStudy& study, Subjects subjects, const SceneState& sceneState)
+KeptParameters parametersOf(const KeptStudy& study, Subjects subjects, const SceneState& sceneState)
 {
-    KeptRows found;
+    KeptParameters found;
     for (const KeptStudy::Parameter& parameter : study.parameters) {
         const std::size_t dot = parameter.name.find('.');
         const std::string exhibit = dot == std::string::npos ? study.exhibit : parameter.name.substr(0, dot);
@@ -30,7 +30,7 @@ KeptRows rowsOf(const KeptStudy& study, Subjects subjects, const SceneState& sce
         const std::string name = dot == std::string::npos ? parameter.name : parameter.name.substr(dot + 1);
         const std::optional<std::size_t> row = sceneState.values[*subject].table().find(name);
         if (!row) {
-            found.missingRow = parameter.name;
+            found.missingParameter = parameter.name;
             return found;
         }
         found.rows.push_back({*subject, *row});
@@ -38,7 +38,7 @@ KeptRows rowsOf(const KeptStudy& study, Subjects subjects, const SceneState& sce
     return found;
 }
 
-std::optional<std::vector<Value>> valuesOf(const KeptStudy& study, std::size_t point, const KeptRows& rows,
+std::optional<std::vector<Value>> valuesOf(const KeptStudy& study, std::size_t point, const KeptParameters& rows,
                                            const SceneState& sceneState, std::string& wrong)
 {
     std::vector<Value> values;

@@ -1,6 +1,6 @@
-#include "ui/viewport/row_drag.h"
+#include "ui/viewport/parameter_drag.h"
 
-#include "exhibits/framework/scene/dragged_rows.h"
+#include "exhibits/framework/scene/dragged_parameters.h"
 #include "ui/viewport/viewport.h"
 
 #include <QMouseEvent>
@@ -31,21 +31,21 @@ QPointF toStretch(const QPointF& p, const QPointF& a, const QPointF& b)
 
 }  // namespace
 
-RowDrag::RowDrag(const Museum& museum, History& history, Viewport& viewport, std::function<std::size_t()> chosen,
-                 QObject* parent)
+ParameterDrag::ParameterDrag(const Museum& museum, History& history, Viewport& viewport,
+                             std::function<std::size_t()> chosen, QObject* parent)
     : QObject(parent), museum_(museum), history_(history), viewport_(viewport), chosen_(std::move(chosen))
 {
     viewport.installEventFilter(this);
 }
 
-const HasDraggedRows* RowDrag::source() const
+const HasDraggedParameters* ParameterDrag::source() const
 {
-    return capability<HasDraggedRows>(museum_.subject(chosen_()));
+    return capability<HasDraggedParameters>(museum_.subject(chosen_()));
 }
 
-std::optional<RowDrag::Drag> RowDrag::gripAt(const QPointF& at) const
+std::optional<ParameterDrag::Drag> ParameterDrag::gripAt(const QPointF& at) const
 {
-    const HasDraggedRows* source = this->source();
+    const HasDraggedParameters* source = this->source();
     if (!source) return std::nullopt;
     const std::size_t exhibit = chosen_();
     const ExhibitState state{history_.sceneState().values[exhibit], viewport_.time()};
@@ -67,9 +67,9 @@ std::optional<RowDrag::Drag> RowDrag::gripAt(const QPointF& at) const
     return found;
 }
 
-void RowDrag::drag(const QPointF& at)
+void ParameterDrag::drag(const QPointF& at)
 {
-    const HasDraggedRows* source = this->source();
+    const HasDraggedParameters* source = this->source();
     if (!source || drag_->exhibit != chosen_()) return;
     const QPointF point = at + drag_->grip;
     const render::View view = viewport_.view();
@@ -81,7 +81,7 @@ void RowDrag::drag(const QPointF& at)
                  drag_->gesture);
 }
 
-bool RowDrag::hover(const QPointF& at)
+bool ParameterDrag::hover(const QPointF& at)
 {
     const bool near = gripAt(at).has_value();
     if (near)
@@ -92,7 +92,7 @@ bool RowDrag::hover(const QPointF& at)
     return near;
 }
 
-bool RowDrag::eventFilter(QObject* watched, QEvent* event)
+bool ParameterDrag::eventFilter(QObject* watched, QEvent* event)
 {
     switch (event->type()) {
     case QEvent::MouseButtonPress: {
@@ -122,4 +122,4 @@ bool RowDrag::eventFilter(QObject* watched, QEvent* event)
 
 }  // namespace vitrine::ui
 
-#include "moc_row_drag.cpp"
+#include "moc_parameter_drag.cpp"

@@ -9,20 +9,20 @@
 #include <optional>
 
 namespace vitrine {
-class HasDraggedRows;
+class HasDraggedParameters;
 }
 
 namespace vitrine::ui {
 
 class Viewport;
 
-/// Dragging of parameters of the visited exhibit in the picture (`HasDraggedRows`). One drag is one undo step.
-class RowDrag final : public QObject {
+/// Dragging of parameters of the visited exhibit in the picture (`HasDraggedParameters`). One drag is one undo step.
+class ParameterDrag final : public QObject {
     Q_OBJECT
 
 public:
     /// All must outlive this object. `chosen` returns the exhibit that is visited.
-    RowDrag(const Museum&, History&, Viewport&, std::function<std::size_t()> chosen, QObject* parent);
+    ParameterDrag(const Museum&, History&, Viewport&, std::function<std::size_t()> chosen, QObject* parent);
 
 protected:
     bool eventFilter(QObject*, QEvent*) override;
@@ -33,7 +33,7 @@ private:
         QPointF grip;  ///< Vector from the pointer to the line when the drag began, in pixels.
         Gesture gesture = 0;
     };
-    [[nodiscard]] const HasDraggedRows* source() const;
+    [[nodiscard]] const HasDraggedParameters* source() const;
     /// Returns the parameter whose line is near the pointer, with its offset.
     [[nodiscard]] std::optional<Drag> gripAt(const QPointF&) const;
     void drag(const QPointF&);

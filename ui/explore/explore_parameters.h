@@ -5,14 +5,14 @@
 namespace vitrine::ui {
 
 /// Parameters behind the sliders of the exploration.
-struct ExploreRows final : Parameters {
+struct ExploreParameters final : Parameters {
     Real strength = real(
         "strength", 0.4, percent, {0, 1},
         "Amount by which the variations differ from the current settings: 100 % uses the full range of the sliders.");
 };
-[[nodiscard]] inline const ExploreRows& exploreRows()
+[[nodiscard]] inline const ExploreParameters& exploreParameters()
 {
-    static const ExploreRows rows;
+    static const ExploreParameters rows;
     return rows;
 }
 

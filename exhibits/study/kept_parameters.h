@@ -11,22 +11,22 @@
 namespace vitrine {
 
 /// Indices of a kept study's parameters in the current tables.
-struct KeptRows {
+struct KeptParameters {
     struct Row {
         std::size_t subject = 0, row = 0;
     };
-    std::vector<Row> rows;       ///< By parameter, as far as they exist.
-    std::string missingExhibit;  ///< First exhibit that this museum lacks; empty if none.
-    std::string missingRow;      ///< First parameter that its table lacks; empty if none.
+    std::vector<Row> rows;         ///< By parameter, as far as they exist.
+    std::string missingExhibit;    ///< First exhibit that this museum lacks; empty if none.
+    std::string missingParameter;  ///< First parameter that its table lacks; empty if none.
 
-    [[nodiscard]] bool all() const { return missingExhibit.empty() && missingRow.empty(); }
+    [[nodiscard]] bool all() const { return missingExhibit.empty() && missingParameter.empty(); }
 };
 /// Finds the parameters of a study. The scene state's values refer to the tables.
-[[nodiscard]] KeptRows rowsOf(const KeptStudy&, Subjects, const SceneState&);
+[[nodiscard]] KeptParameters parametersOf(const KeptStudy&, Subjects, const SceneState&);
 
 /// Returns the values of a point for those parameters, all of which must exist. If a value is illegal, returns nothing
 /// and sets `wrong` to the name of its parameter.
-[[nodiscard]] std::optional<std::vector<Value>> valuesOf(const KeptStudy&, std::size_t point, const KeptRows&,
+[[nodiscard]] std::optional<std::vector<Value>> valuesOf(const KeptStudy&, std::size_t point, const KeptParameters&,
                                                          const SceneState&, std::string& wrong);
 
 }  // namespace vitrine

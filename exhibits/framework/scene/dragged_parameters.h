@@ -17,9 +17,9 @@ struct DraggedLine {
 };
 
 /// Capability: parameters that are dragged in the picture, for example the divider of two halves.
-class HasDraggedRows {
+class HasDraggedParameters {
 public:
-    virtual ~HasDraggedRows() = default;
+    virtual ~HasDraggedParameters() = default;
     /// Returns the lines for these values, as seen from the eye (own space). Needs no prepared state.
     [[nodiscard]] virtual std::vector<DraggedLine> draggedLines(const ExhibitState&, const glm::dvec3& eye) const = 0;
     /// Returns the value that puts the line of `row` under a ray from the eye (own space). It may exceed the range.

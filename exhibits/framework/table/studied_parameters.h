@@ -11,7 +11,7 @@ class Parameters;
 
 /// Settings with which an accuracy study shows the effect of a parameter, if its condition (`when`) is not sufficient.
 /// Texts must be literals; names are those of parameters of the same object.
-struct StudiedRow {
+struct StudiedParameter {
     /// Value of another parameter.
     struct Setting {
         std::string_view row;
@@ -37,21 +37,21 @@ struct StudiedRow {
 
 /// Declaration of studied parameters, as a member of the class with the parameters:
 ///
-///     StudiedRows studied{*this, {{.name = "shellCount", .lifted = {"levelOfDetail"}}}};
+///     StudiedParameters studied{*this, {{.name = "shellCount", .lifted = {"levelOfDetail"}}}};
 ///
 /// A class may have several, each beside its parameters. They are looked up by the address of the Parameters object.
 /// Constructor, destructor and functions are thread-safe.
-class StudiedRows {
+class StudiedParameters {
 public:
-    StudiedRows(const Parameters&, std::initializer_list<StudiedRow>);
-    ~StudiedRows();
-    StudiedRows(const StudiedRows&) = delete;
-    StudiedRows& operator=(const StudiedRows&) = delete;
+    StudiedParameters(const Parameters&, std::initializer_list<StudiedParameter>);
+    ~StudiedParameters();
+    StudiedParameters(const StudiedParameters&) = delete;
+    StudiedParameters& operator=(const StudiedParameters&) = delete;
 
-    /// Returns the declaration for the parameter of that name; a StudiedRow with only the name if there is none.
-    [[nodiscard]] static StudiedRow of(const Parameters&, std::string_view row);
+    /// Returns the declaration for the parameter of that name; a StudiedParameter with only the name if there is none.
+    [[nodiscard]] static StudiedParameter of(const Parameters&, std::string_view row);
     /// Returns all declarations for this object.
-    [[nodiscard]] static std::vector<StudiedRow> allOf(const Parameters&);
+    [[nodiscard]] static std::vector<StudiedParameter> allOf(const Parameters&);
 
 private:
     const Parameters& table_;

@@ -1,4 +1,4 @@
-#include "exhibits/framework/table/studied_rows.h"
+#include "exhibits/framework/table/studied_parameters.h"
 
 #include <algorithm>
 #include <map>
@@ -9,7 +9,7 @@ namespace {
 
 struct Declared {
     std::mutex mutex;
-    std::map<const Parameters*, std::vector<StudiedRow>> rows;
+    std::map<const Parameters*, std::vector<StudiedParameter>> rows;
 };
 
 /// Never destroyed: it must outlive static Parameters objects, which are destroyed after objects created later.
@@ -21,29 +21,30 @@ Declared& declared()
 
 }  // namespace
 
-StudiedRows::StudiedRows(const Parameters& table, std::initializer_list<StudiedRow> rows) : table_(table)
+StudiedParameters::StudiedParameters(const Parameters& table, std::initializer_list<StudiedParameter> rows)
+    : table_(table)
 {
     const std::lock_guard lock(declared().mutex);
-    std::vector<StudiedRow>& all = declared().rows[&table];
+    std::vector<StudiedParameter>& all = declared().rows[&table];
     all.insert(all.end(), rows.begin(), rows.end());
 }
 
-StudiedRows::~StudiedRows()
+StudiedParameters::~StudiedParameters()
 {
     const std::lock_guard lock(declared().mutex);
     declared().rows.erase(&table_);
 }
 
-std::vector<StudiedRow> StudiedRows::allOf(const Parameters& table)
+std::vector<StudiedParameter> StudiedParameters::allOf(const Parameters& table)
 {
     const std::lock_guard lock(declared().mutex);
     const auto found = declared().rows.find(&table);
-    return found == declared().rows.end() ? std::vector<StudiedRow>() : found->second;
+    return found == declared().rows.end() ? std::vector<StudiedParameter>() : found->second;
 }
 
-StudiedRow StudiedRows::of(const Parameters& table, std::string_view row)
+StudiedParameter StudiedParameters::of(const Parameters& table, std::string_view row)
 {
-    for (StudiedRow& each : allOf(table))
+    for (StudiedParameter& each : allOf(table))
         if (each.name == row) return std::move(each);
     return {.name = row};
 }

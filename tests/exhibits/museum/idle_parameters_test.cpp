@@ -23,13 +23,13 @@ struct State {
 
 /// Returns all values of a parameter that a condition may distinguish: all choices, on and off, 0 and the initial
 /// number.
-std::vector<Value> tellingValues(const ParameterInfo& row)
+std::vector<Value> tellingValues(const ParameterInfo& parameter)
 {
     std::vector<Value> values;
-    if (row.kind == Kind::toggle || row.kind == Kind::choice)
-        for (double x = 0; x <= row.range.high; ++x) values.emplace_back(x);
-    else if (row.isNumeric() && row.range.low <= 0)
-        values = {0.0, std::max(std::get<double>(row.initial), 0.5 * row.range.softHigh)};
+    if (parameter.kind == Kind::toggle || parameter.kind == Kind::choice)
+        for (double x = 0; x <= parameter.range.high; ++x) values.emplace_back(x);
+    else if (parameter.isNumeric() && parameter.range.low <= 0)
+        values = {0.0, std::max(std::get<double>(parameter.initial), 0.5 * parameter.range.softHigh)};
     return values;
 }
 
@@ -39,17 +39,17 @@ std::vector<State> statesOf(std::size_t exhibit)
     ParameterValues start = Shot().sceneState.values[exhibit];
     const Parameters& table = start.table();
     // Beams of both kinds, so that there is something to compare.
-    if (const auto technique = table.find("technique")) start.setRow(*technique, 3.0);
+    if (const auto technique = table.find("technique")) start.setParameter(*technique, 3.0);
     std::vector<State> states{{"initial", start}};
     std::set<std::string_view> asked;
-    for (const ParameterInfo& row : table.rows())
-        if (row.actsWhen)
-            for (const std::string_view name : rowsOf(*row.actsWhen)) asked.insert(name);
+    for (const ParameterInfo& parameter : table.rows())
+        if (parameter.actsWhen)
+            for (const std::string_view name : parametersOf(*parameter.actsWhen)) asked.insert(name);
     for (const std::string_view name : asked) {
         const std::size_t row = table.find(name).value();
         for (const Value& value : tellingValues(table.rows()[row])) {
             ParameterValues values = start;
-            values.setRow(row, value);
+            values.setParameter(row, value);
             if (!(values == start))
                 states.push_back({std::string(name) + " = " + std::to_string(std::get<double>(value)), values});
         }
@@ -69,7 +69,7 @@ double contrast(const Picture& picture)
     return brightest - darkest;
 }
 
-class IdleRows : public GlTest {
+class IdleParameters : public GlTest {
 protected:
     /// Takes a picture in the hall, half a second after the button was pressed, so that animations run.
     Picture take(std::size_t exhibit, const ParameterValues& values)
@@ -88,7 +88,7 @@ protected:
         return shot.take();
     }
 
-    void expectIdleRowsChangeNothing(std::size_t exhibit)
+    void expectIdleParametersChangeNothing(std::size_t exhibit)
     {
         const Parameters& table = gallery().museum.subject(exhibit).parameters();
         RandomNumbers random(20260101);
@@ -100,7 +100,7 @@ protected:
                 if (acts(state.values, row)) continue;
                 // An expensive count costs nothing while it has no effect. Its initial value may be the least.
                 for (int tries = 0; tries < 20 && moved.row(row) == state.values.row(row); ++tries)
-                    moved.setRow(row, randomValue(table.rows()[row], random, {.affordable = false}));
+                    moved.setParameter(row, randomValue(table.rows()[row], random, {.affordable = false}));
                 if (!(moved.row(row) == state.values.row(row))) idle.push_back(row);
             }
             if (idle.empty()) continue;
@@ -112,7 +112,7 @@ protected:
             }
             for (const std::size_t row : idle) {
                 ParameterValues one = state.values;
-                one.setRow(row, moved.row(row));
+                one.setParameter(row, moved.row(row));
                 EXPECT_EQ(largestDifference(before.image, take(exhibit, one).image), 0)
                     << state.name << ": " << table.rows()[row].name << " acts";
             }
@@ -126,58 +126,58 @@ protected:
     }
 };
 
-TEST_F(IdleRows, ChangeNoPixelOfTheHall)
+TEST_F(IdleParameters, ChangeNoPixelOfTheHall)
 {
-    expectIdleRowsChangeNothing(0);
+    expectIdleParametersChangeNothing(0);
 }
 
-TEST_F(IdleRows, ChangeNoPixelOfTheTorusMug)
+TEST_F(IdleParameters, ChangeNoPixelOfTheTorusMug)
 {
-    expectIdleRowsChangeNothing(gallery().museum.find("sdf_morph").value());
+    expectIdleParametersChangeNothing(gallery().museum.find("sdf_morph").value());
 }
 
-TEST_F(IdleRows, ChangeNoPixelOfTheLenticularCard)
+TEST_F(IdleParameters, ChangeNoPixelOfTheLenticularCard)
 {
-    expectIdleRowsChangeNothing(gallery().museum.find("lenticular").value());
+    expectIdleParametersChangeNothing(gallery().museum.find("lenticular").value());
 }
 
-TEST_F(IdleRows, ChangeNoPixelOfTheFur)
+TEST_F(IdleParameters, ChangeNoPixelOfTheFur)
 {
-    expectIdleRowsChangeNothing(gallery().museum.find("fur").value());
+    expectIdleParametersChangeNothing(gallery().museum.find("fur").value());
 }
 
-TEST_F(IdleRows, ChangeNoPixelOfTheSunbeams)
+TEST_F(IdleParameters, ChangeNoPixelOfTheSunbeams)
 {
-    expectIdleRowsChangeNothing(gallery().museum.find("crepuscular_rays").value());
+    expectIdleParametersChangeNothing(gallery().museum.find("crepuscular_rays").value());
 }
 
-TEST_F(IdleRows, ChangeNoPixelOfThePaperLanterns)
+TEST_F(IdleParameters, ChangeNoPixelOfThePaperLanterns)
 {
-    expectIdleRowsChangeNothing(gallery().museum.find("paper_lanterns").value());
+    expectIdleParametersChangeNothing(gallery().museum.find("paper_lanterns").value());
 }
 
-TEST_F(IdleRows, ChangeNoPixelOfTheIceCream)
+TEST_F(IdleParameters, ChangeNoPixelOfTheIceCream)
 {
-    expectIdleRowsChangeNothing(gallery().museum.find("ice_cream").value());
+    expectIdleParametersChangeNothing(gallery().museum.find("ice_cream").value());
 }
 
-TEST_F(IdleRows, ChangeNoPixelOfTheNoise)
+TEST_F(IdleParameters, ChangeNoPixelOfTheNoise)
 {
-    expectIdleRowsChangeNothing(gallery().museum.find("noise").value());
+    expectIdleParametersChangeNothing(gallery().museum.find("noise").value());
 }
 
-TEST_F(IdleRows, ChangeNoPixelOfThePixelArt)
+TEST_F(IdleParameters, ChangeNoPixelOfThePixelArt)
 {
-    expectIdleRowsChangeNothing(gallery().museum.find("pixel_art").value());
+    expectIdleParametersChangeNothing(gallery().museum.find("pixel_art").value());
 }
 
-TEST_F(IdleRows, ChangeNoPixelOfTheScenes)
+TEST_F(IdleParameters, ChangeNoPixelOfTheScenes)
 {
-    expectIdleRowsChangeNothing(gallery().museum.find("sdf_scenes").value());
+    expectIdleParametersChangeNothing(gallery().museum.find("sdf_scenes").value());
 }
 
 /// The states above may miss parameters that only have an effect together.
-TEST_F(IdleRows, ChangeNoPixelInRandomStates)
+TEST_F(IdleParameters, ChangeNoPixelInRandomStates)
 {
     RandomNumbers random(7);
     for (std::size_t exhibit = 0; exhibit < gallery().museum.subjects().size(); ++exhibit) {
@@ -186,7 +186,7 @@ TEST_F(IdleRows, ChangeNoPixelInRandomStates)
             ParameterValues values = Shot().sceneState.values[exhibit];
             for (std::size_t row = 0; row < table.rows().size(); ++row)
                 if (random.chance(0.3) && table.rows()[row].kind != Kind::count)
-                    values.setRow(row, randomValue(table.rows()[row], random));
+                    values.setParameter(row, randomValue(table.rows()[row], random));
             const ParameterValues same = actingValues(values);
             if (same == values) continue;
             EXPECT_EQ(largestDifference(take(exhibit, values).image, take(exhibit, same).image), 0)

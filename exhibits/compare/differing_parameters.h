@@ -10,7 +10,7 @@
 namespace vitrine {
 
 /// Parameter whose values in two settings, A and B, differ.
-struct DifferingRow {
+struct DifferingParameter {
     std::size_t subject = 0;    ///< Index in SceneState::values.
     std::string name;           ///< Name of the parameter; tables made from files identify parameters by name only.
     ParameterInfo info;         ///< A's parameter, or B's if A has none; valid as long as the settings.
@@ -20,11 +20,11 @@ struct DifferingRow {
 
 /// Returns every parameter in which the two differ, by subject and in the order of the tables, those of B alone last.
 /// Parameters with the same name but of different kind are different ones. Both must be of one museum.
-[[nodiscard]] std::vector<DifferingRow> differingRows(const SceneState& a, const SceneState& b);
+[[nodiscard]] std::vector<DifferingParameter> differingParameters(const SceneState& a, const SceneState& b);
 
 /// Copies a parameter's value from `from` to `to`, as the nearest legal value there. Documents of files are copied
 /// along. Returns whether both tables have the parameter.
-bool copyRow(const SceneState& from, SceneState& to, std::size_t subject, const std::string& name);
+bool copyParameter(const SceneState& from, SceneState& to, std::size_t subject, const std::string& name);
 
 /// Returns a value with its unit, in the form of `--set`: "30°", "0.5", "hard".
 [[nodiscard]] std::string valueWithUnit(const ParameterInfo&, const Value&);
