@@ -22,12 +22,16 @@ NO_TEXT = re.compile(r'[;{}]\s*\n|\bvec[234]\b|\bfloat \w|^\s*#|</?\w+>|\bvoid \
 # Files of which nothing is shown to people in the window or as an error, or only in English by purpose.
 NOT_SHOWN = re.compile(r'/stability/|stability_|doctor_command|html_text|_page\.cpp|serve/(?!listener)|report|embed|'
                        r'image/oiio/(?!guarded|read|row|write)|shell_word|chart_font|_glsl\.cpp|'
-                       r'install|framework/table/derive|museum/render_command|coat_mesh|card_mesh|png_chunks|table_json|passes_json|text/message\.h')
+                       r'install|framework/table/derive|museum/render_command|museum/exr_metadata|coat_mesh|card_mesh|png_chunks|table_json|passes_json|text/message\.h')
 # Rooms in which every text for people is made by message(): no sentence is looked for there, and none may be left.
 CONVERTED = ('render/files/', 'render/gl/', 'render/scene/', 'exhibits/jobs/sprite/palette_file', 'exhibits/jobs/sprite/sprite_description')
 # Strings that look like sentences but are shown to nobody: keys, names, messages of asserts.
 UNSHOWN = {'framebuffers made', 'constant buffers', 'the picture was abandoned', 'unknown error',
-           '{1} (specialized)'}
+           '{1} (specialized)', 'expressionPower({1}, {2}', '(TIME + {1}', 'min({1}, min({2}, {3}))',
+           '(gl_FragCoord.xy / iResolution.xy)', ' in {{1}, {2}', ', exact {1}', '{1} "self"\n', '{1}::MinFilter "{2}"\n',
+           '{1}::WrapMode "{2}"\n', '    // The camera, around a point {1} m in front of it.\n', '2.0 * tangent / RENDERSIZE.y',
+           'around + camera[2] * ({1} * {2})', '{1}#define GUEST_ROUNDS {2}u\n{3}', 'wav flac',
+           '// Variables of the form in which the shader was written.\n{1}'}
 # Callees whose argument is no text for people.
 SILENT = {'shader', 'at', 'value', 'find', 'contains', 'define', 'getenv', 'uniform', 'is_member_of', 'compare', 'starts_with',
           'ends_with', 'add_option', 'add_flag', 'add_subcommand', 'add_option_function', 'add_flag_function', 'type_name',
@@ -123,7 +127,7 @@ def engine_texts(texts):
                 continue
             if before[-2:] == ['{', 'return'] and ('tryThis' in before or 'buttonText' in before):
                 continue
-            if not is_sentence(text):
+            if not is_sentence(text) or text in UNSHOWN:
                 continue
             if name.startswith('ui/') and 'Failure' not in before[-8:]:
                 continue  # The window's own texts are marked by tr; what it throws is told as the engine's are.

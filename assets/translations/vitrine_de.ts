@@ -139,11 +139,6 @@
         <translation>„{=1}“ fehlt; exportieren Sie die Datei neu.</translation>
     </message>
     <message>
-        <location filename="exhibits/recording/record.cpp"/>
-        <source>&quot;{1}&quot; is no name of a recording; give one that ends in .mp4, .webm, .gif, .webp or .apng, or frames/%04d.png.</source>
-        <translation>„{=1}“ ist kein Name für eine Aufnahme; geben Sie einen an, der auf .mp4, .webm, .gif, .webp oder .apng endet, oder frames/%04d.png.</translation>
-    </message>
-    <message>
         <location filename="exhibits/framework/files/preset.cpp"/>
         <source>&quot;{1}&quot; is not a format of Vitrine; choose a preset.</source>
         <translation>„{=1}“ ist kein Format von Vitrine; wählen Sie ein Preset.</translation>
@@ -162,6 +157,11 @@
         <location filename="exhibits/recording/tour.cpp"/>
         <source>&quot;{1}&quot; is not a tour; choose another file.</source>
         <translation>„{=1}“ ist kein Rundgang; wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/recording/record.cpp"/>
+        <source>&quot;{1}&quot; is not a valid name of a recording; give one that ends in .mp4, .webm, .gif, .webp or .apng, or frames/%04d.png or .exr.</source>
+        <translation>„{=1}“ ist kein Name für eine Aufnahme; geben Sie einen an, der auf .mp4, .webm, .gif, .webp oder .apng endet, oder frames/%04d.png oder .exr.</translation>
     </message>
     <message>
         <location filename="exhibits/framework/time/motion_json.cpp"/>
@@ -1071,14 +1071,14 @@ Zeiten nach: %2.</translation>
         <translation>--animate {=1}: {2}</translation>
     </message>
     <message>
-        <location filename="app/print/print_options.cpp"/>
+        <location filename="exhibits/jobs/print/print_job.cpp"/>
         <source>--border-mm: charts have a border of their own.</source>
         <translation>--border-mm: Testtafeln haben einen eigenen Rand.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/picture/picture_job.cpp"/>
-        <source>--channels: &quot;{1}&quot; is not a channel; give color, depth, normal or evaluations, separated by commas.</source>
-        <translation>--channels: „{1}“ ist kein Kanal; geben Sie color, depth, normal oder evaluations an, durch Kommas getrennt.</translation>
+        <source>--channels: &quot;{1}&quot; is not a channel{2} give color, {3}, separated by commas.</source>
+        <translation>--channels: „{=1}“ ist kein Kanal{2} geben Sie color, {=3} an, durch Kommas getrennt.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/picture/picture_job.cpp"/>
@@ -1100,11 +1100,6 @@ Zeiten nach: %2.</translation>
         <translation>--count {=1}: Es gibt {=2} Ansichten; geben Sie 1 bis {=3} an, oder lassen Sie es für alle weg.</translation>
     </message>
     <message>
-        <location filename="app/print/rendered_views.cpp"/>
-        <source>--every and --ping-pong apply to pictures; leave them out, and give the number of an exhibit's views with --count.</source>
-        <translation>--every und --ping-pong gelten für Bilder; lassen Sie sie weg, und geben Sie die Anzahl der Ansichten eines Exponats mit --count an.</translation>
-    </message>
-    <message>
         <location filename="exhibits/printing/view_files.cpp"/>
         <source>--every {1}: give 1 or more.</source>
         <translation>--every {=1}: Geben Sie 1 oder mehr an.</translation>
@@ -1120,12 +1115,17 @@ Zeiten nach: %2.</translation>
         <translation>--high: Jede der drei Zahlen muss über der von --low liegen.</translation>
     </message>
     <message>
+        <location filename="app/jobs/job_command.cpp"/>
+        <source>--json: standard output already takes the file of --out {1}; leave one of the two out.</source>
+        <translation>--json: Die Standardausgabe nimmt schon die Datei von --out {=1} auf; lassen Sie eines von beiden weg.</translation>
+    </message>
+    <message>
         <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
         <source>--low and --high belong together: two corners of the part that is meshed.</source>
         <translation>--low und --high gehören zusammen: zwei Ecken des Teils, der vernetzt wird.</translation>
     </message>
     <message>
-        <location filename="app/print/print_options.cpp"/>
+        <location filename="exhibits/jobs/print/print_job.cpp"/>
         <source>--lpi is missing: give the sheet's lenses per inch, or a --sheet.</source>
         <translation>--lpi fehlt: Geben Sie die Linsen pro Zoll der Folie an, oder ein --sheet.</translation>
     </message>
@@ -1139,14 +1139,19 @@ Zeiten nach: %2.</translation>
         <translation>--metric {=1}: Beide Bilder brauchen den Kanal dafür; erzeugen Sie sie mit `vitrine render ... --channels color,depth,normal --out NAME.exr`.</translation>
     </message>
     <message>
-        <location filename="app/print/print_command.cpp"/>
-        <source>--out is missing: say where the print goes, to a name that ends in {1}</source>
-        <translation>--out fehlt: Sagen Sie, wohin der Druck geht, mit einem Namen, der auf {1} endet</translation>
+        <location filename="app/jobs/standard_output.cpp"/>
+        <source>--out -: no temporary folder can be made; name another one in TMPDIR.</source>
+        <translation>--out -: Es lässt sich kein temporärer Ordner anlegen; nennen Sie einen anderen in TMPDIR.</translation>
     </message>
     <message>
-        <location filename="app/print/print_command.cpp"/>
-        <source>--out {1}: give a name that ends in {2}</source>
-        <translation>--out {=1}: Geben Sie einen Namen an, der auf {2} endet</translation>
+        <location filename="app/jobs/standard_output.cpp"/>
+        <source>--out -: standard output was closed before the whole file was written.</source>
+        <translation>--out -: Die Standardausgabe wurde geschlossen, bevor die ganze Datei geschrieben war.</translation>
+    </message>
+    <message>
+        <location filename="app/jobs/standard_output.cpp"/>
+        <source>--out {1}: a terminal cannot show the bytes of a file; redirect standard output, or give a name.</source>
+        <translation>--out {=1}: Ein Terminal kann die Bytes einer Datei nicht zeigen; leiten Sie die Standardausgabe um, oder geben Sie einen Namen an.</translation>
     </message>
     <message>
         <location filename="app/kit/part_folder.cpp"/>
@@ -1175,12 +1180,7 @@ Zeiten nach: %2.</translation>
         <translation>--path turntable</translation>
     </message>
     <message>
-        <location filename="app/print/gathered_views.cpp"/>
-        <source>--quilt &quot;{1}&quot;: give columns x rows, each from 1 to 1000, and the picture, such as --quilt 8x6 quilt.png.</source>
-        <translation>--quilt „{=1}“: Geben Sie Spalten x Zeilen an, jeweils 1 bis 1000, und das Bild, etwa --quilt 8x6 quilt.png.</translation>
-    </message>
-    <message>
-        <location filename="app/print/view_folder.cpp"/>
+        <location filename="exhibits/jobs/print/view_folder.cpp"/>
         <source>--save-views {1}: {2}.</source>
         <translation>--save-views {=1}: {2}.</translation>
     </message>
@@ -1190,7 +1190,7 @@ Zeiten nach: %2.</translation>
         <translation>--scale {=1}: Ein Maßstab von 0 lässt nichts zu zeichnen; geben Sie drei Zahlen an, die nicht 0 sind.</translation>
     </message>
     <message>
-        <location filename="app/kit/picture_options.cpp"/>
+        <location filename="exhibits/museum/assignment.cpp"/>
         <source>--set {1}: &quot;{2}&quot; is not a value for it{3} give {4}</source>
         <translation>--set {=1}: &quot;{=2}&quot; ist kein Wert dafür{3} geben Sie an: {4}</translation>
     </message>
@@ -1210,12 +1210,12 @@ Zeiten nach: %2.</translation>
         <translation>--set {=1}: Die Szene hat keine Parameter.</translation>
     </message>
     <message>
-        <location filename="app/kit/picture_options.cpp"/>
+        <location filename="exhibits/museum/assignment.cpp"/>
         <source>--set {1}: {2} was changed to {3}, the nearest allowed value ({4}).</source>
         <translation>--set {=1}: {=2} wurde auf {=3} geändert, den nächsten erlaubten Wert ({4}).</translation>
     </message>
     <message>
-        <location filename="app/kit/picture_options.cpp"/>
+        <location filename="exhibits/museum/assignment.cpp"/>
         <source>--set {1}: {2} was changed to {3}, the nearest allowed value ({4}; degrees are written {5}deg).</source>
         <translation>--set {=1}: {=2} wurde auf {=3} geändert, den nächsten erlaubten Wert ({4}; Grad schreibt man {=5}deg).</translation>
     </message>
@@ -1230,13 +1230,18 @@ Zeiten nach: %2.</translation>
         <translation>--shard {=1}: Geben Sie den Teil und die Anzahl an, von 1/1 bis {=2}/{=3}, etwa --shard 2/8.</translation>
     </message>
     <message>
-        <location filename="app/print/print_command.cpp"/>
-        <source>--shard {1}: only views that are rendered are made in parts; give an --exhibit and --out.</source>
-        <translation>--shard {=1}: Nur gerenderte Ansichten entstehen in Teilen; geben Sie --exhibit und --out an.</translation>
+        <location filename="app/jobs/run_job.cpp"/>
+        <source>--shard {1}: {2}</source>
+        <translation>--shard {=1}: {2}</translation>
     </message>
     <message>
         <source>--shutter above 0</source>
         <translation>--shutter über 0</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/picture/picture_job.cpp"/>
+        <source>--sixteen-bit: WebP does not support 16 bits; give --out a name that ends in {1}, or leave the option out.</source>
+        <translation>--sixteen-bit: WebP speichert keine 16 Bit; geben Sie bei --out einen Namen an, der auf {=1} endet, oder lassen Sie die Option weg.</translation>
     </message>
     <message>
         <location filename="app/serve/listener.cpp"/>
@@ -1253,7 +1258,7 @@ Zeiten nach: %2.</translation>
         <translation>--socket {=1}: {2}</translation>
     </message>
     <message>
-        <location filename="app/print/rendered_views.cpp"/>
+        <location filename="exhibits/printing/print_views.cpp"/>
         <source>--sweep &quot;{1}&quot;: give name=from..to, such as --sweep morph=0..1.</source>
         <translation>--sweep &quot;{=1}&quot;: Geben Sie Name=von..bis an, etwa --sweep morph=0..1.</translation>
     </message>
@@ -1283,9 +1288,9 @@ Zeiten nach: %2.</translation>
         <translation>--values: Nennen Sie davor genau einen Parameter.</translation>
     </message>
     <message>
-        <location filename="app/print/rendered_views.cpp"/>
-        <source>--view-size {1}: a view has at most {2} pixels on a side.</source>
-        <translation>--view-size {=1}: Eine Ansicht hat höchstens {=2} Pixel je Seite.</translation>
+        <location filename="exhibits/printing/print_views.cpp"/>
+        <source>--view-size: the height {1} is given without a width; give the width, too, or neither.</source>
+        <translation>--view-size: Die Höhe {1} ist ohne Breite angegeben; geben Sie auch die Breite an oder keines von beiden.</translation>
     </message>
     <message>
         <location filename="app/compare/compare_settings_command.cpp"/>
@@ -1656,10 +1661,12 @@ Zeiten nach: %2.</translation>
         <translation>A</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/print/print_job.cpp"/>
         <source>a --chart, which has views of its own</source>
         <translation>einem --chart, das eigene Ansichten hat</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/print/print_job.cpp"/>
         <source>a --sheet, whose lenses are known</source>
         <translation>einer --sheet, deren Linsen bekannt sind</translation>
     </message>
@@ -1831,6 +1838,11 @@ Zeiten nach: %2.</translation>
         <translation>Ein See bei Nacht mit Laternen bis zum Horizont; ein Strahl prüft nur die, an denen er vorbeikommt.</translation>
     </message>
     <message>
+        <location filename="exhibits/ice_cream/backdrop_sheet.cpp"/>
+        <source>a lamp behind the ice cream lights a sheet</source>
+        <translation>eine Lampe hinter dem Eis beleuchtet einen Bogen</translation>
+    </message>
+    <message>
         <location filename="exhibits/museum/lamps.cpp"/>
         <source>a lamp throws its shadow</source>
         <translation>eine Lampe wirft ihren Schatten</translation>
@@ -1935,6 +1947,21 @@ Zeiten nach: %2.</translation>
         <translation>Links A; rechts %1.</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/export/web_writer.cpp"/>
+        <source>A page has no picture of the kind of “{1}”; use a picture file or a buffer.</source>
+        <translation>Eine Seite hat kein Bild der Art von „{1}“; verwenden Sie eine Bilddatei oder einen Puffer.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/export/web_writer.cpp"/>
+        <source>A page has no sound: “{1}” is silence there.</source>
+        <translation>Eine Seite hat keinen Ton: „{1}“ ist dort Stille.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/export/web_writer.cpp"/>
+        <source>A page has no {1}, which “{2}” is; use a picture.</source>
+        <translation>Eine Seite hat kein {1}, wie es „{2}“ ist; verwenden Sie ein Bild.</translation>
+    </message>
+    <message>
         <location filename="exhibits/paper_lanterns/paper_lanterns.cpp"/>
         <source>a panorama replaces the night sky</source>
         <translation>ein Panorama ersetzt den Nachthimmel</translation>
@@ -1980,11 +2007,6 @@ Zeiten nach: %2.</translation>
         <translation>Ein Bild von </translation>
     </message>
     <message>
-        <location filename="render/scene/gltf_materials.cpp"/>
-        <source>A picture of {1} uses the second texture coordinates; the first are used.</source>
-        <translation>Ein Bild von {1} benutzt die zweiten Texturkoordinaten; benutzt werden die ersten.</translation>
-    </message>
-    <message>
         <location filename="exhibits/printing/view_rig.cpp"/>
         <source>a picture without the channel depth.Z</source>
         <translation>ein Bild ohne den Kanal depth.Z</translation>
@@ -1999,6 +2021,7 @@ Zeiten nach: %2.</translation>
         <translation>ein Schild ist im Blick</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/print/print_job.cpp"/>
         <source>a PNG, which is always compressed</source>
         <translation>einem PNG, das immer gepackt ist</translation>
     </message>
@@ -2048,7 +2071,7 @@ Zeiten nach: %2.</translation>
         <translation>Eine Pyramide mit quadratischer Grundfläche bei y = 0.</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
+        <location filename="exhibits/kit/sdf_parameters.h"/>
         <source>A quarter of a pixel is wider, and is used instead.</source>
         <translation>Ein Viertel eines Pixels ist breiter und gilt stattdessen.</translation>
     </message>
@@ -2056,6 +2079,11 @@ Zeiten nach: %2.</translation>
         <location filename="exhibits/printing/view_files.cpp"/>
         <source>A quilt of {1} x {2} pixels does not hold {3} x {4} views; give fewer columns and rows.</source>
         <translation>Ein Quilt von {1} x {2} Pixeln fasst keine {3} x {4} Ansichten; geben Sie weniger Spalten und Zeilen an.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/quilt/quilt_job.cpp"/>
+        <source>A quilt of {1} × {2} pixels is larger than the 16384 × 16384 that displays take; give a smaller --size, or fewer --columns and --rows.</source>
+        <translation>Ein Quilt von {1} × {2} Pixeln ist größer als die 16384 × 16384, die Displays annehmen; geben Sie eine kleinere --size an, oder weniger --columns und --rows.</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/scene_reader.cpp"/>
@@ -2076,6 +2104,11 @@ Zeiten nach: %2.</translation>
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
         <source>A regular octahedron with its corners on the axes.</source>
         <translation>Ein regelmäßiges Oktaeder mit den Ecken auf den Achsen.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/fur/fur_passes.cpp"/>
+        <source>a rug lies on the floor, and the bodies keep light off it</source>
+        <translation>auf dem Boden liegt ein Teppich, und die Körper halten Licht von ihm ab</translation>
     </message>
     <message>
         <source>a scene in which nothing moves</source>
@@ -2248,6 +2281,11 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="render/scene/gltf_materials.cpp"/>
+        <source>A texture of {1} uses texture coordinates after the second set; the first set is used.</source>
+        <translation>Ein Bild von {1} verwendet Texturkoordinaten jenseits der zweiten; verwendet werden die ersten.</translation>
+    </message>
+    <message>
+        <location filename="render/scene/gltf_materials.cpp"/>
         <source>A texture of {1} wraps differently along u and v; both wrap as u does.</source>
         <translation>Eine Textur von {1} wiederholt sich entlang u anders als entlang v; beides geschieht wie bei u.</translation>
     </message>
@@ -2371,6 +2409,11 @@ Zeiten nach: %2.</translation>
         <translation>eine ganze Zahl.</translation>
     </message>
     <message>
+        <location filename="render/files/zip_file.cpp"/>
+        <source>A ZIP file holds less than 4 GiB, which {1} exceeds; make a smaller one, or choose another format.</source>
+        <translation>Eine ZIP-Datei fasst weniger als 4 GiB, und {=1} ist größer; machen Sie eine kleinere, oder wählen Sie ein anderes Format.</translation>
+    </message>
+    <message>
         <location filename="ui/report/frame_report_view.cpp"/>
         <source>A, ms</source>
         <translation>A, ms</translation>
@@ -2414,11 +2457,13 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="ui/window/exhibit_list.cpp"/>
+        <location filename="ui/window/visit_card.cpp"/>
         <source>About</source>
         <translation>Über</translation>
     </message>
     <message>
         <location filename="ui/window/exhibit_list.cpp"/>
+        <location filename="ui/window/visit_card.cpp"/>
         <source>About %1</source>
         <translation>Über %1</translation>
     </message>
@@ -2480,7 +2525,6 @@ Zeiten nach: %2.</translation>
     <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
         <location filename="exhibits/fur/fur_table.h"/>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <location filename="exhibits/noise/noise_table.h"/>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
@@ -2525,6 +2569,11 @@ Zeiten nach: %2.</translation>
         <location filename="render/video/ffmpeg/writer.cpp"/>
         <source>adding a frame</source>
         <translation>das Anfügen eines Frames</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/print/print_job.cpp"/>
+        <source>Additional file for the print's description, as JSON; it is always written beside the print and into it</source>
+        <translation>Weitere Datei für die Beschreibung des Drucks, als JSON; sie steht immer auch neben dem Druck und in ihm</translation>
     </message>
     <message>
         <location filename="ui/tree/tree_dock.cpp"/>
@@ -2688,6 +2737,11 @@ Zeiten nach: %2.</translation>
         <translation>Alles, was sich öffnen lässt (%1)</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/print/print_run.cpp"/>
+        <source>all views from one camera</source>
+        <translation>alle Ansichten von einer Kamera</translation>
+    </message>
+    <message>
         <location filename="exhibits/study/study_table.h"/>
         <source>Alone</source>
         <translation>Allein</translation>
@@ -2733,7 +2787,6 @@ Zeiten nach: %2.</translation>
         <translation>Umgebungslicht, in linearen Werten; nur bei Phong-Beleuchtung.</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
         <source>Ambient occlusion</source>
         <extracomment>tables</extracomment>
@@ -2930,6 +2983,11 @@ Zeiten nach: %2.</translation>
         </translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/print/print_job.cpp"/>
+        <source>and --exhibit exclude each other; give one of them.</source>
+        <translation>und --exhibit schließen einander aus; geben Sie eines davon an.</translation>
+    </message>
+    <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
         <source>Angle around the sun within which the sky gives rays: 180° uses the whole sky.</source>
         <extracomment>tables</extracomment>
@@ -2946,6 +3004,11 @@ Zeiten nach: %2.</translation>
         <translation>Winkel zwischen der Achse und der Seite.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/quilt/quilt_table.h"/>
+        <source>Angle between the directions to the first and the last camera, seen from the point that the camera looks at. 0: all views are the same.</source>
+        <translation>Winkel zwischen den Richtungen zur ersten und zur letzten Kamera, gesehen von dem Punkt, auf den die Kamera blickt. 0: Alle Ansichten sind gleich.</translation>
+    </message>
+    <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <source>Angle by which a surface must turn to make an edge: low draws more lines.</source>
         <extracomment>tables</extracomment>
@@ -2960,6 +3023,11 @@ Zeiten nach: %2.</translation>
         <location filename="exhibits/jobs/record/record_table.h"/>
         <source>Angle by which the camera turns around its target, counter-clockwise from above. Auto: once around an exhibit that is shown alone, 60° in the hall.</source>
         <translation>Winkel, um den sich die Kamera um ihr Ziel dreht, von oben gesehen gegen den Uhrzeigersinn. Auto: einmal um ein allein gezeigtes Exponat, 60° in der Halle.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Angle by which the exhibit turns from the first to the last view, as seen when walking around it to the right; 360° repeats without a jump.</source>
+        <translation>Winkel, um den sich das Exponat von der ersten bis zur letzten Ansicht dreht, wie man es beim Gehen um es nach rechts sieht; 360° wiederholt sich ohne Sprung.</translation>
     </message>
     <message>
         <location filename="exhibits/noise/noise_table.h"/>
@@ -3034,7 +3102,7 @@ Zeiten nach: %2.</translation>
         <translation>Winkeldurchmesser der Sonne.</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
+        <location filename="exhibits/kit/sdf_parameters.h"/>
         <source>Angular diameter of the sun: wide gives soft shadows. The real sun has half a degree.</source>
         <extracomment>tables</extracomment>
         <translation>Winkeldurchmesser der Sonne: Große Werte geben weiche Schatten. Die wirkliche Sonne misst ein halbes Grad.</translation>
@@ -3162,6 +3230,11 @@ Zeiten nach: %2.</translation>
         <translation>apng</translation>
     </message>
     <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Append the pictures in reverse order (1 2 3 4 3 2), so that the views repeat without a jump.</source>
+        <translation>Hängt die Bilder in umgekehrter Reihenfolge an (1 2 3 4 3 2), sodass sich die Ansichten ohne Sprung wiederholen.</translation>
+    </message>
+    <message>
         <location filename="exhibits/study/study_table.h"/>
         <source>Approximate number of values of each parameter. Auto: 8 for one parameter, 5 for two, 17 for more.</source>
         <translation>Ungefähre Zahl der Werte jedes Parameters. Automatisch: 8 bei einem Parameter, 5 bei zweien, 17 bei mehr.</translation>
@@ -3172,7 +3245,6 @@ Zeiten nach: %2.</translation>
         <translation>Fläche</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <location filename="exhibits/printing/print_table.h"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
         <source>area</source>
@@ -3282,6 +3354,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/picture/picture_table.h"/>
+        <location filename="exhibits/jobs/quilt/quilt_table.h"/>
         <location filename="exhibits/jobs/record/record_table.h"/>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
@@ -3293,7 +3366,6 @@ Zeiten nach: %2.</translation>
     <message>
         <location filename="exhibits/hall/hall_table.h"/>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
         <source>automatic</source>
         <extracomment>tables</extracomment>
@@ -3383,6 +3455,23 @@ Zeiten nach: %2.</translation>
         <translation>Hinterer Druck</translation>
     </message>
     <message>
+        <location filename="exhibits/ice_cream/ice_cream_table.h"/>
+        <source>Backdrop</source>
+        <extracomment>tables</extracomment>
+        <translation>Hintergrund</translation>
+    </message>
+    <message>
+        <location filename="exhibits/ice_cream/ice_cream_table.h"/>
+        <source>Backdrop color</source>
+        <extracomment>tables</extracomment>
+        <translation>Hintergrundfarbe</translation>
+    </message>
+    <message>
+        <location filename="exhibits/ice_cream/backdrop_sheet.cpp"/>
+        <source>backdrop of the ice cream</source>
+        <translation>Hintergrund des Eises</translation>
+    </message>
+    <message>
         <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Backspace, Alt+Left</source>
         <translation>Rücktaste, Alt+Links</translation>
@@ -3425,6 +3514,21 @@ Zeiten nach: %2.</translation>
         <source>Ball length</source>
         <extracomment>tables</extracomment>
         <translation>Ball: Länge</translation>
+    </message>
+    <message>
+        <source>Ball mark color</source>
+        <extracomment>tables</extracomment>
+        <translation>Ball: Musterfarbe</translation>
+    </message>
+    <message>
+        <source>Ball mark size</source>
+        <extracomment>tables</extracomment>
+        <translation>Ball: Mustergröße</translation>
+    </message>
+    <message>
+        <source>Ball marking</source>
+        <extracomment>tables</extracomment>
+        <translation>Ball: Musterung</translation>
     </message>
     <message>
         <source>Ball root</source>
@@ -3486,7 +3590,6 @@ Zeiten nach: %2.</translation>
         <translation>Boden</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <source>Base color</source>
         <extracomment>tables</extracomment>
         <translation>Grundfarbe</translation>
@@ -3699,6 +3802,11 @@ Zeiten nach: %2.</translation>
         <translation>Radius unten</translation>
     </message>
     <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>bottom-left</source>
+        <translation>unten links</translation>
+    </message>
+    <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <source>Bounce light</source>
         <extracomment>tables</extracomment>
@@ -3711,7 +3819,6 @@ Zeiten nach: %2.</translation>
         <translation>Sprungabstand</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
@@ -3732,7 +3839,6 @@ Zeiten nach: %2.</translation>
         <translation>beschränkt</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <source>Bounding box</source>
         <extracomment>tables</extracomment>
         <translation>Hüllquader</translation>
@@ -3762,7 +3868,6 @@ Zeiten nach: %2.</translation>
         <translation>Schalenrand</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <source>Box size</source>
         <extracomment>tables</extracomment>
         <translation>Quadergröße</translation>
@@ -3864,6 +3969,11 @@ Zeiten nach: %2.</translation>
         <translation>Testchart</translation>
     </message>
     <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Calibration chart to print in place of views: pitch finds the LPI at which printer and sheet match, phase the shift of the strips, views the number of distinguishable views, rotation whether the sheet is straight.</source>
+        <translation>Kalibriertafel, die statt Ansichten gedruckt wird: pitch findet die LPI, bei denen Drucker und Folie zusammenpassen, phase die Verschiebung der Streifen, views die Zahl unterscheidbarer Ansichten, rotation, ob die Folie gerade liegt.</translation>
+    </message>
+    <message>
         <location filename="exhibits/jobs/record/record_table.h"/>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
@@ -3879,6 +3989,11 @@ Zeiten nach: %2.</translation>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
         <source>Camera from which the scene is seen.</source>
         <translation>Kamera, von der aus die Szene gesehen wird.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/sdf_scenes/stand_alone.cpp"/>
+        <source>Camera, lights and surroundings stay as they are now; shapes and materials follow the inputs.</source>
+        <translation>Kamera, Lichter und Umgebung bleiben, wie sie jetzt sind; Formen und Materialien folgen den Eingaben.</translation>
     </message>
     <message>
         <location filename="exhibits/framework/table/preset_values.cpp"/>
@@ -4569,6 +4684,11 @@ Zeiten nach: %2.</translation>
         <translation>{1} lässt sich nicht vergleichen: {2}.</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/export/picture_files.cpp"/>
+        <source>Cannot copy {1} beside the output: {2} is another picture; choose another folder.</source>
+        <translation>{1} kann nicht neben die Ausgabe kopiert werden: {2} ist ein anderes Bild; wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
         <location filename="render/files/read_file.cpp"/>
         <source>Cannot follow the reference &quot;{1}&quot; inside {2}: {3}; use a plain relative path.</source>
         <translation>Dem Verweis „{=1}“ in {=2} kann nicht gefolgt werden: {3}; verwenden Sie einen einfachen relativen Pfad.</translation>
@@ -4680,6 +4800,11 @@ Zeiten nach: %2.</translation>
         <translation>{=1} kann nicht gelesen werden: {2}.</translation>
     </message>
     <message>
+        <location filename="render/video/sound_file.cpp"/>
+        <source>Cannot read {1}: {2}; choose a WAV or FLAC file.</source>
+        <translation>{1} kann nicht gelesen werden: {2}; wählen Sie eine WAV- oder FLAC-Datei.</translation>
+    </message>
+    <message>
         <location filename="render/video/carried_settings.cpp"/>
         <source>Cannot read {1}: {2}; choose another file.</source>
         <translation>{=1} kann nicht gelesen werden: {2}; wählen Sie eine andere Datei.</translation>
@@ -4758,7 +4883,7 @@ Zeiten nach: %2.</translation>
         <translation>{=1} kann nicht geschrieben werden: {2}.</translation>
     </message>
     <message>
-        <location filename="app/print/print_command.cpp"/>
+        <location filename="exhibits/jobs/print/print_run.cpp"/>
         <source>Cannot write {1}: {2}; choose another folder.</source>
         <translation>{=1} kann nicht geschrieben werden: {2}; wählen Sie einen anderen Ordner.</translation>
     </message>
@@ -4813,7 +4938,6 @@ Zeiten nach: %2.</translation>
         <translation>Mitte</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <source>central</source>
         <extracomment>tables</extracomment>
         <translation>zentral</translation>
@@ -4906,13 +5030,18 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/picture/picture_table.h"/>
-        <source>Channels of an OpenEXR file, separated by commas: color, depth, normal, evaluations. Empty: those of the picture whose settings are used, else color only.</source>
-        <translation>Kanäle einer OpenEXR-Datei, durch Kommas getrennt: color, depth, normal, evaluations. Leer: die des Bildes, dessen Einstellungen verwendet werden, sonst nur die Farbe.</translation>
+        <source>Channels of an OpenEXR file, separated by commas: color, depth, normal, evaluations, position, object (which exhibit, as Cryptomatte). Empty: those of the picture whose settings are used, else color only.</source>
+        <translation>Kanäle einer OpenEXR-Datei, durch Kommas getrennt: color, depth, normal, evaluations, position, object (welches Exponat, als Cryptomatte). Leer: die des Bildes, dessen Einstellungen verwendet werden, sonst nur die Farbe.</translation>
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
         <source>Chart</source>
         <translation>Testchart</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>chart</source>
+        <translation>Tafel</translation>
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
@@ -5054,7 +5183,6 @@ Zeiten nach: %2.</translation>
         <translation>Kreislimit</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
         <source>classic</source>
         <extracomment>tables</extracomment>
@@ -5135,6 +5263,11 @@ Zeiten nach: %2.</translation>
         <location filename="ui/window/close_guard.cpp"/>
         <source>Close the window?</source>
         <translation>Fenster schließen?</translation>
+    </message>
+    <message>
+        <location filename="ui/window/visit_card.cpp"/>
+        <source>Close this card</source>
+        <translation>Diese Karte schließen</translation>
     </message>
     <message>
         <location filename="exhibits/lenticular/lenticular.cpp"/>
@@ -5320,6 +5453,12 @@ Zeiten nach: %2.</translation>
         <translation>Farbe tiefen Wassers.</translation>
     </message>
     <message>
+        <location filename="exhibits/ice_cream/ice_cream_table.h"/>
+        <source>Color of the backdrop.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbe des Hintergrunds.</translation>
+    </message>
+    <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <source>Color of the background at the bottom.</source>
         <extracomment>tables</extracomment>
@@ -5336,6 +5475,12 @@ Zeiten nach: %2.</translation>
         <source>Color of the candy.</source>
         <extracomment>tables</extracomment>
         <translation>Farbe des Bonbons.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/fur/fur_table.h"/>
+        <source>Color of the colored braids of the rug.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbe der farbigen Zöpfe des Teppichs.</translation>
     </message>
     <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
@@ -5362,7 +5507,7 @@ Zeiten nach: %2.</translation>
         <translation>Farbe des Nebels am Horizont.</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
+        <location filename="exhibits/kit/sdf_parameters.h"/>
         <source>Color of the glaze, of the metal, or of 10 cm of the glass.</source>
         <extracomment>tables</extracomment>
         <translation>Farbe der Glasur, des Metalls oder von 10 cm des Glases.</translation>
@@ -5384,6 +5529,12 @@ Zeiten nach: %2.</translation>
         <source>Color of the light that fills shadows from below.</source>
         <extracomment>tables</extracomment>
         <translation>Farbe des Lichts, das Schatten von unten aufhellt.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/fur/fur_table.h"/>
+        <source>Color of the markings of this coat.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbe der Musterung dieses Fells.</translation>
     </message>
     <message>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
@@ -5536,6 +5687,11 @@ Zeiten nach: %2.</translation>
         <translation>Farben gefächert</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/quilt/quilt_table.h"/>
+        <source>Columns</source>
+        <translation>Spalten</translation>
+    </message>
+    <message>
         <source>columns x rows of views</source>
         <translation>Spalten x Reihen von Ansichten</translation>
     </message>
@@ -5576,6 +5732,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="ui/study/kept_studies.cpp"/>
+        <location filename="ui/window/visit_card.cpp"/>
         <source>Compare</source>
         <translation>Vergleichen</translation>
     </message>
@@ -5690,7 +5847,11 @@ Zeiten nach: %2.</translation>
         <translation>Die Diagramme werden berechnet …</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
+        <location filename="exhibits/jobs/quilt/quilt_table.h"/>
+        <source>Cone</source>
+        <translation>Kegel</translation>
+    </message>
+    <message>
         <source>Cone prepass</source>
         <extracomment>tables</extracomment>
         <translation>Kegel-Vorlauf</translation>
@@ -5758,6 +5919,7 @@ Zeiten nach: %2.</translation>
         <translation>Kontrast</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/quilt/quilt_table.h"/>
         <location filename="exhibits/printing/print_table.h"/>
         <source>Convergence</source>
         <translation>Konvergenz</translation>
@@ -5875,6 +6037,12 @@ Zeiten nach: %2.</translation>
         <translation>Alles nach B kopieren</translation>
     </message>
     <message>
+        <location filename="ui/editor/shader_copy.cpp"/>
+        <location filename="ui/editor/shader_panel.cpp"/>
+        <source>Copy as a shader of my own</source>
+        <translation>Als eigenen Shader kopieren</translation>
+    </message>
+    <message>
         <location filename="ui/window/window_actions.cpp"/>
         <source>Copy as command &amp;line</source>
         <translation>Als B&amp;efehlszeile kopieren</translation>
@@ -5908,6 +6076,11 @@ Zeiten nach: %2.</translation>
         <location filename="ui/kit/message_strip.cpp"/>
         <source>Copy this message</source>
         <translation>Diese Meldung kopieren</translation>
+    </message>
+    <message>
+        <location filename="ui/editor/shader_copy.cpp"/>
+        <source>Copy to %1</source>
+        <translation>Nach %1 kopieren</translation>
     </message>
     <message>
         <location filename="ui/parameters/parameter_menus.cpp"/>
@@ -5981,7 +6154,7 @@ Zeiten nach: %2.</translation>
         <translation>Anzahl</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
+        <location filename="exhibits/kit/sdf_parameters.h"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
         <source>Count that the heat map shows in white: low brings out small costs, high large ones.</source>
         <extracomment>tables</extracomment>
@@ -5996,6 +6169,12 @@ Zeiten nach: %2.</translation>
         <location filename="ui/study/study_chart.cpp"/>
         <source>counted work</source>
         <translation>gezählte Arbeit</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
+        <source>Counter of restarts: any change empties all buffers, and the steps begin again.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zähler der Neustarts: Jede Änderung leert alle Puffer, und die Schritte beginnen von vorn.</translation>
     </message>
     <message>
         <location filename="exhibits/noise/noise_table.h"/>
@@ -6045,6 +6224,11 @@ Zeiten nach: %2.</translation>
         <location filename="ui/print/print_numbers.cpp"/>
         <source>Cross-talk</source>
         <translation>Übersprechen</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/print/print_run.cpp"/>
+        <source>cross-talk %.4f before, %.4f after (root mean square, simulated); %.1f %% beyond black or white</source>
+        <translation>Übersprechen %.4f vorher, %.4f nachher (quadratisches Mittel, simuliert); %.1f %% jenseits von Schwarz oder Weiß</translation>
     </message>
     <message>
         <location filename="ui/print/print_numbers.cpp"/>
@@ -6188,6 +6372,12 @@ Zeiten nach: %2.</translation>
         <translation>Dunkelheit zwischen den Wurzeln: 0 dunkelt nicht ab, hohe Werte bis ganz nach oben.</translation>
     </message>
     <message>
+        <location filename="exhibits/ice_cream/ice_cream_table.h"/>
+        <source>Darkness of the wafer where it was hottest, on ridges and rims: 0 is pale, 1 is well toasted.</source>
+        <extracomment>tables</extracomment>
+        <translation>Dunkelheit der Waffel da, wo sie am heißesten war, auf Rippen und Rändern: 0 ist hell, 1 gut geröstet.</translation>
+    </message>
+    <message>
         <source>Dawn</source>
         <translation>Morgengrauen</translation>
     </message>
@@ -6263,7 +6453,7 @@ Zeiten nach: %2.</translation>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
         <source>Deletes the selected preset; undo brings it back.</source>
-        <translation>Löscht das gewählte Preset; rückgängig machen bringt es zurück.</translation>
+        <translation>Löscht das gewählte Preset; „Rückgängig“ bringt es zurück.</translation>
     </message>
     <message>
         <location filename="ui/print/sheet_bar.cpp"/>
@@ -6358,6 +6548,12 @@ Zeiten nach: %2.</translation>
         <translation>Tiefenzugriffe</translation>
     </message>
     <message>
+        <location filename="exhibits/ice_cream/ice_cream_table.h"/>
+        <source>Depth of the pores in the wafer: 0 is smooth, 1 is coarse.</source>
+        <extracomment>tables</extracomment>
+        <translation>Tiefe der Poren in der Waffel: 0 ist glatt, 1 grob.</translation>
+    </message>
+    <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <source>Depth order</source>
         <extracomment>tables</extracomment>
@@ -6369,6 +6565,12 @@ Zeiten nach: %2.</translation>
         <translation>Tiefe, die der Druck ohne doppelte Konturen zeigen kann, vor und hinter ihm zusammen.</translation>
     </message>
     <message>
+        <location filename="exhibits/ice_cream/ice_cream_table.h"/>
+        <source>Depth to which light enters the cream.</source>
+        <extracomment>tables</extracomment>
+        <translation>Tiefe, bis zu der Licht ins Eis eindringt.</translation>
+    </message>
+    <message>
         <location filename="exhibits/noise/noise_table.h"/>
         <source>derivative</source>
         <extracomment>tables</extracomment>
@@ -6378,6 +6580,11 @@ Zeiten nach: %2.</translation>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <source>Description</source>
         <translation>Beschreibung</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
+        <source>Deviation at most</source>
+        <translation>Abweichung höchstens</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_morph/sdf_morph_table.h"/>
@@ -6586,7 +6793,6 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <location filename="exhibits/noise/noise_table.h"/>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
@@ -6611,7 +6817,6 @@ Zeiten nach: %2.</translation>
         <translation>Abstand</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <source>distance</source>
         <extracomment>tables</extracomment>
         <translation>Abstand</translation>
@@ -6622,13 +6827,18 @@ Zeiten nach: %2.</translation>
         <translation>Entfernung  %1 m</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/quilt/quilt_table.h"/>
+        <source>Distance along the view axis to the plane that the display shows sharp. Auto: to the point that the camera looks at.</source>
+        <translation>Abstand entlang der Blickachse zu der Ebene, die das Display scharf zeigt. Auto: bis zu dem Punkt, auf den die Kamera blickt.</translation>
+    </message>
+    <message>
         <location filename="exhibits/noise/noise_table.h"/>
         <source>Distance at which a ray counts as a hit of the field or the water, in pixels at that depth.</source>
         <extracomment>tables</extracomment>
         <translation>Abstand, bei dem ein Strahl als Treffer des Felds oder Wassers gilt, in Pixeln bei dieser Tiefe.</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
+        <location filename="exhibits/kit/sdf_parameters.h"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
         <source>Distance at which a ray counts as a hit, in half pixels at that depth: low is accurate, high saves steps.</source>
         <extracomment>tables</extracomment>
@@ -6647,8 +6857,8 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
-        <source>Distance between the cameras of rendered views: 0 is flat, 1 gives true depth at the viewing distance, above 1 exaggerates depth.</source>
-        <translation>Abstand zwischen den Kameras gerenderter Ansichten: 0 ist flach, 1 gibt beim Betrachtungsabstand die wahre Tiefe, über 1 übertreibt die Tiefe.</translation>
+        <source>Distance between the cameras of rendered views: 0 is flat, 1 gives true depth at the viewing distance, above 1 exaggerates depth. Auto: 1, or 0 if something turns or changes. Fit: the largest without doubled contours.</source>
+        <translation>Abstand zwischen den Kameras gerenderter Ansichten: 0 ist flach, 1 gibt wahre Tiefe im Betrachtungsabstand, über 1 wird die Tiefe übertrieben. Auto: 1, oder 0, wenn sich etwas dreht oder ändert. Fit: der größte ohne doppelte Konturen.</translation>
     </message>
     <message>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
@@ -6660,6 +6870,12 @@ Zeiten nach: %2.</translation>
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
         <source>Distance between the two centers.</source>
         <translation>Abstand der beiden Mittelpunkte.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/fur/fur_table.h"/>
+        <source>Distance between two stripes or spots of this coat.</source>
+        <extracomment>tables</extracomment>
+        <translation>Abstand zweier Streifen oder Flecken dieses Fells.</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
@@ -6748,6 +6964,11 @@ Zeiten nach: %2.</translation>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <source>Distance that the object travels in the animation: kept in the frames, or removed from them (in place), so that it walks on the spot and the pivot moves. Automatic: removed if longer than the object.</source>
         <translation>Strecke, die das Objekt in der Animation zurücklegt: in den Frames behalten oder aus ihnen entfernt (auf der Stelle), sodass es auf der Stelle geht und der Drehpunkt wandert. Automatisch: entfernt, wenn sie länger als das Objekt ist.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/print/print_run.cpp"/>
+        <source>Distinguishable views</source>
+        <translation>Unterscheidbare Ansichten</translation>
     </message>
     <message>
         <location filename="exhibits/fur/fur_table.h"/>
@@ -6897,6 +7118,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Zeichnet ein Objekt von allen Seiten als Sprite-Bogen, daneben Normalen, Tiefe und Aseprites JSON</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/quilt/quilt_job.h"/>
+        <source>Draw many views of an exhibit into one picture, for light-field displays</source>
+        <translation>Viele Ansichten eines Exponats in ein Bild zeichnen, für Lichtfeld-Displays</translation>
+    </message>
+    <message>
         <location filename="ui/explore/explore_dock.cpp"/>
         <source>Draw new variations</source>
         <translation>Neue Variationen zeichnen</translation>
@@ -6904,7 +7130,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     <message>
         <location filename="exhibits/jobs/picture/picture_table.h"/>
         <source>Draw only the exhibit, in the hall's light, and leave everything around it transparent (alpha 0).</source>
-        <translation>Nur das Exponat zeichnen, im Licht des Saals, und alles um es herum durchsichtig lassen (Alpha 0).</translation>
+        <translation>Nur das Exponat zeichnen, im Licht der Halle, und alles um es herum durchsichtig lassen (Alpha 0).</translation>
     </message>
     <message>
         <location filename="exhibits/fur/fur_table.h"/>
@@ -7296,7 +7522,6 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Auswertung</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
         <source>evaluations</source>
         <extracomment>tables</extracomment>
@@ -7313,6 +7538,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     <message>
         <source>Evening dust</source>
         <translation>Abendlicher Staub</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Every</source>
+        <translation>Jedes n-te Bild</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
@@ -7351,6 +7581,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <location filename="ui/study/study_chart.cpp"/>
         <source>exact in this parameter</source>
         <translation>exakt in diesem Parameter</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/isf_reader.cpp"/>
+        <source>EXACT of the input “{1}” is not one of its VALUES; write one of them.</source>
+        <translation>EXACT der Eingabe „{1}“ ist keiner ihrer VALUES; schreiben Sie einen davon.</translation>
     </message>
     <message>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
@@ -7436,6 +7671,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     <message>
         <location filename="ui/print/print_dialog.cpp"/>
         <location filename="ui/print/print_export_bar.cpp"/>
+        <location filename="exhibits/jobs/print/print_job.h"/>
         <source>Export lenticular print</source>
         <translation>Linsendruck exportieren</translation>
     </message>
@@ -7463,6 +7699,16 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <location filename="ui/presets/preset_controller.cpp"/>
         <source>Export preset</source>
         <translation>Preset exportieren</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/quilt/quilt_job.h"/>
+        <source>Export quilt</source>
+        <translation>Quilt exportieren</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/shader/shader_job.h"/>
+        <source>Export shader</source>
+        <translation>Shader exportieren</translation>
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
@@ -7596,7 +7842,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Faktor der Helligkeit.</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
+        <location filename="exhibits/kit/sdf_parameters.h"/>
         <source>Factor of the fixed relaxation: 1 is none, higher takes longer steps and has to take back more of them.</source>
         <extracomment>tables</extracomment>
         <translation>Faktor der festen Relaxation: 1 ist keine, höhere Werte machen längere Schritte und müssen mehr davon zurücknehmen.</translation>
@@ -7635,7 +7881,6 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Fasern</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <location filename="exhibits/noise/noise_table.h"/>
         <source>field</source>
         <extracomment>tables</extracomment>
@@ -7677,6 +7922,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Datei</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/picture/picture_job.cpp"/>
+        <source>File for the frame report as JSON: passes that ran, passes that were skipped and why, counters, times, memory by owner</source>
+        <translation>Datei für den Bildbericht als JSON: ausgeführte Durchgänge, übersprungene Durchgänge mit Grund, Zähler, Zeiten, Speicher nach Besitzer</translation>
+    </message>
+    <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <source>File of the palette to write beside the sheet: none, of GIMP (.gpl), of Lospec (.hex), or of Paint Shop Pro (.pal, JASC).</source>
         <translation>Datei der Palette, die neben den Bogen geschrieben wird: keine, für GIMP (.gpl), Lospec (.hex) oder Paint Shop Pro (.pal, JASC).</translation>
@@ -7688,6 +7938,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <location filename="ui/preferences/preferences_dialog.cpp"/>
+        <location filename="exhibits/printing/print_table.h"/>
         <source>Files</source>
         <translation>Dateien</translation>
     </message>
@@ -7816,7 +8067,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>fertig</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
+        <location filename="exhibits/kit/sdf_parameters.h"/>
         <source>Finite differences that give the normal, at 4, 4 or 6 evaluations; the first two are less accurate at creases.</source>
         <extracomment>tables</extracomment>
         <translation>Finite Differenzen, die die Normale ergeben, mit 4, 4 oder 6 Auswertungen; die ersten beiden sind an Falten ungenauer.</translation>
@@ -7826,6 +8077,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <source>fins</source>
         <extracomment>tables</extracomment>
         <translation>Fins</translation>
+    </message>
+    <message>
+        <location filename="ui/window/visit_card.cpp"/>
+        <source>First visit of %1</source>
+        <translation>Erster Besuch: %1</translation>
     </message>
     <message>
         <location filename="ui/study/large_pictures.cpp"/>
@@ -7864,7 +8120,6 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Leere korrigieren</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <source>fixed</source>
         <extracomment>tables</extracomment>
         <translation>fest</translation>
@@ -7946,6 +8201,12 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Bodenspiegel</translation>
     </message>
     <message>
+        <location filename="exhibits/fur/fur_table.h"/>
+        <source>Floor of the pit</source>
+        <extracomment>tables</extracomment>
+        <translation>Boden der Grube</translation>
+    </message>
+    <message>
         <location filename="exhibits/noise/noise_table.h"/>
         <source>Foam</source>
         <extracomment>tables</extracomment>
@@ -7982,6 +8243,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     <message>
         <source>Folded</source>
         <translation>Gefaltet</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Folder into which the views are written, too: view_00.png, view_01.png, ...</source>
+        <translation>Ordner, in den auch die Ansichten geschrieben werden: view_00.png, view_01.png, ...</translation>
     </message>
     <message>
         <location filename="ui/print/source_bar.cpp"/>
@@ -8051,13 +8317,17 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Form der Beschreibungsdatei: ein Array von Frames nach Nummern, für createFromAseprite von Phaser, oder ein Hash von Frames nach Namen, mit Animationen und Ankern für Pixi.</translation>
     </message>
     <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Format of the files of saved views.</source>
+        <translation>Format der Dateien gespeicherter Ansichten.</translation>
+    </message>
+    <message>
         <location filename="exhibits/noise/noise_table.h"/>
         <source>Forward</source>
         <extracomment>tables</extracomment>
         <translation>Vorwärts</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <source>forward</source>
         <extracomment>tables</extracomment>
         <translation>vorwärts</translation>
@@ -8148,11 +8418,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="exhibits/recording/recorder.cpp"/>
         <source>Frame {1}, {2} x {3}, {4} samples, seed {5}</source>
         <translation>Frame {1}, {2} x {3}, {4} Samples, Startwert {5}</translation>
-    </message>
-    <message>
-        <location filename="exhibits/study/study_picture.cpp"/>
-        <source>framebuffers made</source>
-        <translation>angelegte Framebuffer</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
@@ -8274,6 +8539,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>aus der Zone</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/print/print_run.cpp"/>
+        <source>from {1} to {2}; the print holds {3} to {4} without doubled contours</source>
+        <translation>von {1} bis {2}; der Druck fasst {3} bis {4} ohne doppelte Konturen</translation>
+    </message>
+    <message>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
         <source>front</source>
         <extracomment>tables</extracomment>
@@ -8310,6 +8580,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>Full moon</source>
         <translation>Vollmond</translation>
+    </message>
+    <message>
+        <source>fur</source>
+        <translation>Fell</translation>
     </message>
     <message>
         <location filename="exhibits/fur/fur.h"/>
@@ -8383,8 +8657,8 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <location filename="exhibits/framework/files/picture_record.cpp"/>
-        <source>give depth, normal or evaluations; correct it there.</source>
-        <translation>geben Sie depth, normal oder evaluations an; korrigieren Sie es dort.</translation>
+        <source>give {1}; correct it there.</source>
+        <translation>geben Sie {=1} an; korrigieren Sie es dort.</translation>
     </message>
     <message>
         <location filename="exhibits/hall/hall_table.h"/>
@@ -8404,7 +8678,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <source>glass</source>
         <extracomment>tables</extracomment>
         <translation>Glas</translation>
@@ -8660,6 +8933,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Schein in der Halle</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/export/stand_alone.cpp"/>
+        <source>Halos around bright lights are left out.</source>
+        <translation>Lichthöfe um helle Lichter fehlen.</translation>
+    </message>
+    <message>
         <location filename="exhibits/study/study_text.cpp"/>
         <source>Halving the error</source>
         <translation>Den Fehler zu halbieren</translation>
@@ -8722,11 +9000,20 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <location filename="exhibits/hall/hall_table.h"/>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
         <source>hard</source>
         <extracomment>tables</extracomment>
         <translation>hart</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/print/print_job.cpp"/>
+        <source>has no effect on {1}; leave it out.</source>
+        <translation>hat keine Wirkung auf {=1}; lassen Sie es weg.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/print/print_job.cpp"/>
+        <source>has no effect without {1}; leave it out, or give that too.</source>
+        <translation>hat ohne {=1} keine Wirkung; lassen Sie es weg oder geben Sie auch das an.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
@@ -8740,14 +9027,12 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Dunst</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
         <source>Heat map</source>
         <extracomment>tables</extracomment>
         <translation>Heatmap</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
         <source>Heat scale</source>
         <extracomment>tables</extracomment>
@@ -8755,6 +9040,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
+        <location filename="exhibits/jobs/quilt/quilt_table.h"/>
         <location filename="exhibits/jobs/record/record_table.h"/>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <location filename="exhibits/printing/print_table.h"/>
@@ -8785,6 +9071,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>Height of a cone.</source>
         <extracomment>tables</extracomment>
         <translation>Höhe eines Kegels.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Height of a rendered view in pixels. Auto: by the print's aspect ratio.</source>
+        <translation>Höhe einer gerenderten Ansicht in Pixeln. Auto: nach dem Seitenverhältnis des Drucks.</translation>
     </message>
     <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
@@ -9036,7 +9327,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Verlaufs-Frames</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <location filename="exhibits/noise/noise_table.h"/>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
@@ -9182,7 +9472,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Preset importieren</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
         <source>improved</source>
         <extracomment>tables</extracomment>
@@ -9385,6 +9674,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Vorgesehener Winkel</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/print/print_job.h"/>
+        <source>Interlace views into a print for a lenticular sheet</source>
+        <translation>Ansichten zu einem Druck für eine Lentikularfolie verschachteln</translation>
+    </message>
+    <message>
         <location filename="ui/print/strip_preview.cpp"/>
         <source>Interlacing</source>
         <translation>Verschachtelung</translation>
@@ -9404,6 +9698,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="exhibits/sdf_scenes/operation_kinds.cpp"/>
         <source>Intersection: everything that all children share.</source>
         <translation>Schnitt: alles, was allen Kindern gemeinsam ist.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Interval at which pictures are taken: 3 takes every third, for example of a video's frames.</source>
+        <translation>Abstand, in dem Bilder genommen werden: 3 nimmt jedes dritte, etwa von den Einzelbildern eines Videos.</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_morph/sdf_morph.cpp"/>
@@ -9435,6 +9734,31 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="render/files/strict_json.cpp"/>
         <source>is not a finite number; reset it.</source>
         <translation>ist keine endliche Zahl; setzen Sie sie zurück.</translation>
+    </message>
+    <message>
+        <location filename="ui/editor/shader_copy.cpp"/>
+        <source>ISF (*.fs)</source>
+        <translation>ISF (*.fs)</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/export/isf_writer.cpp"/>
+        <source>ISF filters all buffers and does not repeat them: “{1}” of “{2}” may look different.</source>
+        <translation>ISF filtert alle Puffer und wiederholt sie nicht: „{1}“ von „{2}“ kann anders aussehen.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/export/isf_writer.cpp"/>
+        <source>ISF has no channel of the kind “{1}”, which “{2}” is; export Shadertoy's JSON.</source>
+        <translation>ISF hat keinen Kanal der Art „{1}“, wie es „{2}“ ist; exportieren Sie das JSON von Shadertoy.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/export/isf_writer.cpp"/>
+        <source>ISF has no {1}, which “{2}” is; export a web page.</source>
+        <translation>ISF hat kein {1}, was „{2}“ ist; exportieren Sie eine Webseite.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/export/isf_writer.cpp"/>
+        <source>ISF names no picture for the input “{1}”; the host chooses one.</source>
+        <translation>ISF nennt kein Bild für die Eingabe „{1}“; das Programm, das den Shader öffnet, wählt eines.</translation>
     </message>
     <message>
         <location filename="exhibits/your_shader/your_shader.cpp"/>
@@ -9483,6 +9807,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Die Operation hat „{=1}“, das ihr Kind nicht übernimmt; entfernen Sie es zuerst.</translation>
     </message>
     <message>
+        <location filename="render/video/ffmpeg/sound.cpp"/>
+        <source>it has no channel</source>
+        <translation>es hat keinen Kanal</translation>
+    </message>
+    <message>
         <location filename="render/image/image_limits.cpp"/>
         <source>it has no channels</source>
         <translation>es hat keine Kanäle</translation>
@@ -9498,6 +9827,16 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="render/video/ffmpeg/still.cpp"/>
         <source>it has no pixels</source>
         <translation>es hat keine Pixel</translation>
+    </message>
+    <message>
+        <location filename="render/video/ffmpeg/sound.cpp"/>
+        <source>it has no samples</source>
+        <translation>es hat keine Abtastwerte</translation>
+    </message>
+    <message>
+        <location filename="render/video/ffmpeg/sound.cpp"/>
+        <source>it has no sound that this machine's FFmpeg can decode</source>
+        <translation>es hat keinen Klang, den FFmpeg auf diesem Rechner dekodieren kann</translation>
     </message>
     <message>
         <location filename="render/files/read_file.cpp"/>
@@ -9523,6 +9862,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="render/image/image_limits.cpp"/>
         <source>it has {1}, more than the {2} allowed</source>
         <translation>es hat {1}, mehr als die erlaubten {2}</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/print/view_folder.cpp"/>
+        <source>it holds {1}, which is none of the {2} views to be written; choose an empty folder</source>
+        <translation>er enthält {=1}, keine der {2} Ansichten, die geschrieben werden; wählen Sie einen leeren Ordner</translation>
     </message>
     <message>
         <location filename="render/image/oiio/read.cpp"/>
@@ -9563,6 +9907,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="render/image/oiio/read.cpp"/>
         <location filename="render/image/oiio/row_reader.cpp"/>
         <location filename="render/image/png_row_reader.cpp"/>
+        <location filename="render/video/ffmpeg/sound.cpp"/>
         <location filename="render/video/ffmpeg/still.cpp"/>
         <source>it is broken ({1})</source>
         <translation>es ist beschädigt ({=1})</translation>
@@ -9617,6 +9962,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="render/files/read_file.cpp"/>
         <source>it is longer than 4096 bytes</source>
         <translation>er ist länger als 4096 Bytes</translation>
+    </message>
+    <message>
+        <location filename="render/video/ffmpeg/sound.cpp"/>
+        <source>it is longer than {1} s</source>
+        <translation>er ist länger als {1} s</translation>
     </message>
     <message>
         <location filename="exhibits/museum/museum_plan.cpp"/>
@@ -9854,6 +10204,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Sein Ordner lässt sich nicht öffnen ({1}); legen Sie ihn an, oder wählen Sie einen anderen.</translation>
     </message>
     <message>
+        <location filename="render/video/ffmpeg/sound.cpp"/>
+        <source>its format is not supported</source>
+        <translation>sein Format wird nicht unterstützt</translation>
+    </message>
+    <message>
         <location filename="exhibits/sdf_scenes/sdf_scenes.cpp"/>
         <source>its half is out of view</source>
         <translation>seine Hälfte ist außer Sicht</translation>
@@ -9916,8 +10271,8 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <location filename="render/video/ffmpeg/still.cpp"/>
-        <source>its pixels are of a kind that is not read ({1})</source>
-        <translation>seine Pixel sind von einer Art, die nicht gelesen wird ({1})</translation>
+        <source>its pixel format is not supported ({1})</source>
+        <translation>sein Pixelformat wird nicht unterstützt ({1})</translation>
     </message>
     <message>
         <location filename="render/image/png_row_reader.cpp"/>
@@ -9940,6 +10295,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>ihr Radius auf {1} mm erhöht, den ihre Linsen brauchen</translation>
     </message>
     <message>
+        <location filename="render/video/ffmpeg/sound.cpp"/>
+        <source>its rate or channels change</source>
+        <translation>seine Abtastrate oder Kanäle ändern sich</translation>
+    </message>
+    <message>
         <location filename="render/image/oiio/row_reader.cpp"/>
         <source>its rows are packed into strips that are too large</source>
         <translation>die Zeilen sind in zu große Streifen gepackt</translation>
@@ -9948,6 +10308,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="render/image/png_row_reader.cpp"/>
         <source>its rows come in several passes; save it without interlacing</source>
         <translation>die Zeilen kommen in mehreren Durchgängen; speichern Sie es ohne Interlacing</translation>
+    </message>
+    <message>
+        <location filename="render/video/ffmpeg/sound.cpp"/>
+        <source>its sample format is not supported</source>
+        <translation>seine Abtastwerte sind von einer Art, die nicht gelesen wird</translation>
     </message>
     <message>
         <location filename="render/image/oiio/row_reader.cpp"/>
@@ -10110,8 +10475,21 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <location filename="ui/preferences/preferences_dialog.cpp"/>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
         <source>Keys</source>
+        <extracomment>tables</extracomment>
         <translation>Tasten</translation>
+    </message>
+    <message>
+        <location filename="ui/viewport/picture_input.cpp"/>
+        <source>Keys in the picture</source>
+        <translation>Tasten im Bild</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
+        <source>Keys that are pressed, for shaders that read the keyboard: code@from-to in seconds, separated by blanks. 65@1-2.5 holds the key A for 1.5 s; codes are those of browsers.</source>
+        <extracomment>tables</extracomment>
+        <translation>Gedrückte Tasten für Shader, die die Tastatur lesen: Code@von-bis in Sekunden, durch Leerzeichen getrennt. 65@1-2.5 hält die Taste A 1,5 s lang; die Codes sind die von Browsern.</translation>
     </message>
     <message>
         <location filename="exhibits/hall/hall_table.h"/>
@@ -10125,11 +10503,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>Kind</source>
         <extracomment>tables</extracomment>
         <translation>Art</translation>
-    </message>
-    <message>
-        <location filename="exhibits/printing/print_table.h"/>
-        <source>Kind of calibration chart: pitch finds the LPI at which printer and sheet match, phase the shift of the strips, views the number of distinguishable views, rotation whether the sheet is straight.</source>
-        <translation>Art des Testcharts: „Pitch“ findet den LPI-Wert, bei dem Drucker und Folie zusammenpassen, „Phase“ die Verschiebung der Streifen, „Ansichten“ die Zahl unterscheidbarer Ansichten, „Drehung“, ob die Folie gerade liegt.</translation>
     </message>
     <message>
         <location filename="ui/export/export_dialog.cpp"/>
@@ -10258,6 +10631,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>größter Fehler des linearen Lichts</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
+        <source>Largest estimated distance between the simplified and the original surface. None: any distance, until the number of triangles is reached.</source>
+        <translation>Größter Abstand, um den die vereinfachte Fläche abweichen darf, soweit er geschätzt wird. Keiner: beliebig, bis die Zahl der Dreiecke erreicht ist.</translation>
+    </message>
+    <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
         <source>Largest length of the rays when the sun is far outside the picture, in picture heights.</source>
         <extracomment>tables</extracomment>
@@ -10317,7 +10695,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Höchstzahl der Schritte eines Strahls, der das Feld sucht, oder das Meer, wenn er wie in der Referenz abgeschritten wird.</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
+        <location filename="exhibits/kit/sdf_parameters.h"/>
         <source>Largest number of steps of a ray; beyond it, the ray ends at the best candidate so far.</source>
         <extracomment>tables</extracomment>
         <translation>Höchstzahl der Schritte eines Strahls; danach endet er am bis dahin besten Kandidaten.</translation>
@@ -10548,6 +10926,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Linsen pro Zoll, wie beim Betrachtungsabstand von einem Pitch-Testchart abgelesen. Auto: nicht gemessen; aus dem Betrachtungsabstand berechnet.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/print/print_run.cpp"/>
+        <source>Lenses per inch as stored</source>
+        <translation>Linsen pro Zoll, wie gespeichert</translation>
+    </message>
+    <message>
         <location filename="ui/print/print_numbers.cpp"/>
         <source>Lenses per inch of the strips, with the resolution as the file stores it.</source>
         <translation>Linsen pro Zoll der Streifen, bei der Auflösung, wie die Datei sie speichert.</translation>
@@ -10564,6 +10947,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="ui/window/window_dialogs.cpp"/>
+        <location filename="exhibits/jobs/print/print_job.h"/>
         <source>Lenticular print</source>
         <translation>Lentikulardruck</translation>
     </message>
@@ -10571,6 +10955,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/lenticular/card_prints.cpp"/>
         <source>lenticular raster</source>
         <translation>Linsenraster</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Lenticular sheet by its name, such as 60-3d or 75-flip, in place of its single numbers.</source>
+        <translation>Lentikularfolie nach ihrem Namen, etwa 60-3d oder 75-flip, statt ihrer einzelnen Zahlen.</translation>
     </message>
     <message>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
@@ -10586,6 +10975,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <location filename="ui/lessons/lesson_bar.cpp"/>
         <location filename="ui/window/exhibit_list.cpp"/>
+        <location filename="ui/window/visit_card.cpp"/>
         <source>Lesson</source>
         <translation>Lektion</translation>
     </message>
@@ -10764,6 +11154,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/sdf_scenes/source_scene.cpp"/>
         <source>list of primitives</source>
         <translation>Liste von Grundkörpern</translation>
+    </message>
+    <message>
+        <location filename="app/list_command.cpp"/>
+        <source>list: there is no exhibit &quot;{1}&quot;{2} `vitrine list` names them.</source>
+        <translation>list: Es gibt kein Exponat „{=1}“{2} `vitrine list` nennt alle.</translation>
     </message>
     <message>
         <location filename="ui/presets/preset_controller.cpp"/>
@@ -11012,6 +11407,21 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Macht das Bild um eine Viertelblende dunkler.</translation>
     </message>
     <message>
+        <location filename="render/video/ffmpeg/sound.cpp"/>
+        <source>making a frame</source>
+        <translation>ein Frame wird angelegt</translation>
+    </message>
+    <message>
+        <location filename="render/video/ffmpeg/sound.cpp"/>
+        <source>making a packet</source>
+        <translation>ein Paket wird angelegt</translation>
+    </message>
+    <message>
+        <location filename="render/video/ffmpeg/sound.cpp"/>
+        <source>making the decoder</source>
+        <translation>der Decoder wird angelegt</translation>
+    </message>
+    <message>
         <location filename="exhibits/jobs/sprite/sprite_job.cpp"/>
         <source>making the sheet</source>
         <translation>der Bogen wird angelegt</translation>
@@ -11058,6 +11468,41 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Rand über den Beschnitt hinaus an jeder Seite, in dem sich Linsen und Ansichten fortsetzen.</translation>
     </message>
     <message>
+        <location filename="exhibits/fur/fur_table.h"/>
+        <source>Mark color</source>
+        <extracomment>tables</extracomment>
+        <translation>Musterfarbe</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
+        <source>Mark invalid</source>
+        <extracomment>tables</extracomment>
+        <translation>Ungültiges markieren</translation>
+    </message>
+    <message>
+        <location filename="exhibits/fur/fur_table.h"/>
+        <source>Mark size</source>
+        <extracomment>tables</extracomment>
+        <translation>Mustergröße</translation>
+    </message>
+    <message>
+        <location filename="exhibits/fur/fur_table.h"/>
+        <source>Marking</source>
+        <extracomment>tables</extracomment>
+        <translation>Musterung</translation>
+    </message>
+    <message>
+        <location filename="exhibits/fur/fur_table.h"/>
+        <source>Marking of this coat in another color: a band below the tip of each strand, stripes around the body, or spots like a leopard's.</source>
+        <extracomment>tables</extracomment>
+        <translation>Musterung dieses Fells in einer anderen Farbe: ein Band unter der Spitze jedes Haars, Streifen um den Körper oder Flecken wie bei einem Leoparden.</translation>
+    </message>
+    <message>
+        <source>Marks pixels in magenta at which the picture or a kept float buffer contains infinity or NaN.</source>
+        <extracomment>tables</extracomment>
+        <translation>Markiert Pixel in Magenta, an denen das Bild oder ein behaltener Float-Puffer Unendlich oder keine Zahl enthält.</translation>
+    </message>
+    <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
         <source>Mask</source>
         <extracomment>tables</extracomment>
@@ -11076,7 +11521,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <location filename="exhibits/sdf_scenes/node_table.cpp"/>
         <source>Material</source>
         <extracomment>tables</extracomment>
@@ -11095,7 +11539,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Material des Eises: Undurchsichtig spiegelt, Glas bricht außerdem an jeder Oberfläche.</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
+        <location filename="exhibits/kit/sdf_parameters.h"/>
         <source>Material of the object: opaque reflects, glass also refracts at every surface.</source>
         <extracomment>tables</extracomment>
         <translation>Material des Objekts: Undurchsichtig spiegelt, Glas bricht außerdem an jeder Oberfläche.</translation>
@@ -11157,6 +11601,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="render/measure/distance.cpp"/>
         <source>mean FLIP</source>
         <translation>mittleres FLIP</translation>
+    </message>
+    <message>
+        <location filename="render/measure/distance.cpp"/>
+        <source>mean HDR-FLIP</source>
+        <translation>mittleres HDR-FLIP</translation>
     </message>
     <message>
         <location filename="render/measure/distance.cpp"/>
@@ -11226,6 +11675,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Misst mit den jetzigen Einstellungen, A, und dann mit den Einstellungen B des Vergleichs. Beide Kurven erscheinen in einem Diagramm.</translation>
     </message>
     <message>
+        <location filename="exhibits/ice_cream/ice_cream_table.h"/>
+        <source>Melt</source>
+        <extracomment>tables</extracomment>
+        <translation>Schmelzen</translation>
+    </message>
+    <message>
         <source>Melting</source>
         <translation>Schmelzend</translation>
     </message>
@@ -11258,7 +11713,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Quecksilber</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <source>mesh</source>
         <extracomment>tables</extracomment>
         <translation>Netz</translation>
@@ -11280,7 +11734,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
         <source>Metalness</source>
         <extracomment>tables</extracomment>
@@ -11360,7 +11813,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Verfahren der Mittelung entlang eines Strahls: Sample für Sample, drei Passes, die auf den Ergebnissen der vorigen aufbauen, oder eine laufende Summe auf einem Polargitter.</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
+        <location filename="exhibits/kit/sdf_parameters.h"/>
         <source>Method with which the object shades itself from the sun: none, one ray (hard), three estimates of soft shadows from one ray, or many rays (area).</source>
         <extracomment>tables</extracomment>
         <translation>Verfahren, mit dem das Objekt sich vor der Sonne beschattet: keines, ein Strahl (hart), drei Schätzungen weicher Schatten aus einem Strahl oder viele Strahlen (Fläche).</translation>
@@ -11629,6 +12082,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Bewegung im Fenster. Reduziert: Die Kamera springt, statt zu gleiten, Bedienfelder gleiten nicht, Meldungen blenden nicht aus, und die Uhr der Exponate steht, bis Sie sie starten (Leertaste im Bild) oder den Knopf eines Exponats drücken. Gehen und Ziehen bleiben, wie sie sind.</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/export/isf_writer.cpp"/>
+        <source>Mouse button</source>
+        <translation>Maustaste</translation>
+    </message>
+    <message>
         <location filename="exhibits/your_shader/your_shader_table.h"/>
         <source>Mouse down</source>
         <extracomment>tables</extracomment>
@@ -11772,6 +12230,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/your_shader/your_shader_table.cpp"/>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
         <source>never</source>
         <translation>nie</translation>
     </message>
@@ -12028,12 +12487,17 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>kein Druck hat diese Werte ({=1}); korrigieren Sie es dort.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/quilt/quilt_job.cpp"/>
+        <source>No quilt can be drawn: there is no graphics context.</source>
+        <translation>Es kann kein Quilt entstehen: Es gibt keinen Grafikkontext.</translation>
+    </message>
+    <message>
         <location filename="exhibits/fur/fur_table.h"/>
         <source>No ray grazes a shell along this many cells.</source>
         <translation>Kein Strahl streift eine Shell über so viele Zellen.</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
+        <location filename="exhibits/kit/sdf_parameters.h"/>
         <source>No ray meets the object this many times.</source>
         <translation>Kein Strahl trifft das Objekt so oft.</translation>
     </message>
@@ -12088,6 +12552,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>durch Fenster oder Oculus fällt kein Sonnenstrahl, der breiter als 30 cm ist</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/print/print_run.cpp"/>
         <location filename="ui/print/shown_views.cpp"/>
         <source>No views can be rendered: there is no graphics context.</source>
         <translation>Es können keine Ansichten gerendert werden: Es gibt keinen Grafikkontext.</translation>
@@ -12166,8 +12631,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
-        <source>Nominal number of lenses per inch of the sheet.</source>
-        <translation>Nennwert der Linsen pro Zoll der Folie.</translation>
+        <source>Nominal number of lenses per inch of the sheet; beside a sheet's name, the measured one.</source>
+        <translation>Nennzahl der Linsen pro Zoll der Folie; neben dem Namen einer Folie die gemessene.</translation>
     </message>
     <message>
         <location filename="ui/preferences/keys_page.cpp"/>
@@ -12181,7 +12646,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/fur/fur_table.h"/>
         <location filename="exhibits/hall/hall_table.h"/>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <location filename="exhibits/printing/print_table.h"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
@@ -12226,7 +12690,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Normale  %1</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <source>Normal method</source>
         <extracomment>tables</extracomment>
         <translation>Normalenverfahren</translation>
@@ -12243,7 +12706,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Normalenstärke</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
         <source>Normal step</source>
         <extracomment>tables</extracomment>
@@ -12263,7 +12725,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Normalen</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
@@ -12347,6 +12808,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/jobs/record/record_job.cpp"/>
         <source>Nothing can be recorded: there is no graphics context.</source>
         <translation>Nichts kann aufgenommen werden: Es gibt keinen Grafikkontext.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/print/view_folder.cpp"/>
+        <source>nothing can be written into it ({1}); choose another</source>
+        <translation>in ihn kann nichts geschrieben werden ({1}); wählen Sie einen anderen</translation>
     </message>
     <message>
         <location filename="exhibits/study/study_judge.cpp"/>
@@ -12503,7 +12969,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Zahl der Farben, die aus dem Bild genommen werden.</translation>
     </message>
     <message>
-        <location filename="exhibits/printing/print_table.h"/>
+        <location filename="exhibits/jobs/quilt/quilt_table.h"/>
         <source>Number of columns of views in a quilt.</source>
         <translation>Zahl der Spalten von Ansichten in einem Quilt.</translation>
     </message>
@@ -12569,7 +13035,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Zahl der Linsen pro Zoll der eigenen Folie.</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
+        <location filename="exhibits/kit/sdf_parameters.h"/>
         <source>Number of mesh cells along the longest side of the box: few show facets in the reflections.</source>
         <extracomment>tables</extracomment>
         <translation>Zahl der Netzzellen entlang der längsten Seite des Quaders: Wenige zeigen Facetten in den Spiegelungen.</translation>
@@ -12629,7 +13095,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Zahl der Strahlen über die Halbkugel, dichter entlang der Normalen: Wenige rauschen, viele kosten mehr.</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
+        <location filename="exhibits/kit/sdf_parameters.h"/>
         <source>Number of rays over the sun's disk, for the area method: few are noisy, many cost more.</source>
         <extracomment>tables</extracomment>
         <translation>Zahl der Strahlen über die Sonnenscheibe, für das Flächenverfahren: Wenige rauschen, viele kosten mehr.</translation>
@@ -12660,6 +13126,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
+        <source>Number of rows of views in a quilt.</source>
+        <translation>Zahl der Zeilen von Ansichten in einem Quilt.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/quilt/quilt_table.h"/>
         <source>Number of rows of views in a quilt; the first row is at the bottom.</source>
         <translation>Zahl der Zeilen von Ansichten in einem Quilt; die erste liegt unten.</translation>
     </message>
@@ -12758,7 +13229,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Zahl der gestoppten Bilder je Einstellung und Ansicht.</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
+        <location filename="exhibits/kit/sdf_parameters.h"/>
         <source>Number of times a reflected ray may meet the object again before it sees only the hall: 0 is cheapest.</source>
         <extracomment>tables</extracomment>
         <translation>Wie oft ein gespiegelter Strahl das Objekt wieder treffen darf, bevor er nur noch die Halle sieht: 0 kostet am wenigsten.</translation>
@@ -12774,6 +13245,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Number of tones from shade to light, as in hand-drawn pixel art; 1 shades smoothly.</source>
         <extracomment>tables</extracomment>
         <translation>Zahl der Töne von Schatten bis Licht, wie bei gezeichneter Pixel-Art; 1 ist ohne Stufen.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
+        <source>Number of triangles to which the mesh is simplified. All: as many as the cells give.</source>
+        <translation>Zahl der Dreiecke, auf die das Netz vereinfacht wird. Alle: so viele, wie die Zellen ergeben.</translation>
     </message>
     <message>
         <location filename="exhibits/fur/fur_table.h"/>
@@ -12793,8 +13269,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
-        <source>Number of views to render, or to choose evenly from the files.</source>
-        <translation>Anzahl der Ansichten, die gerendert oder gleichmäßig aus den Dateien ausgewählt werden.</translation>
+        <source>Number of views to render, or to choose evenly from the pictures. Auto: all pictures, or as many rendered views as are distinguishable in the print, at most 24.</source>
+        <translation>Zahl der Ansichten, die gerendert oder gleichmäßig aus den Bildern gewählt werden. Auto: alle Bilder, oder so viele gerenderte Ansichten, wie im Druck zu unterscheiden sind, höchstens 24.</translation>
     </message>
     <message>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
@@ -13106,8 +13582,13 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="render/video/video_file.cpp"/>
-        <source>Only the videos .webp and .apng can be transparent; choose one of them, or PNG frames.</source>
-        <translation>Nur die Videos .webp und .apng können transparent sein; wählen Sie eines davon, oder PNG-Frames.</translation>
+        <source>Only the videos .webm, .webp and .apng can be transparent; choose one of them, or frames.</source>
+        <translation>Nur die Videos .webm, .webp und .apng können transparent sein; wählen Sie eines davon, oder Einzelbilder.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/print/print_job.cpp"/>
+        <source>only views that are rendered are made in parts; give an --exhibit and --out.</source>
+        <translation>nur gerenderte Ansichten werden in Teilen gemacht; geben Sie --exhibit und --out an.</translation>
     </message>
     <message>
         <location filename="render/image/oiio/read.cpp"/>
@@ -13126,7 +13607,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <source>opaque</source>
         <extracomment>tables</extracomment>
         <translation>undurchsichtig</translation>
@@ -13306,8 +13786,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
-        <source>Origin of the views: rendered from the picture in the window, read from pictures, or cut from a grid of views.</source>
-        <translation>Herkunft der Ansichten: aus dem Bild des Fensters gerendert, aus Bildern gelesen, oder aus einem Raster von Ansichten geschnitten.</translation>
+        <source>Origin of the views: rendered from what is shown, read from pictures, or cut from a grid of views; or a calibration chart.</source>
+        <translation>Herkunft der Ansichten: gerendert aus dem Gezeigten, aus Bildern gelesen oder aus einem Raster von Ansichten geschnitten; oder eine Kalibriertafel.</translation>
     </message>
     <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
@@ -13533,6 +14013,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.cpp"/>
         <source>Parameter of this scene.</source>
         <translation>Parameter dieser Szene.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Parameter that changes from the first to the last view, as NAME=FROM..TO, such as morph=0..1, or time=0..2 in seconds.</source>
+        <translation>Parameter, der sich von der ersten bis zur letzten Ansicht ändert, als NAME=VON..BIS, etwa morph=0..1, oder time=0..2 in Sekunden.</translation>
     </message>
     <message>
         <location filename="ui/lessons/page_dialog.cpp"/>
@@ -13806,6 +14291,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/jobs/picture/picture_job.h"/>
         <location filename="exhibits/hall/hall_table.h"/>
         <location filename="exhibits/jobs/picture/picture_table.h"/>
+        <location filename="exhibits/jobs/quilt/quilt_table.h"/>
         <location filename="exhibits/jobs/record/record_table.h"/>
         <source>Picture</source>
         <extracomment>tables</extracomment>
@@ -13868,6 +14354,16 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Gezeigtes Bild: das fertige, die Maske mit schwarzen Verdeckern oder nur das hinzugefügte Licht ohne die Halle.</translation>
     </message>
     <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Picture with a grid of views.</source>
+        <translation>Bild mit einem Raster von Ansichten.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Picture with a grid of views: number of columns and rows, and the file. If its size is not divisible, the size of a view is rounded down and the remainder is cut off.</source>
+        <translation>Bild mit einem Raster von Ansichten: Zahl der Spalten und Zeilen und die Datei. Ist seine Größe nicht teilbar, wird die Größe einer Ansicht abgerundet und der Rest abgeschnitten.</translation>
+    </message>
+    <message>
         <location filename="render/scene/gltf_materials.cpp"/>
         <source>picture {1} of {2}</source>
         <translation>Bild {1} von {2}</translation>
@@ -13899,11 +14395,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Bilder der Studie</translation>
     </message>
     <message>
-        <location filename="exhibits/printing/print_table.h"/>
-        <source>Pictures turned and moved by hand: number of the picture, degrees clockwise, percent to the right and percent down, such as 3:1.5,2,-0.5.</source>
-        <translation>Von Hand gedrehte und verschobene Bilder: Nummer des Bildes, Grad im Uhrzeigersinn, Prozent nach rechts und Prozent nach unten, etwa 3:1.5,2,-0.5.</translation>
-    </message>
-    <message>
         <location filename="ui/print/source_bar.cpp"/>
         <source>Pictures…</source>
         <translation>Bilder…</translation>
@@ -13912,6 +14403,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="ui/parameters/parameter_menus.cpp"/>
         <source>Pin under the essentials</source>
         <translation>Unter dem Wesentlichen anheften</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Ping pong</source>
+        <translation>Hin und zurück</translation>
     </message>
     <message>
         <location filename="ui/parameters/parameter_panel.cpp"/>
@@ -13986,6 +14482,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="ui/print/print_numbers.cpp"/>
+        <location filename="exhibits/jobs/print/print_run.cpp"/>
         <source>Pixels per lens</source>
         <translation>Pixel pro Linse</translation>
     </message>
@@ -14079,6 +14576,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Punkt in der Mitte des Bildes.</translation>
     </message>
     <message>
+        <location filename="ui/viewport/picture_input.cpp"/>
+        <source>Point in the picture</source>
+        <translation>Im Bild zeigen</translation>
+    </message>
+    <message>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
         <source>Point size</source>
         <extracomment>tables</extracomment>
@@ -14109,6 +14611,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Porzellanbecher</translation>
     </message>
     <message>
+        <location filename="exhibits/ice_cream/ice_cream_table.h"/>
+        <source>Pores</source>
+        <extracomment>tables</extracomment>
+        <translation>Poren</translation>
+    </message>
+    <message>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
         <source>Position</source>
         <translation>Position</translation>
@@ -14128,6 +14636,18 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/sdf_scenes/scene_reader.cpp"/>
         <source>position and target are the same point; move one of them</source>
         <translation>Position und Ziel sind derselbe Punkt; verschieben Sie einen davon</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
+        <source>Position at which the button of the mouse was pressed last, for Shadertoy's iMouse: 0 is the left edge of the picture, 1 the right.</source>
+        <extracomment>tables</extracomment>
+        <translation>Stelle, an der die Maustaste zuletzt gedrückt wurde, für iMouse von Shadertoy: 0 ist der linke Bildrand, 1 der rechte.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
+        <source>Position at which the button of the mouse was pressed last, for Shadertoy's iMouse: 0 is the lower edge of the picture, 1 the upper.</source>
+        <extracomment>tables</extracomment>
+        <translation>Stelle, an der die Maustaste zuletzt gedrückt wurde, für iMouse von Shadertoy: 0 ist der untere Bildrand, 1 der obere.</translation>
     </message>
     <message>
         <source>Position between settings A (0 %) and B (100 %). Numbers change evenly or by factors, colors evenly to the eye, angles the shorter way; settings without values between switch in the middle. One drag is one undo step.</source>
@@ -14181,6 +14701,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
         <source>Position of the first end.</source>
         <translation>Position des ersten Endes.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Position of the first view in the quilt: bottom-left (next to the right, rows upwards, as for Looking Glass) or top-left (next to the right, rows downwards).</source>
+        <translation>Lage der ersten Ansicht im Quilt: unten links (die nächste rechts davon, Zeilen nach oben, wie für Looking Glass) oder oben links (die nächste rechts davon, Zeilen nach unten).</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
@@ -14316,6 +14841,18 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Press the red button you look at, or that of the exhibit you visit</source>
         <translation>Den roten Knopf drücken, den Sie ansehen, oder den des besuchten Exponats</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
+        <source>Press x</source>
+        <extracomment>tables</extracomment>
+        <translation>Druck x</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
+        <source>Press y</source>
+        <extracomment>tables</extracomment>
+        <translation>Druck y</translation>
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
@@ -14463,7 +15000,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Quadratisch</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
+        <location filename="exhibits/kit/sdf_parameters.h"/>
         <source>Quantity by which the object is colored: the steps or evaluations that it cost, its normals, or its distance.</source>
         <extracomment>tables</extracomment>
         <translation>Größe, nach der das Objekt gefärbt wird: die Schritte oder Auswertungen, die es gekostet hat, seine Normalen oder sein Abstand.</translation>
@@ -14492,6 +15029,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="ui/print/source_bar.cpp"/>
+        <location filename="exhibits/jobs/quilt/quilt_job.h"/>
         <source>Quilt</source>
         <translation>Quilt</translation>
     </message>
@@ -14504,6 +15042,16 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/printing/print_table.h"/>
         <source>Quilt columns</source>
         <translation>Quilt-Spalten</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Quilt file</source>
+        <translation>Quilt-Datei</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Quilt order</source>
+        <translation>Reihenfolge im Quilt</translation>
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
@@ -14527,7 +15075,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
         <location filename="exhibits/printing/print_table.h"/>
         <location filename="exhibits/sdf_scenes/operation_kinds.cpp"/>
@@ -14614,6 +15161,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Radius of the bowl at its rim; at least the radius of its bottom, and at most that of its sphere.</source>
         <extracomment>tables</extracomment>
         <translation>Radius der Schale am Rand; mindestens der Radius ihres Bodens und höchstens der ihrer Kugel.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/fur/fur_table.h"/>
+        <source>Radius of the braided rug on the floor of the pit; 0 leaves the floor bare.</source>
+        <extracomment>tables</extracomment>
+        <translation>Radius des geflochtenen Teppichs auf dem Boden der Grube; 0 lässt den Boden kahl.</translation>
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
@@ -14866,7 +15419,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Strahlen</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
+        <location filename="exhibits/kit/sdf_parameters.h"/>
         <location filename="exhibits/noise/noise_table.h"/>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
@@ -14952,9 +15505,9 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Das Lesen der Ansichten wurde angehalten; nichts wurde geändert.</translation>
     </message>
     <message>
-        <location filename="app/print/gathered_views.cpp"/>
-        <source>Reading the views was stopped; nothing was written.</source>
-        <translation>Das Lesen der Ansichten wurde angehalten; nichts wurde geschrieben.</translation>
+        <location filename="exhibits/jobs/print/print_run.cpp"/>
+        <source>reading views</source>
+        <translation>Ansichten werden gelesen</translation>
     </message>
     <message>
         <location filename="render/image/oiio/read.cpp"/>
@@ -15161,7 +15714,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Reflexionsgrad</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
+        <location filename="exhibits/kit/sdf_parameters.h"/>
         <source>Reflectance of nonmetals: 0 reflects nothing, 0.5 is the 4 % of most glazes.</source>
         <extracomment>tables</extracomment>
         <translation>Reflexionsgrad von Nichtmetallen: 0 spiegelt nichts, 0,5 sind die 4 % der meisten Glasuren.</translation>
@@ -15197,7 +15750,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
         <location filename="exhibits/printing/print_table.h"/>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
@@ -15218,7 +15770,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
-        <location filename="exhibits/kit/sdf_rows.h"/>
+        <location filename="exhibits/kit/sdf_parameters.h"/>
         <source>Refractive index of the glass: 1 bends nothing, 2.4 is diamond.</source>
         <extracomment>tables</extracomment>
         <translation>Brechungsindex des Glases: 1 bricht nichts, 2,4 ist Diamant.</translation>
@@ -15229,19 +15781,17 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Brechungsindex des Kunststoffs: 1,49 Acryl, 1,57 PET, 1,59 Polystyrol.</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <source>Relaxation</source>
         <extracomment>tables</extracomment>
         <translation>Relaxation</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <source>Relaxation factor</source>
         <extracomment>tables</extracomment>
         <translation>Relaxationsfaktor</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
+        <location filename="exhibits/kit/sdf_parameters.h"/>
         <source>Relaxation of the step length beyond the distance: none, by a fixed factor, or as far as the slope of the field allows.</source>
         <extracomment>tables</extracomment>
         <translation>Verlängerung der Schritte über die Distanz hinaus: keine, um einen festen Faktor oder so weit, wie die Steigung des Felds erlaubt.</translation>
@@ -15321,7 +15871,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <location filename="exhibits/jobs/picture/picture_job.h"/>
         <source>Render an exhibit at its place in the hall, or the hall, to a file; needs no display</source>
-        <translation>Zeichnet ein Exponat an seinem Platz im Saal, oder den Saal, in eine Datei; braucht keinen Bildschirm</translation>
+        <translation>Zeichnet ein Exponat an seinem Platz in der Halle, oder die Halle, in eine Datei; braucht keinen Bildschirm</translation>
     </message>
     <message>
         <location filename="ui/viewport/draw_schedule.cpp"/>
@@ -15329,9 +15879,9 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Rendern mit %1 %</translation>
     </message>
     <message>
-        <location filename="app/print/rendered_views.cpp"/>
-        <source>Rendering the views was stopped; nothing was written.</source>
-        <translation>Das Rendern der Ansichten wurde angehalten; nichts wurde geschrieben.</translation>
+        <location filename="exhibits/jobs/print/print_run.cpp"/>
+        <source>rendering views</source>
+        <translation>Ansichten werden gerendert</translation>
     </message>
     <message>
         <location filename="ui/print/view_loader.cpp"/>
@@ -15375,7 +15925,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Ersetzt die Operation durch ihr einziges Kind.</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
+        <location filename="exhibits/kit/sdf_parameters.h"/>
         <source>Representation of the object: the distance field, ray-marched, or a mesh of it, rasterized.</source>
         <extracomment>tables</extracomment>
         <translation>Darstellung des Objekts: das Distanzfeld, mit Strahlen abgeschritten, oder ein rasterisiertes Netz davon.</translation>
@@ -15487,6 +16037,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Resolution scale</source>
         <extracomment>tables</extracomment>
         <translation>Auflösungsmaßstab</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
+        <source>Restarts</source>
+        <extracomment>tables</extracomment>
+        <translation>Neuanfänge</translation>
     </message>
     <message>
         <location filename="ui/preferences/keys_page.cpp"/>
@@ -15663,6 +16219,21 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Ring: Länge</translation>
     </message>
     <message>
+        <source>Ring mark color</source>
+        <extracomment>tables</extracomment>
+        <translation>Ring: Musterfarbe</translation>
+    </message>
+    <message>
+        <source>Ring mark size</source>
+        <extracomment>tables</extracomment>
+        <translation>Ring: Mustergröße</translation>
+    </message>
+    <message>
+        <source>Ring marking</source>
+        <extracomment>tables</extracomment>
+        <translation>Ring: Musterung</translation>
+    </message>
+    <message>
         <location filename="exhibits/fur/fur_table.h"/>
         <source>Ring model</source>
         <extracomment>tables</extracomment>
@@ -15749,6 +16320,21 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Roll length</source>
         <extracomment>tables</extracomment>
         <translation>Rolle: Länge</translation>
+    </message>
+    <message>
+        <source>Roll mark color</source>
+        <extracomment>tables</extracomment>
+        <translation>Rolle: Musterfarbe</translation>
+    </message>
+    <message>
+        <source>Roll mark size</source>
+        <extracomment>tables</extracomment>
+        <translation>Rolle: Mustergröße</translation>
+    </message>
+    <message>
+        <source>Roll marking</source>
+        <extracomment>tables</extracomment>
+        <translation>Rolle: Musterung</translation>
     </message>
     <message>
         <source>Roll root</source>
@@ -15866,7 +16452,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>raues Glas zeigt, was hinter ihm liegt</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
         <source>Roughness</source>
@@ -15898,7 +16483,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Rauheit des Sockels: 0 ist ein Spiegel, 1 ist Kreide.</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
+        <location filename="exhibits/kit/sdf_parameters.h"/>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
         <source>Roughness of the surface: 0 is a mirror, 1 is chalk.</source>
         <extracomment>tables</extracomment>
@@ -15922,10 +16507,23 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Rundung</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/quilt/quilt_table.h"/>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
         <source>Rows</source>
         <extracomment>tables</extracomment>
         <translation>Reihen</translation>
+    </message>
+    <message>
+        <location filename="exhibits/fur/fur_table.h"/>
+        <source>Rug color</source>
+        <extracomment>tables</extracomment>
+        <translation>Teppichfarbe</translation>
+    </message>
+    <message>
+        <location filename="exhibits/fur/fur_table.h"/>
+        <source>Rug radius</source>
+        <extracomment>tables</extracomment>
+        <translation>Teppichradius</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/picture/picture_table.h"/>
@@ -15946,7 +16544,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <location filename="exhibits/study/study_table.h"/>
         <source>Runs</source>
-        <translation>Durchläufe</translation>
+        <translation>Läuft</translation>
     </message>
     <message>
         <location filename="ui/report/frame_report_dock.cpp"/>
@@ -15976,6 +16574,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
         <location filename="exhibits/jobs/picture/picture_table.h"/>
+        <location filename="exhibits/jobs/quilt/quilt_table.h"/>
         <location filename="exhibits/jobs/record/record_table.h"/>
         <location filename="exhibits/printing/print_table.h"/>
         <source>Samples</source>
@@ -15999,20 +16598,22 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/jobs/picture/picture_job.cpp"/>
+        <location filename="exhibits/jobs/quilt/quilt_job.cpp"/>
         <source>Samples per pixel</source>
         <translation>Samples pro Pixel</translation>
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
-        <source>Samples per pixel of a rendered view, each view with noise of its own.</source>
-        <translation>Samples pro Pixel einer gerenderten Ansicht, jede Ansicht mit eigenem Rauschen.</translation>
+        <source>Samples per pixel of a rendered view, each view with noise of its own. Auto: as in the picture whose settings are used, else the hall's supersamples if they are set, else 4; in the window 16.</source>
+        <translation>Samples pro Pixel einer gerenderten Ansicht, jede Ansicht mit eigenem Rauschen. Auto: wie im Bild, dessen Einstellungen gelten, sonst die Supersamples der Halle, wenn sie gesetzt sind, sonst 4; im Fenster 16.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/picture/picture_table.h"/>
         <source>Samples per pixel: 1 leaves jagged edges, 16 gives smooth ones, 64 is for prints. Auto: as in the picture whose settings are used, else the hall's supersamples if they are set, else 4.</source>
-        <translation>Samples pro Pixel: 1 lässt die Kanten treppig, 16 macht sie glatt, 64 ist für Drucke. Auto: wie im Bild, dessen Einstellungen verwendet werden, sonst die Supersamples des Saals, wenn sie gesetzt sind, sonst 4.</translation>
+        <translation>Samples pro Pixel: 1 lässt die Kanten treppig, 16 macht sie glatt, 64 ist für Drucke. Auto: wie im Bild, dessen Einstellungen verwendet werden, sonst die Supersamples der Halle, wenn sie gesetzt sind, sonst 4.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/quilt/quilt_table.h"/>
         <location filename="exhibits/jobs/record/record_table.h"/>
         <source>Samples per pixel: 1 leaves jagged edges, 16 gives smooth ones. Auto: as in the picture whose settings are used, else the hall's supersamples if they are set, else 4.</source>
         <translation>Samples pro Pixel: 1 lässt Kanten treppig, 16 macht sie glatt. Auto: wie im Bild, dessen Einstellungen verwendet werden, sonst die Supersamples der Halle, falls sie gesetzt sind, sonst 4.</translation>
@@ -16119,6 +16720,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Die angehakten speichern…</translation>
     </message>
     <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Save views</source>
+        <translation>Ansichten speichern</translation>
+    </message>
+    <message>
         <location filename="ui/report/frame_report_view.cpp"/>
         <source>Saved</source>
         <translation>Gespart</translation>
@@ -16154,6 +16760,16 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="ui/editor/document_file.cpp"/>
         <source>Saved to %1.</source>
         <translation>In %1 gespeichert.</translation>
+    </message>
+    <message>
+        <location filename="ui/editor/shader_copy.cpp"/>
+        <source>Saved to %1. It is a shader of your own now.</source>
+        <translation>In %1 gespeichert. Es ist jetzt Ihr eigener Shader.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/print/print_run.cpp"/>
+        <source>Saved views</source>
+        <translation>Gespeicherte Ansichten</translation>
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
@@ -16608,8 +17224,14 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <location filename="ui/window/window_docks.cpp"/>
+        <location filename="exhibits/jobs/shader/shader_job.h"/>
         <source>Shader</source>
         <translation>Shader</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/shader/shader_job.h"/>
+        <source>shader export</source>
+        <translation>Shader-Export</translation>
     </message>
     <message>
         <location filename="render/gl/program_cache.cpp"/>
@@ -16618,8 +17240,49 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <location filename="exhibits/your_shader/your_shader.cpp"/>
+        <location filename="exhibits/jobs/shader/shader_job.cpp"/>
         <source>Shadertoy code</source>
         <translation>Shadertoy-Code</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/shader/shader_job.cpp"/>
+        <source>Shadertoy JSON</source>
+        <translation>Shadertoy-JSON</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/export/shadertoy_writer.cpp"/>
+        <source>Shadertoy's code has no buffers, and the picture of this shader is one; export ISF or a web page.</source>
+        <translation>Shadertoy-Code hat keine Puffer, und das Bild dieses Shaders ist einer; exportieren Sie ISF oder eine Webseite.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/export/shadertoy_writer.cpp"/>
+        <source>Shadertoy's code has no buffers, and “{1}” is one; export ISF or a web page.</source>
+        <translation>Shadertoy-Code hat keine Puffer, und „{1}“ ist einer; exportieren Sie ISF oder eine Webseite.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/export/shadertoy_writer.cpp"/>
+        <source>Shadertoy's code has no buttons: “{1}” is never pressed.</source>
+        <translation>Shadertoy-Code hat keine Knöpfe: „{1}“ wird nie gedrückt.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/export/shadertoy_writer.cpp"/>
+        <source>Shadertoy's code has no input of the type {1}, which “{2}” is; export ISF or a web page.</source>
+        <translation>Shadertoy-Code hat keine Eingabe des Typs {1}, wie es „{2}“ ist; exportieren Sie ISF oder eine Webseite.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/export/shadertoy_writer.cpp"/>
+        <source>Shadertoy's code has no labels of choices: “{1}” is a whole number.</source>
+        <translation>Shadertoy-Code hat keine Namen von Auswahlen: „{1}“ ist eine ganze Zahl.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/export/shadertoy_writer.cpp"/>
+        <source>Shadertoy's code has no vertex shader; export ISF or a web page.</source>
+        <translation>Shadertoy-Code hat keinen Vertex-Shader; exportieren Sie ISF oder eine Webseite.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/export/shadertoy_writer.cpp"/>
+        <source>Shadertoy's code names no channel of the kind “{1}”; give --out a name that ends in .json.</source>
+        <translation>Shadertoy-Code nennt keinen Kanal der Art „{1}“; geben Sie --out einen Namen, der auf .json endet.</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
@@ -16639,7 +17302,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Schattierung des Werks: physikalisch basiert oder nach den einfacheren Formeln der Referenz.</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <source>Shadow</source>
         <extracomment>tables</extracomment>
         <translation>Schatten</translation>
@@ -16663,14 +17325,12 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Shadow-Map-Größe</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
         <source>Shadow method</source>
         <extracomment>tables</extracomment>
         <translation>Schattenverfahren</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
         <source>Shadow rays</source>
         <extracomment>tables</extracomment>
@@ -16752,7 +17412,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Metallanteil aller Materialien: 0 ist keiner, 1 ist blankes Metall in ihren Farben.</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
+        <location filename="exhibits/kit/sdf_parameters.h"/>
         <source>Share of metal: 0 is a glaze over a colored body, 1 is bare metal.</source>
         <extracomment>tables</extracomment>
         <translation>Metallanteil: 0 ist eine Glasur über einem farbigen Körper, 1 ist blankes Metall.</translation>
@@ -16788,6 +17448,18 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
         <source>Share of the color that is lit from everywhere.</source>
         <translation>Anteil der Farbe, der von überall beleuchtet wird.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/ice_cream/ice_cream_table.h"/>
+        <source>Share of the cream's surface that has begun to melt and shines: 0 is none, 1 is all of it.</source>
+        <extracomment>tables</extracomment>
+        <translation>Anteil der Oberfläche des Eises, der zu schmelzen begonnen hat und glänzt: 0 ist keiner, 1 alles.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/ice_cream/ice_cream_table.h"/>
+        <source>Share of the lamp's light that enters the cream and leaves it elsewhere: 0 is hard like porcelain, high is soft and glows where it is thin.</source>
+        <extracomment>tables</extracomment>
+        <translation>Anteil des Lampenlichts, der ins Eis eindringt und es anderswo verlässt: 0 ist hart wie Porzellan, hohe Werte sind weich und leuchten, wo es dünn ist.</translation>
     </message>
     <message>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
@@ -17009,7 +17681,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>B statt A zeigen</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <source>Show box</source>
         <extracomment>tables</extracomment>
         <translation>Quader zeigen</translation>
@@ -17033,6 +17704,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="ui/window/window_actions.cpp"/>
         <source>Show log</source>
         <translation>Meldungen zeigen</translation>
+    </message>
+    <message>
+        <location filename="ui/window/visit_card.cpp"/>
+        <source>Show nine variations of the present settings</source>
+        <translation>Neun Variationen der jetzigen Einstellungen zeigen</translation>
     </message>
     <message>
         <location filename="ui/study/large_pictures.cpp"/>
@@ -17065,7 +17741,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Zeigen, umbenennen, löschen, kopieren, speichern</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <source>Shown as</source>
         <extracomment>tables</extracomment>
         <translation>Gezeigt als</translation>
@@ -17210,7 +17885,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Seitliche Drehung der Kegel, mit der sie an der Achse vorbei lehnen.</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
         <source>signed</source>
         <extracomment>tables</extracomment>
@@ -17296,7 +17970,17 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Größe eines Bildes in Pixeln.</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Size of a rendered view in pixels; more than two pixels per lens are lost in the print. Auto: the print's aspect ratio, at most 1200 on a side.</source>
+        <translation>Größe einer gerenderten Ansicht in Pixeln; mehr als zwei Pixel pro Linse gehen im Druck verloren. Auto: im Seitenverhältnis des Drucks, höchstens 1200 je Seite.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/quilt/quilt_table.h"/>
+        <source>Size of a view in pixels.</source>
+        <translation>Größe einer Ansicht in Pixeln.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/kit/sdf_parameters.h"/>
         <source>Size of the bounding mesh in which rays march, relative to the smallest that holds the object: below 1 clips it.</source>
         <extracomment>tables</extracomment>
         <translation>Größe des Hüllnetzes, in dem Strahlen laufen, gegenüber dem kleinsten, das das Objekt umschließt: Unter 1 wird es beschnitten.</translation>
@@ -17476,6 +18160,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>auf „{1}“ folgt etwas, das kein Block ist</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/your_shader_table.cpp"/>
+        <source>Sound that the shader reads, WAV or FLAC; empty: silence.</source>
+        <translation>Klang, den der Shader liest, WAV oder FLAC; leer: Stille.</translation>
+    </message>
+    <message>
         <location filename="exhibits/noise/noise_table.h"/>
         <source>Source of the clouds' noise: evaluated at every step, or baked into a texture, which is quicker.</source>
         <extracomment>tables</extracomment>
@@ -17514,7 +18203,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Spektrum</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
         <source>Specular</source>
@@ -17636,6 +18324,12 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Spot strength</source>
         <extracomment>tables</extracomment>
         <translation>Stärke der Strahler</translation>
+    </message>
+    <message>
+        <location filename="exhibits/fur/fur_table.h"/>
+        <source>spots</source>
+        <extracomment>tables</extracomment>
+        <translation>Flecken</translation>
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
@@ -17780,6 +18474,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <location filename="ui/window/exhibit_list.cpp"/>
+        <location filename="ui/window/visit_card.cpp"/>
         <source>Start the lesson on %1</source>
         <translation>Lektion zu „%1“ beginnen</translation>
     </message>
@@ -17842,7 +18537,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Schrittlängen der Strahlen: wie in der Referenz (halber Wert des Felds, Höhe über dem Wasser, gleiche Schritte durch Wolken) oder so weit, wie Schranken der Steigung erlauben.</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <location filename="exhibits/noise/noise_table.h"/>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
@@ -17851,7 +18545,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Schrittgrenze</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
+        <location filename="exhibits/kit/sdf_parameters.h"/>
         <source>Step of the finite differences for normals near the eye: too small suffers from rounding, too large rounds creases.</source>
         <extracomment>tables</extracomment>
         <translation>Schritt der finiten Differenzen für Normalen nahe dem Auge: Zu kleine leiden unter Rundung, zu große runden Falten.</translation>
@@ -17889,7 +18583,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Schritte</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
         <source>steps</source>
         <extracomment>tables</extracomment>
@@ -17975,6 +18668,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>vorzeitig angehalten</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/print/print_job.cpp"/>
         <location filename="exhibits/jobs/record/record_job.cpp"/>
         <location filename="exhibits/jobs/study/study_job.cpp"/>
         <source>Stopped; nothing was written.</source>
@@ -18156,6 +18850,12 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Stärke der hellen Linien auf Kanten, die zur Kamera zeigen: 0 zeichnet keine.</translation>
     </message>
     <message>
+        <location filename="exhibits/ice_cream/ice_cream_table.h"/>
+        <source>Strength of the light on the backdrop behind the ice cream; 0 leaves the niche bare and dark.</source>
+        <extracomment>tables</extracomment>
+        <translation>Stärke des Lichts auf dem Hintergrund hinter dem Eis; 0 lässt die Nische kahl und dunkel.</translation>
+    </message>
+    <message>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
         <source>Strength of the moonlight: 0 is a night without a moon.</source>
         <extracomment>tables</extracomment>
@@ -18212,6 +18912,12 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="exhibits/printing/print_table.h"/>
         <source>stretch</source>
         <translation>strecken</translation>
+    </message>
+    <message>
+        <location filename="exhibits/fur/fur_table.h"/>
+        <source>stripes</source>
+        <extracomment>tables</extracomment>
+        <translation>Streifen</translation>
     </message>
     <message>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
@@ -18272,8 +18978,20 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <location filename="exhibits/study/study_table.cpp"/>
-        <source>study {1}: {2} has no such parameter; give one of {3}</source>
-        <translation>study {=1}: {=2} hat keinen solchen Parameter; geben Sie einen an von {=3}</translation>
+        <source>study {1}: {2} has no such parameter{3} give one of {4}</source>
+        <translation>study {=1}: {=2} hat keinen solchen Parameter{3} geben Sie einen von {=4} an</translation>
+    </message>
+    <message>
+        <location filename="exhibits/ice_cream/ice_cream_table.h"/>
+        <source>Subsurface</source>
+        <extracomment>tables</extracomment>
+        <translation>Lichtdurchlass</translation>
+    </message>
+    <message>
+        <location filename="exhibits/ice_cream/ice_cream_table.h"/>
+        <source>Subsurface depth</source>
+        <extracomment>tables</extracomment>
+        <translation>Eindringtiefe</translation>
     </message>
     <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
@@ -18330,6 +19048,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Sonnenhöhe</translation>
     </message>
     <message>
+        <source>Sun in the pit</source>
+        <translation>Sonne in der Grube</translation>
+    </message>
+    <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <source>Sun light</source>
         <extracomment>tables</extracomment>
@@ -18360,7 +19082,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Sonnentemperatur</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <source>Sun width</source>
         <extracomment>tables</extracomment>
         <translation>Sonnendurchmesser</translation>
@@ -18410,6 +19131,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="ui/model/settings_b.cpp"/>
         <source>Swap A and B</source>
         <translation>A und B vertauschen</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Sweeps</source>
+        <translation>Verläufe</translation>
     </message>
     <message>
         <location filename="exhibits/your_shader/your_shader_table.cpp"/>
@@ -18528,7 +19254,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Zelt 5x5</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <source>Tessellation</source>
         <extracomment>tables</extracomment>
         <translation>Tessellierung</translation>
@@ -18542,7 +19267,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Testszene</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
         <source>tetrahedron</source>
         <extracomment>tables</extracomment>
         <translation>Tetraeder</translation>
@@ -18597,6 +19321,16 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="exhibits/ice_cream/ice_cream.cpp"/>
         <source>the back, from above</source>
         <translation>die Rückseite, von oben</translation>
+    </message>
+    <message>
+        <location filename="exhibits/ice_cream/backdrop_sheet.cpp"/>
+        <source>the backdrop is switched off</source>
+        <translation>der Hintergrund ist ausgeschaltet</translation>
+    </message>
+    <message>
+        <location filename="exhibits/ice_cream/backdrop_sheet.cpp"/>
+        <source>the background stays empty</source>
+        <translation>der Hintergrund bleibt leer</translation>
     </message>
     <message>
         <location filename="exhibits/fur/fur.cpp"/>
@@ -18915,6 +19649,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>das Exponat wird allein gezeigt, ohne Wände, an denen die Luft endet</translation>
     </message>
     <message>
+        <location filename="exhibits/sdf_scenes/stand_alone.cpp"/>
+        <source>The expression “{1}” cannot be written as GLSL.</source>
+        <translation>Der Ausdruck „{1}“ kann nicht als GLSL geschrieben werden.</translation>
+    </message>
+    <message>
         <location filename="render/scene/gltf_convert.cpp"/>
         <source>The extension {1} is not supported and was ignored.</source>
         <translation>Die Erweiterung {=1} wird nicht unterstützt und wurde übergangen.</translation>
@@ -19021,6 +19760,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>der Nebel ist zu dünn, um das Licht der Laternen zu zeigen</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/print/view_folder.cpp"/>
+        <source>the folder cannot be made ({1}); choose another</source>
+        <translation>der Ordner kann nicht angelegt werden ({1}); wählen Sie einen anderen</translation>
+    </message>
+    <message>
         <location filename="ui/model/settings_b.cpp"/>
         <source>The former A</source>
         <translation>Das frühere A</translation>
@@ -19094,7 +19838,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <location filename="exhibits/jobs/picture/picture_job.cpp"/>
         <source>The hall has nothing around it that could be left out; visit an exhibit first.</source>
-        <translation>Um den Saal herum gibt es nichts, das wegfallen könnte; besuchen Sie zuerst ein Exponat.</translation>
+        <translation>Um die Halle herum gibt es nichts, das wegfallen könnte; besuchen Sie zuerst ein Exponat.</translation>
     </message>
     <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays.cpp"/>
@@ -19105,6 +19849,13 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/hall/hall_passes.cpp"/>
         <source>the hall is around the visitor</source>
         <translation>die Halle umgibt den Besucher</translation>
+    </message>
+    <message>
+        <location filename="ui/editor/shader_panel.cpp"/>
+        <location filename="exhibits/your_shader/export/stand_alone.cpp"/>
+        <location filename="exhibits/jobs/shader/shader_job.cpp"/>
+        <source>The hall is drawn by many passes; visit an exhibit first.</source>
+        <translation>Die Halle wird in vielen Durchgängen gezeichnet; besuchen Sie zuerst ein Exponat.</translation>
     </message>
     <message>
         <location filename="exhibits/noise/noise_table.h"/>
@@ -19144,6 +19895,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>das Loch nimmt alles weg; machen Sie es kleiner</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/print/print_run.cpp"/>
         <location filename="exhibits/printing/view_rig.cpp"/>
         <source>the horizon</source>
         <translation>zum Horizont</translation>
@@ -19230,6 +19982,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>das Licht in der Luft passt nicht zu seinen Punkten</translation>
     </message>
     <message>
+        <location filename="exhibits/ice_cream/backdrop_sheet.cpp"/>
+        <source>the light is that of the reference</source>
+        <translation>das Licht ist das der Referenz</translation>
+    </message>
+    <message>
         <location filename="exhibits/hall/sun_transfer.cpp"/>
         <source>the light of its sources does not fit its directions</source>
         <translation>das Licht ihrer Quellen passt nicht zu seinen Richtungen</translation>
@@ -19284,9 +20041,19 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>die Maske wird gezeigt</translation>
     </message>
     <message>
+        <location filename="exhibits/sdf_scenes/stand_alone.cpp"/>
+        <source>The material “{1}” follows its inputs in the look for which it is written.</source>
+        <translation>Das Material „{1}“ folgt seinen Eingaben in der Darstellung, für die es geschrieben ist.</translation>
+    </message>
+    <message>
         <location filename="exhibits/study/kept_study.cpp"/>
         <source>the median is not in this interval; correct it there.</source>
         <translation>der Median liegt nicht in diesem Intervall; korrigieren Sie es dort.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
+        <source>The mesh is not closed any more when it is simplified that far; nothing was written. Give more --triangles, or a smaller --deviation.</source>
+        <translation>Das Netz ist nicht mehr geschlossen, wenn es so weit vereinfacht wird; nichts wurde geschrieben. Geben Sie mehr --triangles an, oder eine kleinere --deviation.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
@@ -19387,6 +20154,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/kit/sdf_passes.cpp"/>
         <source>the overlay is switched off</source>
         <translation>die Überlagerung ist ausgeschaltet</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/export/shadertoy_writer.cpp"/>
+        <source>The passes of this shader are not Shadertoy's buffers; export ISF or a web page.</source>
+        <translation>Die Durchgänge dieses Shaders sind keine Puffer von Shadertoy; exportieren Sie ISF oder eine Webseite.</translation>
     </message>
     <message>
         <location filename="exhibits/printing/print_layout.cpp"/>
@@ -19544,6 +20316,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>die Beschreibung des Drucks</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/your_shader.cpp"/>
+        <source>The program ended while it drew {1} for the first time, so it is not drawn; save the file to try it again.</source>
+        <translation>Das Programm endete, während es {1} zum ersten Mal zeichnete, deshalb bleibt der Shader aus; speichern Sie ihn neu, um es noch einmal zu versuchen.</translation>
+    </message>
+    <message>
         <location filename="render/files/assets.cpp"/>
         <source>The program's assets were not found beside it (looked last in {1}); reinstall it, or set VITRINE_ASSETS to the folder that holds models/materials.json.</source>
         <translation>Die Assets des Programms wurden neben ihm nicht gefunden (zuletzt gesucht in {=1}); installieren Sie es neu, oder setzen Sie VITRINE_ASSETS auf den Ordner, der models/materials.json enthält.</translation>
@@ -19654,6 +20431,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Die Szene verlangt weniger Spiegelbilder von Spiegelbildern.</translation>
     </message>
     <message>
+        <location filename="exhibits/sdf_scenes/stand_alone.cpp"/>
+        <source>The scene has more numbers than a shader of your own can hold; export a part of it.</source>
+        <translation>Die Szene hat mehr Zahlen, als ein eigener Shader fassen kann; exportieren Sie einen Teil davon.</translation>
+    </message>
+    <message>
         <location filename="exhibits/sdf_scenes/tree_reader.cpp"/>
         <source>the scene has more than {1} nodes, counting what instances and includes bring; leave some out</source>
         <translation>die Szene hat mehr als {1} Knoten, mitgezählt, was Instanzen und Einbindungen bringen; lassen Sie einige weg</translation>
@@ -19746,6 +20528,16 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Der Shader hat {1} Anweisungen, wenn jeder Aufruf durch seine Funktion ersetzt wird, mehr als die {2}, die Treiber bewältigen; lassen Sie Funktionen einander seltener aufrufen.</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/export/shadertoy_writer.cpp"/>
+        <source>The shader has {1} passes, and Shadertoy's code has one; give --out a name that ends in .json, .fs or .html.</source>
+        <translation>Der Shader hat {1} Durchgänge, und Shadertoy-Code hat einen; geben Sie --out einen Namen, der auf .json, .fs oder .html endet.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader.cpp"/>
+        <source>The shader hears silence.</source>
+        <translation>Der Shader hört Stille.</translation>
+    </message>
+    <message>
         <location filename="exhibits/your_shader/isf_reader.cpp"/>
         <source>The shader imports more than {1} pictures; remove some.</source>
         <translation>Der Shader importiert mehr als {1} Bilder; entfernen Sie einige.</translation>
@@ -19756,6 +20548,21 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Der Shader bindet mehr als {1} Dateien ein; fassen Sie einige zusammen.</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/export/glsl_items.cpp"/>
+        <source>The shader of this exhibit cannot be exported: “{1}” is not understood.</source>
+        <translation>Der Shader dieses Exponats kann nicht exportiert werden: „{1}“ wird nicht verstanden.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/guest_built_in.cpp"/>
+        <source>the shader reads it</source>
+        <translation>der Shader liest es</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/export/shadertoy_writer.cpp"/>
+        <source>The shader reads more than the four pictures that Shadertoy's code has; export ISF or a web page.</source>
+        <translation>Der Shader liest mehr als die vier Bilder, die Shadertoy-Code hat; exportieren Sie ISF oder eine Webseite.</translation>
+    </message>
+    <message>
         <location filename="exhibits/sdf_scenes/scene_evaluator.cpp"/>
         <source>the shader text of lists contains no numbers</source>
         <translation>der Shadertext der Listen enthält keine Zahlen</translation>
@@ -19764,6 +20571,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/sdf_scenes/scene_evaluator.cpp"/>
         <source>the shader with constant numbers is still being generated</source>
         <translation>der Shader mit konstanten Zahlen wird noch erzeugt</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/export/shadertoy_writer.cpp"/>
+        <source>The shader writes gl_FragData, which Shadertoy's code lacks; write gl_FragColor.</source>
+        <translation>Der Shader schreibt gl_FragData, das Shadertoy-Code nicht hat; schreiben Sie gl_FragColor.</translation>
     </message>
     <message>
         <location filename="exhibits/kit/sdf_passes.cpp"/>
@@ -19963,6 +20775,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Der Text im Editor, solange er Fehler hat: Gezeigt wird der letzte fehlerfreie Shader. Zurücksetzen verwirft den Text.</translation>
     </message>
     <message>
+        <location filename="render/scene/gltf_materials.cpp"/>
+        <source>The textures of {1} have more than two different transforms; the third one uses the first.</source>
+        <translation>Die Bilder von {1} liegen auf mehr als zwei Arten; die dritte liegt wie die erste.</translation>
+    </message>
+    <message>
         <location filename="exhibits/printing/sheet.cpp"/>
         <source>the thickness</source>
         <translation>die Dicke</translation>
@@ -20048,14 +20865,19 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Die Ansichten haben nicht das Format des Drucks und werden darauf gestreckt.</translation>
     </message>
     <message>
-        <location filename="app/print/gathered_views.cpp"/>
+        <location filename="exhibits/jobs/print/print_job.cpp"/>
         <source>The views come from one place: give only one of --views, --quilt and --exhibit.</source>
         <translation>Die Ansichten kommen aus einer Quelle: Geben Sie nur eines von --views, --quilt und --exhibit an.</translation>
     </message>
     <message>
-        <location filename="app/print/gathered_views.cpp"/>
+        <location filename="exhibits/printing/print_views.cpp"/>
         <source>The views differ in size; each is scaled to the print.</source>
         <translation>Die Ansichten sind verschieden groß; jede wird auf den Druck skaliert.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/quilt/quilt_job.h"/>
+        <source>The views of the preview are smaller, with one sample per pixel.</source>
+        <translation>Die Ansichten der Vorschau sind kleiner, mit einem Sample pro Pixel.</translation>
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
@@ -20186,6 +21008,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>es gibt mehr als {1} Indizes</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/guest_keys.cpp"/>
+        <source>There are more than {1} presses of keys; remove some.</source>
+        <translation>Es gibt mehr als {1} Tastendrücke; entfernen Sie einige.</translation>
+    </message>
+    <message>
         <location filename="render/scene/gltf_validate.cpp"/>
         <source>there are more than {1} primitives</source>
         <translation>es gibt mehr als {1} Primitive</translation>
@@ -20231,8 +21058,8 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Es gibt keine Ansichten; geben Sie mit --views einen Ordner oder Dateien an.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/print/print_job.cpp"/>
         <location filename="exhibits/printing/view_files.cpp"/>
-        <location filename="app/print/gathered_views.cpp"/>
         <source>There are no views; give pictures with --views or --quilt, or an --exhibit.</source>
         <translation>Es gibt keine Ansichten; geben Sie mit --views oder --quilt Bilder an, oder mit --exhibit ein Exponat.</translation>
     </message>
@@ -20280,6 +21107,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="app/kit/apply_preset.cpp"/>
         <source>There is neither a file nor a preset of {1} named {2}; give a preset file.</source>
         <translation>Es gibt weder eine Datei noch ein Preset von {=1} namens {=2}; geben Sie eine Preset-Datei an.</translation>
+    </message>
+    <message>
+        <location filename="app/lesson_command.cpp"/>
+        <source>There is neither a lesson file nor an exhibit named {1} `vitrine lesson list` names the lessons.</source>
+        <translation>Weder eine Lektionsdatei noch ein Exponat heißt {1} `vitrine lesson list` nennt die Lektionen.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_shots.cpp"/>
@@ -20750,6 +21582,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>das ist ein Preset eines einzelnen Exponats; öffnen Sie es dort.</translation>
     </message>
     <message>
+        <location filename="ui/editor/shader_panel.cpp"/>
+        <source>This is a shader of your own already.</source>
+        <translation>Das ist schon Ihr eigener Shader.</translation>
+    </message>
+    <message>
         <location filename="render/files/strict_json.cpp"/>
         <source>this is binary data and not JSON; choose another file</source>
         <translation>dies sind binäre Daten und kein JSON; wählen Sie eine andere Datei</translation>
@@ -20914,11 +21751,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/jobs/kit/job_document.cpp"/>
         <source>this must be a file name; correct it there.</source>
         <translation>hier muss ein Dateiname stehen; korrigieren Sie es dort.</translation>
-    </message>
-    <message>
-        <location filename="exhibits/printing/print_json.cpp"/>
-        <source>this must be a list of file names; correct it there.</source>
-        <translation>hier muss eine Liste von Dateinamen stehen; korrigieren Sie es dort.</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/source_scene.cpp"/>
@@ -21289,6 +22121,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>das wurde von einem neueren Vitrine geschrieben; öffnen Sie es dort.</translation>
     </message>
     <message>
+        <source>Three coats</source>
+        <translation>Drei Felle</translation>
+    </message>
+    <message>
         <location filename="exhibits/jobs/sprite/palette_file.cpp"/>
         <source>three numbers from 0 to 255: red, green and blue</source>
         <translation>drei Zahlen von 0 bis 255: Rot, Grün und Blau</translation>
@@ -21305,6 +22141,12 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <source>Threshold</source>
         <extracomment>tables</extracomment>
         <translation>Schwelle</translation>
+    </message>
+    <message>
+        <location filename="exhibits/fur/fur_table.h"/>
+        <source>ticked</source>
+        <extracomment>tables</extracomment>
+        <translation>gebändert</translation>
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
@@ -21420,9 +22262,9 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
-        <source>Time within the round that is shown, or at which the animation starts.</source>
+        <source>Time within the loop that is shown, or at which the animation starts.</source>
         <extracomment>tables</extracomment>
-        <translation>Zeitpunkt der Runde, der gezeigt wird oder mit dem die Animation beginnt.</translation>
+        <translation>Zeitpunkt der Schleife, der gezeigt wird oder mit dem die Animation beginnt.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/record/record_table.h"/>
@@ -21478,6 +22320,12 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Zu {1}</translation>
     </message>
     <message>
+        <location filename="exhibits/ice_cream/ice_cream_table.h"/>
+        <source>Toast</source>
+        <extracomment>tables</extracomment>
+        <translation>Röstung</translation>
+    </message>
+    <message>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
         <source>together</source>
         <extracomment>tables</extracomment>
@@ -21498,6 +22346,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
         <source>Top radius</source>
         <translation>Radius oben</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>top-left</source>
+        <translation>oben links</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_morph/sdf_morph.h"/>
@@ -21671,6 +22524,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="ui/tree/tree_dock.cpp"/>
         <location filename="exhibits/jobs/record/record_table.h"/>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
+        <location filename="exhibits/printing/print_table.h"/>
         <source>Turn</source>
         <extracomment>tables</extracomment>
         <translation>Drehung</translation>
@@ -21679,6 +22533,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="ui/tree/tree_overlay.cpp"/>
         <source>Turn %1</source>
         <translation>%1 drehen</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Turn and shift of single pictures, as PICTURE:TURN,RIGHT,DOWN: the picture's number in viewing order, degrees clockwise, and percent of the view's width and height, such as 3:1.5,2,-0.5.</source>
+        <translation>Drehung und Verschiebung einzelner Bilder, als BILD:DREHUNG,RECHTS,UNTEN: die Nummer des Bildes in der Reihenfolge der Ansichten, Grad im Uhrzeigersinn und Prozent der Breite und Höhe der Ansicht, etwa 3:1.5,2,-0.5.</translation>
     </message>
     <message>
         <location filename="ui/print/place_bar.cpp"/>
@@ -21840,8 +22699,8 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <location filename="exhibits/framework/time/motion_json.cpp"/>
-        <source>unknown kind of motion &quot;{1}&quot;; give one of {2}</source>
-        <translation>unbekannte Art von Bewegung &quot;{=1}&quot;; geben Sie eine an von {=2}</translation>
+        <source>unknown kind of motion &quot;{1} give one of {2}</source>
+        <translation>unbekannte Art von Bewegung &quot;{1} geben Sie eine von {=2} an</translation>
     </message>
     <message>
         <location filename="exhibits/framework/time/motion_json.cpp"/>
@@ -22083,6 +22942,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Unterschiede in der Dicke der Haare: Bei 0 haben alle die Dicke des Fells, bei 1 jede von da bis nichts.</translation>
     </message>
     <message>
+        <location filename="ui/window/visit_card.cpp"/>
+        <source>Variations</source>
+        <translation>Variationen</translation>
+    </message>
+    <message>
         <location filename="exhibits/study/study_table.h"/>
         <source>Varied</source>
         <translation>Verändertes</translation>
@@ -22118,6 +22982,16 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="ui/print/print_numbers.cpp"/>
         <source>view %1: %2 %</source>
         <translation>Ansicht %1: %2 %</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>View format</source>
+        <translation>Format der Ansichten</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>View height</source>
+        <translation>Höhe der Ansicht</translation>
     </message>
     <message>
         <location filename="ui/print/place_bar.cpp"/>
@@ -22162,6 +23036,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <location filename="ui/print/source_bar.cpp"/>
+        <location filename="exhibits/jobs/quilt/quilt_table.h"/>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
         <location filename="exhibits/printing/print_table.h"/>
         <location filename="exhibits/study/study_table.h"/>
@@ -22190,6 +23065,11 @@ oder aus einem Bild mit einem Raster von Ansichten geschnitten werden. Ein Ordne
         <location filename="ui/print/print_numbers.cpp"/>
         <source>Views that show</source>
         <translation>Sichtbare Ansichten</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Views to print: a folder of pictures, or the picture files, in order from left to right. Unrelated pictures make a flip.</source>
+        <translation>Ansichten, die gedruckt werden: ein Ordner mit Bildern oder die Bilddateien, in der Reihenfolge von links nach rechts. Bilder, die nichts miteinander zu tun haben, ergeben ein Wechselbild.</translation>
     </message>
     <message>
         <location filename="ui/print/print_dialog.cpp"/>
@@ -22443,6 +23323,26 @@ steht in assets/SOURCES.md.</translation>
         <translation>Wetter</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/export/web_writer.cpp"/>
+        <source>Web browsers cannot read {1}; convert it to PNG or JPEG.</source>
+        <translation>Webbrowser können {1} nicht lesen; wandeln Sie es in PNG oder JPEG um.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/shader/shader_job.cpp"/>
+        <source>web page</source>
+        <translation>Webseite</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/shader_check.cpp"/>
+        <source>WebGL 2 has no program like this: {1}</source>
+        <translation>WebGL 2 hat kein solches Programm: {1}</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/picture/picture_job.cpp"/>
+        <source>WebP has sides of at most 16383 pixels; give another --size, or --out a name that ends in .png.</source>
+        <translation>WebP hat Seiten von höchstens 16383 Pixeln; geben Sie eine andere --size an, oder bei --out einen Namen, der auf .png endet.</translation>
+    </message>
+    <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
         <source>Weight</source>
         <extracomment>tables</extracomment>
@@ -22583,7 +23483,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>Ob Objekte Schatten werfen.</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
+        <location filename="exhibits/kit/sdf_parameters.h"/>
         <source>Whether one cone per 8 × 8 pixels is marched first; their rays start at the end of the cone.</source>
         <extracomment>tables</extracomment>
         <translation>Ob zuerst ein Kegel je 8 × 8 Pixel abgeschritten wird; deren Strahlen beginnen an seinem Ende.</translation>
@@ -22626,9 +23526,9 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
-        <source>Whether the candies spin, those in the air float, and the whole turns.</source>
+        <source>Whether the candies spin, those in the air float, and the whole ice cream turns.</source>
         <extracomment>tables</extracomment>
-        <translation>Ob sich die Bonbons drehen, die in der Luft schweben und das Ganze sich dreht.</translation>
+        <translation>Ob die Bonbons rotieren, jene in der Luft schweben und sich das ganze Eis dreht.</translation>
     </message>
     <message>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
@@ -22655,7 +23555,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>Ob der Luftzug das Mobile dreht und den Staub trägt.</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
+        <location filename="exhibits/kit/sdf_parameters.h"/>
         <source>Whether the edges of the bounding mesh are drawn: amber if it holds the object, red if it clips it.</source>
         <extracomment>tables</extracomment>
         <translation>Ob die Kanten des Hüllnetzes gezeichnet werden: bernsteinfarben, wenn es das Objekt umschließt, rot, wenn es beschneidet.</translation>
@@ -22679,7 +23579,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>Ob die Halle einmal als Reflexionssonde für alles in ihr aufgenommen wird; ohne das spiegelt nichts.</translation>
     </message>
     <message>
-        <location filename="exhibits/kit/sdf_rows.h"/>
+        <location filename="exhibits/kit/sdf_parameters.h"/>
         <source>Whether the hall's light is darkened where the object hides it, at five evaluations per pixel.</source>
         <extracomment>tables</extracomment>
         <translation>Ob das Licht der Halle abgedunkelt wird, wo das Objekt es verdeckt, mit fünf Auswertungen pro Pixel.</translation>
@@ -22753,6 +23653,11 @@ steht in assets/SOURCES.md.</translation>
         <source>Whether the views are printed in reverse order: depth turns inside out.</source>
         <extracomment>tables</extracomment>
         <translation>Ob die Ansichten in umgekehrter Reihenfolge gedruckt sind: Die Tiefe kehrt sich um.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/shader/shader_job.cpp"/>
+        <source>Whether time runs when the page is opened. Readers can stop and start it.</source>
+        <translation>Ob die Zeit läuft, wenn die Seite geöffnet wird. Leser können sie anhalten und starten.</translation>
     </message>
     <message>
         <location filename="exhibits/noise/noise_table.h"/>
@@ -22851,6 +23756,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>Warum hat das keine Wirkung?</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/quilt/quilt_table.h"/>
         <location filename="exhibits/jobs/record/record_table.h"/>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <location filename="exhibits/printing/print_table.h"/>
@@ -22871,11 +23777,6 @@ steht in assets/SOURCES.md.</translation>
         <source>Width below which lanterns are drawn as their average.</source>
         <extracomment>tables</extracomment>
         <translation>Breite, unter der Laternen als ihr Mittel gezeichnet werden.</translation>
-    </message>
-    <message>
-        <location filename="exhibits/printing/print_table.h"/>
-        <source>Width of a rendered view in pixels; more than two pixels per lens are lost in the print.</source>
-        <translation>Breite einer gerenderten Ansicht in Pixeln; mehr als zwei Pixel pro Linse gehen im Druck verloren.</translation>
     </message>
     <message>
         <source>Width of the bars</source>
@@ -22973,6 +23874,11 @@ steht in assets/SOURCES.md.</translation>
         <translation>Breite x Höhe in ganzen Pixeln</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/shader/shader_job.cpp"/>
+        <source>Width x height of the picture on a web page, in pixels.</source>
+        <translation>Breite x Höhe des Bildes auf einer Webseite, in Pixeln.</translation>
+    </message>
+    <message>
         <location filename="exhibits/fur/fur_table.h"/>
         <source>Wind</source>
         <extracomment>tables</extracomment>
@@ -23020,7 +23926,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>Wischblende zwischen Einstellung und Referenz</translation>
     </message>
     <message>
-        <location filename="app/print/rendered_views.cpp"/>
+        <location filename="exhibits/jobs/print/print_run.cpp"/>
         <source>With --reverse the depth of rendered views is inside out.</source>
         <translation>Mit --reverse kehrt sich die Tiefe gerenderter Ansichten um.</translation>
     </message>
@@ -23077,7 +23983,7 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <location filename="ui/study/study_chart.cpp"/>
         <source>without the hall</source>
-        <translation>ohne den Saal</translation>
+        <translation>ohne die Halle</translation>
     </message>
     <message>
         <location filename="exhibits/fur/fur.cpp"/>
@@ -23164,6 +24070,11 @@ steht in assets/SOURCES.md.</translation>
         <translation>Schreibt einen zweiten Bogen mit Normalen im Blickraum, auf das Pixel deckungsgleich mit dem ersten.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/shader/shader_job.h"/>
+        <source>Write a shader as a web page, as ISF or as Shadertoy code, with the present values of its inputs</source>
+        <translation>Schreibt einen Shader als Webseite, als ISF oder als Shadertoy-Code, mit den jetzigen Werten seiner Eingaben</translation>
+    </message>
+    <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <source>Write a third sheet with depth: near is white.</source>
         <translation>Schreibt einen dritten Bogen mit der Tiefe: nah ist weiß.</translation>
@@ -23182,6 +24093,11 @@ steht in assets/SOURCES.md.</translation>
         <location filename="ui/window/window_actions.cpp"/>
         <source>Writes the selected preset to a file.</source>
         <translation>Schreibt das gewählte Preset in eine Datei.</translation>
+    </message>
+    <message>
+        <location filename="ui/editor/shader_panel.cpp"/>
+        <source>Writes the shader of this exhibit, with its present settings, into a file that you can change, and shows it as a shader of your own.</source>
+        <translation>Schreibt den Shader dieses Exponats mit seinen jetzigen Einstellungen in eine Datei, die Sie ändern können, und zeigt ihn als Ihren eigenen Shader.</translation>
     </message>
     <message>
         <location filename="render/image/video_codec.cpp"/>
@@ -23360,7 +24276,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1} &quot;{=2}&quot;: Meinten Sie {=3}? Geben Sie eines an von {=4}</translation>
     </message>
     <message>
-        <location filename="app/kit/picture_options.cpp"/>
+        <location filename="exhibits/museum/assignment.cpp"/>
         <source>{1} &quot;{2}&quot;: give name=value, such as {3}</source>
         <translation>{=1} &quot;{=2}&quot;: Geben Sie Name=Wert an, etwa {=3}</translation>
     </message>
@@ -23472,9 +24388,54 @@ steht in assets/SOURCES.md.</translation>
         <translation>{1} Bytes; kürzen Sie sie</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/print/view_folder.cpp"/>
+        <source>{1} cannot be put in place ({2})</source>
+        <translation>{=1} kann nicht an seinen Platz gelegt werden ({2})</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/export/stand_alone.cpp"/>
+        <source>{1} cannot stand alone: it is made of meshes, and a shader of your own draws one rectangle.</source>
+        <translation>{1} kann nicht allein stehen: Es besteht aus Netzen, und ein eigener Shader zeichnet ein Rechteck.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/export/stand_alone.cpp"/>
+        <source>{1} cannot stand alone: it reads a buffer of numbers, which web pages and ISF do not have.</source>
+        <translation>{1} kann nicht allein stehen: Es liest einen Puffer mit Zahlen, den Webseiten und ISF nicht haben.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/export/stand_alone.cpp"/>
+        <source>{1} cannot stand alone: it reads a picture that the program computes; choose settings without it.</source>
+        <translation>{1} kann nicht allein stehen: Es liest ein Bild, das das Programm berechnet; wählen Sie Einstellungen ohne es.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/export/stand_alone.cpp"/>
+        <source>{1} cannot stand alone: it reads what its vertices hand over.</source>
+        <translation>{1} kann nicht allein stehen: Es liest, was seine Eckpunkte übergeben.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/export/stand_alone.cpp"/>
+        <source>{1} cannot stand alone: its picture is made by several passes that depend on each other.</source>
+        <translation>{1} kann nicht allein stehen: Das Bild entsteht in mehreren Durchgängen, die voneinander abhängen.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/export/stand_alone.cpp"/>
+        <source>{1} cannot stand alone: its picture is not toned.</source>
+        <translation>{1} kann nicht allein stehen: Sein Bild wird nicht für den Bildschirm umgerechnet.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/export/stand_alone.cpp"/>
+        <source>{1} cannot stand alone: nothing of it is drawn with these settings.</source>
+        <translation>{1} kann nicht allein stehen: Mit diesen Einstellungen wird nichts davon gezeichnet.</translation>
+    </message>
+    <message>
         <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
         <source>{1} cells hold parts that are thinner than a cell; a smaller --cell keeps them.</source>
         <translation>{1} Zellen enthalten Teile, die dünner sind als eine Zelle; ein kleineres --cell erhält sie.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_plan.cpp"/>
+        <source>{1} chart</source>
+        <translation>Tafel {1}</translation>
     </message>
     <message>
         <location filename="exhibits/study/study_text.cpp"/>
@@ -23551,7 +24512,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1} ist ein Preset von „{=2}“, das es in diesem Museum nicht gibt.</translation>
     </message>
     <message>
-        <location filename="app/print/rendered_views.cpp"/>
+        <location filename="app/jobs/run_job.cpp"/>
         <source>{1} is missing; make all parts anew.</source>
         <translation>{=1} fehlt; erzeugen Sie alle Teile neu.</translation>
     </message>
@@ -23790,6 +24751,11 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1}&quot;; meinten Sie {=2}?</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/export/stand_alone.cpp"/>
+        <source>{1}, as Vitrine draws it.</source>
+        <translation>{1}, wie Vitrine es zeichnet.</translation>
+    </message>
+    <message>
         <location filename="exhibits/lenticular/card_prints.cpp"/>
         <source>{1}, files</source>
         <translation>{1}, Dateien</translation>
@@ -23820,9 +24786,20 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1}, Zeile {2}: {3}</translation>
     </message>
     <message>
+        <location filename="exhibits/printing/print_views.cpp"/>
+        <source>{1}, placed by {2}</source>
+        <translation>{1}, ausgerichtet nach {2}</translation>
+    </message>
+    <message>
         <location filename="exhibits/lenticular/card_prints.cpp"/>
         <source>{1}, shipped</source>
         <translation>{1}, mitgeliefert</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/print/print_run.cpp"/>
+        <location filename="exhibits/printing/print_views.cpp"/>
+        <source>{1}, view {2}</source>
+        <translation>{1}, Ansicht {2}</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/kit/job.cpp"/>
@@ -23887,14 +24864,14 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1}: Die Teile stammen von einer anderen Version des Programms ({=2}); fügen Sie sie mit dieser zusammen.</translation>
     </message>
     <message>
-        <location filename="app/kit/picture_options.cpp"/>
+        <location filename="exhibits/museum/assignment.cpp"/>
         <source>{1}: there is no exhibit &quot;{2} `vitrine list` names them.</source>
         <translation>{=1}: Kein Exponat heißt &quot;{2} `vitrine list` nennt alle.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/picture/picture_job.cpp"/>
-        <source>{1}: this format holds no 16 bits; give a name that ends in {2}, or leave --sixteen-bit out.</source>
-        <translation>{=1}: Dieses Format hält keine 16 Bit; geben Sie einen Namen an, der auf {2} endet, oder lassen Sie --sixteen-bit weg.</translation>
+        <source>{1}: this format does not support 16 bits; give a name that ends in {2}, or leave --sixteen-bit out.</source>
+        <translation>{=1}: Dieses Format unterstützt keine 16 Bit; geben Sie einen Namen an, der auf {=2} endet, oder lassen Sie --sixteen-bit weg.</translation>
     </message>
     <message>
         <location filename="exhibits/recording/record.cpp"/>
@@ -23923,7 +24900,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1}: In diesem Bild steckt kein Preset; geben Sie eine Preset-Datei an, oder ein Bild, das Vitrine erzeugt hat.</translation>
     </message>
     <message>
-        <location filename="app/kit/picture_options.cpp"/>
+        <location filename="exhibits/museum/assignment.cpp"/>
         <source>{1}: {2} has no parameter of that name{3} `vitrine list --json` names them.</source>
         <translation>{=1}: {=2} hat keinen Parameter dieses Namens{3} `vitrine list --json` nennt alle.</translation>
     </message>
@@ -24059,14 +25036,19 @@ steht in assets/SOURCES.md.</translation>
         <translation>„{=1}“ hat kein MIN und MAX; der Regler geht von 0 bis 1 oder bis zum Anfangswert.</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/export/web_writer.cpp"/>
+        <source>“{1}” has no picture file: the page begins with a test picture.</source>
+        <translation>„{1}“ hat keine Bilddatei: Die Seite beginnt mit einem Testbild.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/export/shadertoy_writer.cpp"/>
+        <source>“{1}” has no picture file; choose one with --set {1}=FILE.</source>
+        <translation>„{1}“ hat keine Bilddatei; wählen Sie eine mit --set {1}=DATEI.</translation>
+    </message>
+    <message>
         <location filename="exhibits/your_shader/plain_reader.cpp"/>
         <source>“{1}” has no range; write one behind it, such as // 0 .. 2, default 1.</source>
         <translation>„{=1}“ hat keinen Bereich; schreiben Sie einen dahinter, etwa // 0 .. 2, default 1.</translation>
-    </message>
-    <message>
-        <location filename="exhibits/your_shader/guest_work.cpp"/>
-        <source>“{1}” is a {2}; cube maps and volumes are not drawn yet, use a picture.</source>
-        <translation>„{1}“ ist ein {2}; Würfeltexturen und Volumen werden noch nicht gezeichnet, nehmen Sie ein Bild.</translation>
     </message>
     <message>
         <location filename="exhibits/framework/table/acting.cpp"/>
@@ -24082,6 +25064,11 @@ steht in assets/SOURCES.md.</translation>
         <location filename="exhibits/your_shader/shadertoy_reader.cpp"/>
         <source>“{1}” is not a channel; there are iChannel0 to iChannel3.</source>
         <translation>„{=1}“ ist kein Kanal; es gibt iChannel0 bis iChannel3.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/guest_keys.cpp"/>
+        <source>“{1}” is not a key press; write code@from-to, such as 65@1-2.5.</source>
+        <translation>„{1}“ ist kein Tastendruck; schreiben Sie Code@von-bis, etwa 65@1-2.5.</translation>
     </message>
     <message>
         <location filename="exhibits/your_shader/size_expression.cpp"/>
@@ -24117,6 +25104,11 @@ steht in assets/SOURCES.md.</translation>
         <location filename="exhibits/your_shader/shadertoy_reader.cpp"/>
         <source>“{1}” names no file; write #iChannel0 &quot;file://name.png&quot;.</source>
         <translation>„{=1}“ nennt keine Datei; schreiben Sie #iChannel0 &quot;file://name.png&quot;.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/export/isf_writer.cpp"/>
+        <source>“{1}” of “{2}” names no file; name a picture beside the shader in a line #{1} &quot;file://name.png&quot;.</source>
+        <translation>„{1}“ von „{2}“ nennt keine Datei; nennen Sie ein Bild neben dem Shader in einer Zeile #{1} &quot;file://name.png&quot;.</translation>
     </message>
     <message>
         <location filename="ui/compare/compare_bar.cpp"/>

@@ -213,8 +213,8 @@ glm::ivec2 viewSize(const PrintLayout& layout, const ParameterValues& values)
 {
     const glm::ivec2 given(values[printTable().viewWidth], values[printTable().viewHeight]);
     if (given.x == 0 && given.y > 0)
-        throw Failure(ErrorKind::usage, "--view-size autox" + std::to_string(given.y) +
-                                            ": a height alone is no size; give the width, too, or neither.");
+        throw Failure(ErrorKind::usage, "--view-size: the height " + std::to_string(given.y) +
+                                            " is given without a width; give the width, too, or neither.");
     if (given.x > 0 && given.y > 0) return given;
     const PrintSettings& s = layout.settings();
     const glm::dvec2 print(s.width + 2 * s.bleed, s.height + 2 * s.bleed);

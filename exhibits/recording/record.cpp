@@ -71,7 +71,8 @@ std::string whyNotRecordable(const RecordingRequest& request, const fs::path& ou
     const std::optional<render::VideoFormat> format = render::videoFormatOf(out);
     if (format) return render::whyNoVideo(specOf(request, *format));
     return "\"" + out.string() +
-           "\" is no name of a recording; give one that ends in .mp4, .webm, .gif, .webp or .apng, or frames/%04d.png "
+           "\" is not a valid name of a recording; give one that ends in .mp4, .webm, .gif, .webp or .apng, or "
+           "frames/%04d.png "
            "or .exr.";
 }
 

@@ -69,7 +69,7 @@ KeyPresses readKeys(std::string_view text)
         const std::optional<KeyPress> press = pressOf(word);
         if (!press || read.presses.size() >= mostPresses) {
             read.problem = press ? message("There are more than {1} presses of keys; remove some.", mostPresses)
-                                 : message("“{1}” is no press of a key; write code@from-to, such as 65@1-2.5.", word);
+                                 : message("“{1}” is not a key press; write code@from-to, such as 65@1-2.5.", word);
             return read;
         }
         read.presses.push_back(*press);

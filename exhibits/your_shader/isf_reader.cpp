@@ -234,7 +234,7 @@ private:
         const auto isExact = [&](const InputChoice& choice) { return choice.value == input.exact; };
         if (input.exact && std::none_of(input.choices.begin(), input.choices.end(), isExact))
             refuse(input.name,
-                   message("EXACT of the input “{1}” is none of its VALUES; write one of them.", input.name));
+                   message("EXACT of the input “{1}” is not one of its VALUES; write one of them.", input.name));
         const auto isInitial = [&](const InputChoice& choice) {
             return !initial.empty() && choice.value == initial[0];
         };

@@ -237,8 +237,8 @@ std::shared_ptr<const PreparedPart> YourShader::prepare(const PrepareContext& co
             {"your_shader/file",
              unreadableFile(
                  row, title(),
-                 message("The program ended while it drew {1} for the first time, so it is left off; save it "
-                         "again to try it again.",
+                 message("The program ended while it drew {1} for the first time, so it is not drawn; save the "
+                         "file to try it again.",
                          table.work->path)),
              message("The screen stays dark.")});
         return part;

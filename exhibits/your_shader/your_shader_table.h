@@ -76,13 +76,12 @@ struct YourShaderTable final : Parameters {
                "Behavior of persistent buffers when an input changes: the shader continues from their content, or "
                "begins again. Pictures for files always begin again.");
 
-    Count restarts =
-        count("restarts", 0, {0, 1000},
-              "Number of times that the buffers were emptied: with another number, the steps begin again.");
+    Count restarts = count("restarts", 0, {0, 1000},
+                           "Counter of restarts: any change empties all buffers, and the steps begin again.");
     Toggle markInvalid =
         toggle("markInvalid", false,
-               "Marks pixels in magenta where the picture or a float buffer that is kept holds infinity "
-               "or no number.");
+               "Marks pixels in magenta at which the picture or a kept float buffer contains infinity or "
+               "NaN.");
 
     Group accuracy = group("Accuracy");
     Count loopRounds = count("loopRounds", 65536, {16, 262144, logarithmic},

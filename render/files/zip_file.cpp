@@ -1,6 +1,7 @@
 #include "render/files/zip_file.h"
 
 #include "render/failure.h"
+#include "render/text/message.h"
 
 #include <zlib.h>
 
@@ -53,8 +54,9 @@ std::string zipFile(const std::vector<std::pair<std::string, std::string>>& entr
     std::string bytes, directory;
     for (const auto& [name, content] : entries) {
         if (content.size() >= most || bytes.size() >= most)
-            throw Failure(ErrorKind::usage, "A ZIP file holds less than 4 GiB, which " + name +
-                                                " exceeds; make a smaller one, or choose another format.");
+            throw Failure(ErrorKind::usage, message("A ZIP file holds less than 4 GiB, which {1} exceeds; make a "
+                                                    "smaller one, or choose another format.",
+                                                    name));
         const std::string packed = deflated(content);
         const std::uint64_t check =
             crc32(0, reinterpret_cast<const Bytef*>(content.data()), static_cast<uInt>(content.size()));

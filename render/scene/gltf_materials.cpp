@@ -134,7 +134,7 @@ MapPlace GltfMaterials::placeOf(int texCoord, const tinygltf::ExtensionMap& exte
     }
     if (place.set > 1) {
         warnings_.add(
-            message("A picture of {1} uses texture coordinates beyond the second ones; the first are used.", user));
+            message("A texture of {1} uses texture coordinates after the second set; the first set is used.", user));
         place.set = 0;
     }
     return place;
@@ -151,7 +151,8 @@ void GltfMaterials::place(const tinygltf::Material& m, const Message& user, Mate
         const auto* const end = places.begin() + count;
         const auto* found = std::find(static_cast<const MapPlace*>(places.begin()), end, place);
         if (found == end && count == places.size()) {
-            warnings_.add(message("The pictures of {1} lie in more than two ways; the third lies as the first.", user));
+            warnings_.add(message(
+                "The textures of {1} have more than two different transforms; the third one uses the first.", user));
             found = places.begin();
         } else if (found == end) {
             places.at(count++) = place;

@@ -38,11 +38,10 @@ struct MeshTable final : Parameters {
     Count triangles =
         count("triangles", 0, Range{4, 100000000, logarithmic}.soft(100, 1e6),
               "Number of triangles to which the mesh is simplified. All: as many as the cells give.", reads(0, "all"));
-    Real deviation =
-        real("deviation", 0, meter, Range{1e-7, 1000, logarithmic}.soft(1e-5, 0.1),
-             "Largest distance by which the simplified surface may be off, as far as it is estimated. None: "
-             "any distance, until the number of triangles is reached.",
-             reads(0, "none"));
+    Real deviation = real("deviation", 0, meter, Range{1e-7, 1000, logarithmic}.soft(1e-5, 0.1),
+                          "Largest estimated distance between the simplified and the original surface. None: "
+                          "any distance, until the number of triangles is reached.",
+                          reads(0, "none"));
     Real memory =
         real("memoryMb", 0, none, Range{1, 1e9, logarithmic}.soft(100, 1e5),
              "Largest amount of memory for meshing, in megabytes. Auto: half of the machine's.", reads(0, "auto"));

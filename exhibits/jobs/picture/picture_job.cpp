@@ -107,8 +107,8 @@ std::vector<std::string_view> pictureEndings()
 std::string whyNoWebp(const ParameterValues& values, const PictureRequest& request)
 {
     if (values[pictureTable().sixteenBit])
-        return "--sixteen-bit: WebP holds no 16 bits; give --out a name that ends in " + render::writtenExtensions(16) +
-               ", or leave the option out.";
+        return "--sixteen-bit: WebP does not support 16 bits; give --out a name that ends in " +
+               render::writtenExtensions(16) + ", or leave the option out.";
     const glm::ivec2 size = request.frame.raster.size;
     constexpr int longest = 16383;
     if (std::max(size.x, size.y) <= longest) return {};
@@ -161,7 +161,8 @@ render::PictureFormat pictureFormat(const ParameterValues& values, const std::fi
     const std::optional<int> bits = values[pictureTable().sixteenBit] ? std::optional(16) : std::nullopt;
     if (const auto format = render::writtenFormat(out, bits)) return *format;
     if (render::writtenFormat(out))
-        throw Failure(ErrorKind::usage, out.string() + ": this format holds no 16 bits; give a name that ends in " +
+        throw Failure(ErrorKind::usage, out.string() +
+                                            ": this format does not support 16 bits; give a name that ends in " +
                                             render::writtenExtensions(bits) + ", or leave --sixteen-bit out.");
     throw Failure(ErrorKind::usage, out.string() + ": give a name that ends in " + render::writtenExtensions() + '.');
 }

@@ -37,7 +37,7 @@ Opened opened(const std::string& path)
     AVFormatContext* file = nullptr;
     const int result = avformat_open_input(&file, ("file:" + path).c_str(), nullptr, &options);
     av_dict_free(&options);
-    if (result < 0) throw Problem{"it is no sound that is read here"};
+    if (result < 0) throw Problem{"its format is not supported"};
     return Opened(file);
 }
 
@@ -61,7 +61,7 @@ float sampleAt(const AVFrame& frame, int channel, int channels, int index)
     case AV_SAMPLE_FMT_S32: return static_cast<float>(valueAt<std::int32_t>(data, at) / 2147483648.0);
     case AV_SAMPLE_FMT_FLT: return static_cast<float>(valueAt<float>(data, at));
     case AV_SAMPLE_FMT_DBL: return static_cast<float>(valueAt<double>(data, at));
-    default: throw Problem{"its samples are of a kind that is not read"};
+    default: throw Problem{"its sample format is not supported"};
     }
 }
 

@@ -34,7 +34,7 @@ std::vector<Component> componentsOf(const AVPixFmtDescriptor& format)
     if ((format.flags & AV_PIX_FMT_FLAG_PAL) != 0)
         return {{2}, {1}, {0}, {3}};  // Bytes of 0xAARRGGBB from the low end.
     const bool known = (format.flags & AV_PIX_FMT_FLAG_RGB) != 0 || format.nb_components == 1;
-    if (!known) throw Problem{"its pixels are of a kind that is not read (" + std::string(format.name) + ")"};
+    if (!known) throw Problem{"its pixel format is not supported (" + std::string(format.name) + ")"};
     std::vector<Component> components;
     for (int c = 0; c < format.nb_components; ++c) components.push_back({c, (1 << format.comp[c].depth) - 1});
     return components;

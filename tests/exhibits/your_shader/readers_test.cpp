@@ -91,7 +91,7 @@ TEST(IsfReader, TakesTheExactValueOfAChoice)
     EXPECT_EQ(table.rows()[table.ofInputs[0][0]].qualityReference, 1.0) << "the second choice";
     EXPECT_EQ(table.rows()[table.ofInputs[1][0]].qualityReference, 9.0);
     EXPECT_EQ(errorsOf(checked(isf(R"("INPUTS": [{"NAME": "m", "TYPE": "long", "VALUES": [1, 2], "EXACT": 3}])"))),
-              "own.fs:1:25: EXACT of the input “m” is none of its VALUES; write one of them.\n");
+              "own.fs:1:25: EXACT of the input “m” is not one of its VALUES; write one of them.\n");
 }
 
 TEST(ShaderTable, GivesInputsPlainNamesAndShowsThemAtFirst)

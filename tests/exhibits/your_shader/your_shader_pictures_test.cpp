@@ -311,7 +311,7 @@ TEST_F(YourShaderPictures, FollowTheKeysThatAreNamedWithTheirTimes)
     const render::FramePlan plan = planned(gallery().museum, own.shot.sceneState, own.shot.request.frame);
     ASSERT_TRUE(plan.findSkipped("your_shader/keys"));
     EXPECT_EQ(plan.findSkipped("your_shader/keys")->reason,
-              "“A” is no press of a key; write code@from-to, such as 65@1-2.5.");
+              "“A” is not a key press; write code@from-to, such as 65@1-2.5.");
 }
 
 std::string littleEndian(std::uint32_t number, int bytes)
