@@ -1,5 +1,6 @@
 #include "exhibits/your_shader/guest_passes.h"
 
+#include "exhibits/framework/table/derive.h"
 #include "exhibits/kit/exhibit_pass.h"
 #include "exhibits/your_shader/guest_built_in.h"
 #include "exhibits/your_shader/guest_keys.h"
@@ -49,6 +50,13 @@ public:
     std::optional<WorkPicture> run()
     {
         if (!findSizes()) return std::nullopt;
+        if (kept_.stopped.contains(timeKey())) {
+            plan_.warnOfFile("your_shader/time",
+                             "Your Shader: a frame of " + work_.path.string() +
+                                 " takes too long here; lower its parameters or “Loop rounds”, or draw it smaller.",
+                             "The screen stays dark.");
+            return std::nullopt;
+        }
         readPressedKeys();
         const double rate = shot_.values[shot_.table.rate];
         const double steps = std::floor(shot_.time * rate + 1e-6);
@@ -83,6 +91,8 @@ private:
 
     std::int64_t planSteps(std::int64_t wanted, double rate);
     [[nodiscard]] std::uint64_t identity(double rate) const;
+    /// Identifies what the duration of a picture depends on, other than the moment.
+    [[nodiscard]] std::uint64_t timeKey() const;
     [[nodiscard]] std::int64_t heldStep(std::uint64_t identity, std::int64_t wanted) const;
     void clearBefore0();
     void planStep(const std::string& namePrefix, const std::string& reason, std::int64_t step, const StepTime&,
@@ -232,6 +242,14 @@ render::Bytes WorkPlan::bytesOfInputs(const StepTime& time) const
 
 /// Returns a hash of everything that the steps depend on. In the window the values are left out: the shader continues
 /// from what its buffers hold, unless the visitor chose otherwise.
+std::uint64_t WorkPlan::timeKey() const
+{
+    render::Hash hash;
+    hash.addValue(work_.id).addValue(shot_.size);
+    derive::addToKey(hash, shot_.values);
+    return hash.value();
+}
+
 std::uint64_t WorkPlan::identity(double rate) const
 {
     render::Hash hash;
@@ -368,6 +386,7 @@ render::Pass WorkPlan::passOf(std::size_t i, std::int64_t step, const StepTime& 
     pass.inputs = inputsOf(of, step, time);
     pass.colors = {isCube ? render::Attachment::clearedSlice(target, face) : render::Attachment::cleared(target)};
     pass.draws = {render::Draw{}};
+    pass.unbounded = timeKey();
     if (plan_.images().at(target).levels > 1 && (!isCube || face == 5)) pass.mipmaps = {target};
     return pass;
 }
@@ -410,6 +429,7 @@ void WorkPlan::markStep(std::int64_t step, std::uint64_t identity, bool isOnly)
     pass.reason = "step " + std::to_string(step) + " is complete";
     pass.phase = render::PassPhase::simulate;
     pass.work = render::Work::simulation;
+    pass.unbounded = timeKey();  // A step that was stopped is not complete.
     pass.writes = {stateOf(step)};
     for (std::size_t i = 0; i < work_.targets.size(); ++i)
         for (const std::int64_t each : {step, step + 1})

@@ -7,6 +7,8 @@
 namespace vitrine::render::gl {
 namespace {
 
+constexpr int endless = 1 << 20;  // Larger than any picture, in pixels.
+
 GLenum depthFunction(DepthTest test)
 {
     switch (test) {
@@ -85,11 +87,16 @@ void applyState(const RasterState& state)
 
 void limitTo(const std::optional<glm::ivec2>& columns)
 {
-    enable(GL_SCISSOR_TEST, columns.has_value());
-    if (!columns) return;
-    constexpr int endless = 1 << 20;
-    const int first = std::max(columns->x, 0);
-    glScissor(first, 0, std::max(columns->y - first, 0), endless);
+    if (columns) return limitTo(columns, glm::ivec2(0, endless));
+    enable(GL_SCISSOR_TEST, false);
+}
+
+void limitTo(const std::optional<glm::ivec2>& columns, glm::ivec2 rows)
+{
+    enable(GL_SCISSOR_TEST, true);
+    const glm::ivec2 across = columns.value_or(glm::ivec2(0, endless));
+    const int first = std::max(across.x, 0);
+    glScissor(first, rows.x, std::max(across.y - first, 0), rows.y - rows.x);
 }
 
 void dispatch(const Pass& pass, const Resources& resources)

@@ -15,6 +15,8 @@ void applyCulling(Cull);
 
 /// Restricts drawing to these columns (`Pass::columns`); unset: no restriction.
 void limitTo(const std::optional<glm::ivec2>& columns);
+/// The same, also for rows: `rows` are the first one and that behind the last one, counted from the bottom.
+void limitTo(const std::optional<glm::ivec2>& columns, glm::ivec2 rows);
 
 /// Binds the writable images of a compute pass, dispatches it and makes its writes visible.
 void dispatch(const Pass&, const Resources&);

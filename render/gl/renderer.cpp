@@ -12,6 +12,7 @@
 #include "render/gl/program_cache.h"
 #include "render/gl/resources.h"
 #include "render/gl/screen.h"
+#include "render/gl/unbounded_time.h"
 #include "render/gl/uniform_allocator.h"
 #include "render/gl/uploads.h"
 #include "render/measure/clock.h"
@@ -73,6 +74,7 @@ struct Renderer::State {
     bool timeSteps = false;
     std::thread::id thread = std::this_thread::get_id();
     std::function<bool()> isCanceled;
+    UnboundedTime unbounded{info.software};
     Screen screen;  ///< Target of `screenPixels`.
 
     explicit State(std::shared_ptr<Shared> common)
@@ -226,7 +228,23 @@ struct Renderer::State {
     {
         bindTarget(pass, resources, clears);
         applyState(pass.state);
-        limitTo(pass.columns);
+        if (pass.unbounded && unbounded.isLimited()) {
+            const glm::ivec2 size = resources.target(pass.colors.at(0).image).size(pass.colors[0].level);
+            while (const std::optional<glm::ivec2> rows = unbounded.nextBand(size)) {
+                limitTo(pass.columns, *rows);
+                drawAll(pass, objects);
+                glFinish();
+                if (isCanceled && isCanceled()) break;  // The loop over the passes abandons the frame.
+            }
+        } else {
+            limitTo(pass.columns);
+            drawAll(pass, objects);
+        }
+        limitTo(std::nullopt);
+    }
+
+    void drawAll(const Pass& pass, const std::vector<UniformAllocator::Range>& objects)
+    {
         for (std::size_t i = 0; i < pass.draws.size(); ++i) {
             const Draw& draw = pass.draws[i];
             bindInputs(draw.inputs);
@@ -241,7 +259,6 @@ struct Renderer::State {
                 glDrawArraysInstanced(GL_TRIANGLES, 0, 3, draw.instances);
             }
         }
-        limitTo(std::nullopt);
     }
 
     /// Discards the records of these images, whose content is lost.
@@ -299,6 +316,18 @@ struct Renderer::State {
             kept.passes[pass.name] = *pass.contentHash;
     }
 
+    /// Records that an unbounded pass is not drawn, or only in part.
+    void leaveOut(const Pass& pass, FrameReport& report)
+    {
+        const std::vector<std::string> outputs = outputsOf(pass);
+        forget({outputs.begin(), outputs.end()});
+        if (!report.stopped.empty())
+            return report.skipped.push_back({pass.name, message("the time is over").english(), pass.work});
+        report.stopped = pass.name;
+        kept.stopped.insert(*pass.unbounded);
+        report.unfinished = true;
+    }
+
     /// Runs the passes in order. An exception, `Abandoned` included, leaves the renderer as if the remaining passes had
     /// never been planned.
     void runPasses(const FramePlan& plan, const std::vector<PassRanges>& ranges, const std::set<std::string>& lost,
@@ -310,11 +339,19 @@ struct Renderer::State {
             for (; next < plan.passes().size(); ++next) {
                 const Pass& pass = plan.passes()[next];
                 if (abandoned()) throw Abandoned();
+                if (pass.unbounded && unbounded.isOver()) {
+                    leaveOut(pass, report);
+                    continue;
+                }
                 const DebugGroup group(pass.name.c_str());
                 if (pass.countSamples) samplesQueries.emplace_back();
                 const ProgramInUse used = run(pass, ranges[next], building);
                 if (pass.countSamples) SamplesQuery::end();
-                if (used.fallback.empty()) remember(pass, plan, lost);
+                if (isCanceled && isCanceled()) throw Abandoned();  // It may have ended an unbounded pass.
+                if (pass.unbounded && unbounded.isOver())
+                    leaveOut(pass, report);
+                else if (used.fallback.empty())
+                    remember(pass, plan, lost);
                 report.unfinished = report.unfinished || used.building;
                 const std::string& how = used.fallback.empty() ? used.specialized : used.fallback;
                 report.ran.push_back({pass.name, how.empty() ? pass.reason : pass.reason + ", " + how, pass.work, -1,
@@ -379,6 +416,7 @@ FrameReport Renderer::draw(const FramePlan& plan)
     s.forget(lost);
     const std::int64_t framebuffersBefore = s.resources.framebuffersMade();
 
+    s.unbounded.beginFrame();
     const std::vector<PassRanges> ranges = s.uploadBlocks(plan, lost);
     std::vector<SamplesQuery> samplesQueries;
     if (s.timeSteps) clock.mark();
@@ -439,6 +477,11 @@ int Renderer::largestSide() const
 void Renderer::abandonWhen(std::function<bool()> isCanceled)
 {
     state_->isCanceled = std::move(isCanceled);
+}
+
+void Renderer::stopUnboundedAfter(double seconds)
+{
+    state_->unbounded.setLimit(seconds);
 }
 
 ScreenPixels Renderer::screenPixels(const std::string& image, glm::ivec2 screen, glm::ivec2 offset, glm::ivec2 part)

@@ -44,6 +44,11 @@ public:
     /// Sets a function that is polled between passes. When it returns true, `draw` throws `Abandoned`; the remaining
     /// passes count as not drawn. Empty: every frame is finished.
     void abandonWhen(std::function<bool()> isCanceled);
+    /// Limits the time that the unbounded passes of a frame take together (Pass::unbounded). They are drawn in bands
+    /// of rows, and between two bands the frame can be abandoned, too. When the time is over, the remaining bands and
+    /// unbounded passes are not drawn, FrameReport::stopped names the first of them, and PersistentState::stopped has
+    /// it. Infinity, the initial value: they are drawn like all others.
+    void stopUnboundedAfter(double seconds);
     [[nodiscard]] Image read(const std::string& image) override;
     /// Returns the content of a buffer of the last frame. Throws std::out_of_range for a name that was not used.
     [[nodiscard]] Bytes readBuffer(const std::string& name);

@@ -12,12 +12,12 @@
 namespace vitrine::render {
 namespace {
 
-using Bytes = std::uint8_t __attribute__((vector_size(16)));
+using ByteVector = std::uint8_t __attribute__((vector_size(16)));
 using Words = std::uint16_t __attribute__((vector_size(16)));
 
-[[gnu::always_inline]] inline Bytes load(const std::uint8_t* at)
+[[gnu::always_inline]] inline ByteVector load(const std::uint8_t* at)
 {
-    Bytes bytes;
+    ByteVector bytes;
     std::memcpy(&bytes, at, sizeof bytes);
     return bytes;
 }
@@ -29,9 +29,9 @@ unsigned absolute(std::uint8_t difference)
 }
 
 /// Returns the absolute values of 16 differences, added in pairs.
-[[gnu::always_inline]] inline Words absolute(Bytes difference)
+[[gnu::always_inline]] inline Words absolute(ByteVector difference)
 {
-    const Bytes negative = Bytes{} - difference;
+    const ByteVector negative = ByteVector{} - difference;
     const auto least = reinterpret_cast<Words>(difference < negative ? difference : negative);
     return (least & 0xFF) + (least >> 8);
 }
@@ -112,7 +112,7 @@ Sums sumsOf(const std::uint8_t* row, const std::uint8_t* above, std::size_t byte
         Words up{};
         const std::size_t end = std::min(i + together, bytes - 15);
         for (; i < end; i += 16) {
-            const Bytes here = load(row + i);
+            const ByteVector here = load(row + i);
             none += absolute(here);
             left += absolute(here - load(row + i - pixel));
             up += absolute(here - load(above + i));
@@ -136,7 +136,7 @@ void subtract(const std::uint8_t* from, const std::uint8_t* what, std::size_t by
     if (avx2) i = subtract32(from, what, bytes, out);
 #endif
     for (; i + 16 <= bytes; i += 16) {
-        const Bytes difference = load(from + i) - load(what + i);
+        const ByteVector difference = load(from + i) - load(what + i);
         std::memcpy(out + i, &difference, sizeof difference);
     }
     for (; i < bytes; ++i) out[i] = static_cast<std::uint8_t>(from[i] - what[i]);

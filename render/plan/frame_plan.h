@@ -138,6 +138,9 @@ struct Pass {
     /// Raster: draws only the pixels of the columns from `x` to before `y`. Clearing covers the whole image. Unset: all
     /// columns.
     std::optional<glm::ivec2> columns;
+    /// Set: a stranger's shader runs, which may take any time (gl::Renderer::stopUnboundedAfter). The value identifies
+    /// what that time depends on, other than the moment and the camera.
+    std::optional<std::uint64_t> unbounded;
     std::vector<Draw> draws;
     std::optional<DepthOnly> depthOnly;  ///< Depth-only variant. Unset: the pass's own program also draws the depth.
     glm::ivec3 groups{1};                ///< Compute pass: number of work groups.

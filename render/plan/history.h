@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -66,6 +67,8 @@ struct PersistentState {
     std::map<std::string, std::uint64_t> passes = {};  ///< Pass -> key under which it last wrote its persistent images.
     std::map<std::string, HistoryRecord> histories = {};  ///< By image name.
     std::map<std::string, SliceProgress> slices = {};     ///< By pass name.
+    std::set<std::uint64_t> stopped =
+        {};  ///< Pass::unbounded of the passes that were stopped because they took too long.
 };
 
 }  // namespace vitrine::render

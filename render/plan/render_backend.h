@@ -28,6 +28,7 @@ struct FrameReport {
     std::map<std::string, std::int64_t> counters;  ///< Exact integers: "passes", "draws", "triangles", "programs", ...
     double milliseconds = 0;                       ///< The whole frame, measured by the clock that `clock` names.
     double wallMilliseconds = 0;                   ///< The whole frame by the wall clock: the time that the user waits.
+    std::string stopped;      ///< First pass that was stopped because it took too long (Pass::unbounded), or empty.
     bool unfinished = false;  ///< Another frame is needed: slices are left, or a program is being built.
     std::string clock;        ///< "process CPU time around glFinish", ...
     bool clockTrusted = false;

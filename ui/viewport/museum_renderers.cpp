@@ -9,6 +9,7 @@ namespace vitrine::ui {
 namespace {
 
 constexpr int regionApron = 8;  ///< Pixels drawn around a region, for effects that read neighboring pixels.
+constexpr double longestStrangersFrame = 4;  ///< Seconds.
 
 QImage imageOf(const render::gl::ScreenPixels& pixels)
 {
@@ -20,6 +21,14 @@ QImage screenImageOf(render::gl::Renderer& renderer, const QSize& screen)
 {
     const glm::ivec2 size(screen.width(), screen.height());
     return imageOf(renderer.screenPixels("frame", size, glm::ivec2(0), size));
+}
+
+/// Returns another renderer on the same context, under the same limit.
+std::unique_ptr<render::gl::Renderer> siblingOf(const render::gl::Renderer& renderer)
+{
+    std::unique_ptr<render::gl::Renderer> sibling = renderer.sibling();
+    sibling->stopUnboundedAfter(longestStrangersFrame);
+    return sibling;
 }
 
 }  // namespace
@@ -34,6 +43,7 @@ void MuseumRenderers::open()
 #endif
     renderer_ = std::make_unique<render::gl::Renderer>();
     renderer_->buildInBackground(context_->shared());
+    renderer_->stopUnboundedAfter(longestStrangersFrame);
     renderer_->timeSteps(timeSteps_);
 }
 
@@ -69,7 +79,7 @@ QImage MuseumRenderers::screenImage(const QSize& screen)
 OtherDrawn MuseumRenderers::drawOther(const SceneState& sceneState, const FrameRequest& request, const QSize& screen)
 {
     if (!other_) {
-        other_ = renderer_->sibling();
+        other_ = siblingOf(*renderer_);
         other_->timeSteps(timeSteps_);
     }
     OtherDrawn drawn;
@@ -80,7 +90,7 @@ OtherDrawn MuseumRenderers::drawOther(const SceneState& sceneState, const FrameR
 
 QImage MuseumRenderers::drawSmall(const SceneState& sceneState, const FrameRequest& request, const QSize& screen)
 {
-    if (!small_) small_ = renderer_->sibling();
+    if (!small_) small_ = siblingOf(*renderer_);
     (void)small_->draw(museum_.plan(museum_.prepare(sceneState, request), request, small_->persistentState()));
     return screenImageOf(*small_, screen);
 }
@@ -88,7 +98,7 @@ QImage MuseumRenderers::drawSmall(const SceneState& sceneState, const FrameReque
 QImage MuseumRenderers::drawRegion(const SceneState& sceneState, const FrameRequest& request,
                                    const PictureRegion& region, int samples, const IsCanceled& isCanceled)
 {
-    if (!regions_) regions_ = renderer_->sibling();
+    if (!regions_) regions_ = siblingOf(*renderer_);
     regions_->abandonWhen(isCanceled);
     FrameRequest frame = request;
     const glm::ivec2 low = glm::max(region.offset - regionApron, glm::ivec2(0));

@@ -647,5 +647,82 @@ TEST_F(YourShaderPictures, EndLoopsAfterTheRoundsThatAreAllowed)
     EXPECT_EQ(own.codeAt(3, 3), (Codes{200, 200, 200}));
 }
 
+/// Limits the time of visitors' shaders while it lives, as the window does.
+class LimitedTime {
+public:
+    explicit LimitedTime(double seconds) { gallery().renderer.stopUnboundedAfter(seconds); }
+    ~LimitedTime() { gallery().renderer.stopUnboundedAfter(std::numeric_limits<double>::infinity()); }
+    LimitedTime(const LimitedTime&) = delete;
+    LimitedTime& operator=(const LimitedTime&) = delete;
+};
+
+TEST_F(YourShaderPictures, ThatTakeTooLongAreStoppedUntilSomethingChanges)
+{
+    ShaderShot own;
+    ASSERT_EQ(own.show(isf("", "float n = 0.0; for (;;) { n += 1.0; if (n < 0.0) break; } gl_FragColor = vec4(1.0);")),
+              "");
+    const auto complaints = [](const render::FrameReport& report) {
+        std::string all;
+        for (const render::CulledPass& each : report.skipped)
+            if (each.complaint) all += each.name + ": " + each.reason + '\n';
+        return all;
+    };
+    {
+        // Every time is over after the first band, which is one row.
+        const LimitedTime limited(0);
+        const Picture part = own.shot.take();
+        EXPECT_EQ(ShaderShot::code(part, 3, 0), (Codes{255, 255, 255}));
+        EXPECT_EQ(ShaderShot::code(part, 3, 8), (Codes{0, 0, 0}));
+        EXPECT_EQ(part.report.stopped.substr(0, 12), "your_shader/");
+        EXPECT_EQ(complaints(part.report), "");
+
+        const Picture dark = own.shot.take();
+        EXPECT_NE(ShaderShot::code(dark, 3, 0), (Codes{255, 255, 255}));
+        EXPECT_EQ(dark.report.stopped, "");
+        EXPECT_EQ(complaints(dark.report),
+                  "your_shader/time: Your Shader: a frame of " + (own.folder / "own.fs").string() +
+                      " takes too long here; lower its parameters or “Loop rounds”, or draw it smaller. The screen "
+                      "stays dark.\n");
+    }
+    own.set("loopRounds", 100.0);
+    const Picture changed = own.shot.take();
+    EXPECT_EQ(ShaderShot::code(changed, 3, 8), (Codes{255, 255, 255}));
+    EXPECT_EQ(complaints(changed.report), "");
+}
+
+TEST_F(YourShaderPictures, StoppedStepsOfFeedbackAreNotComplete)
+{
+    // Each step adds 10 of 255.
+    const std::string counts = isf(R"("PASSES": [{"TARGET": "sum", "PERSISTENT": true}])",
+                                   "gl_FragColor = IMG_THIS_PIXEL(sum) + 10.0 / 255.0;");
+    ShaderShot own;
+    ASSERT_EQ(own.show(counts), "");
+    own.set("moment", 0.5);
+    own.set("rate", 10.0);
+    own.set("animate", 0.0);
+    const Codes right = own.codeAt(3, 8);
+    EXPECT_EQ(right, (Codes{60, 60, 60}));
+    own.set("restarts", 1.0);
+    {
+        const LimitedTime limited(0);
+        EXPECT_NE(own.shot.take().report.stopped, "");
+    }
+    own.set("restarts", 2.0);
+    EXPECT_EQ(own.codeAt(3, 8), right);
+}
+
+TEST_F(YourShaderPictures, InBandsAreTheSamePictures)
+{
+    ShaderShot own;
+    own.shot.size(160, 90);
+    ASSERT_EQ(own.show(isf("", "gl_FragColor = vec4(fract(gl_FragCoord.xy / 7.0), isf_FragNormCoord.x, 1.0);")), "");
+    const Picture whole = own.shot.take();
+    own.set("loopRounds", 100.0);  // So that it is drawn again.
+    const LimitedTime limited(1000);
+    const Picture banded = own.shot.take();
+    EXPECT_EQ(banded.report.stopped, "");
+    EXPECT_EQ(largestDifference(whole.image, banded.image), 0);
+}
+
 }  // namespace
 }  // namespace vitrine
