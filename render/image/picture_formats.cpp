@@ -41,14 +41,14 @@ const std::vector<PictureFileFormat>& pictureFormats()
 {
     using F = PictureFormat;
     static const std::vector<PictureFileFormat> formats{
-        {ImageFormat::png, "PNG", {".png"}, "png", {{8, F::png8}, {16, F::png16}}, false, true},
-        {ImageFormat::jpeg, "JPEG", {".jpg", ".jpeg"}, "jpeg", {{8, F::jpeg}}},
-        {ImageFormat::tiff, "TIFF", {".tif", ".tiff"}, "tiff", {{8, F::tiff8}, {16, F::tiff16}}, false, true},
-        {ImageFormat::exr, "OpenEXR", {".exr"}, "openexr", {{32, F::exr}, {16, F::exrHalf}}, true},
-        {ImageFormat::hdr, "HDR", {".hdr", ".rgbe"}, "hdr", {}, true},
-        {ImageFormat::webp, "WebP", {".webp"}, "webp"},
-        {ImageFormat::bmp, "BMP", {".bmp"}},
-        {ImageFormat::gif, "GIF", {".gif"}},
+        {ImageFormat::png, "PNG", {".png"}, "png", {{8, F::png8}, {16, F::png16}}, "image/png", false, true},
+        {ImageFormat::jpeg, "JPEG", {".jpg", ".jpeg"}, "jpeg", {{8, F::jpeg}}, "image/jpeg"},
+        {ImageFormat::tiff, "TIFF", {".tif", ".tiff"}, "tiff", {{8, F::tiff8}, {16, F::tiff16}}, "", false, true},
+        {ImageFormat::exr, "OpenEXR", {".exr"}, "openexr", {{32, F::exr}, {16, F::exrHalf}}, "", true},
+        {ImageFormat::hdr, "HDR", {".hdr", ".rgbe"}, "hdr", {}, "", true},
+        {ImageFormat::webp, "WebP", {".webp"}, "webp", {}, "image/webp"},
+        {ImageFormat::bmp, "BMP", {".bmp"}, "", {}, "image/bmp"},
+        {ImageFormat::gif, "GIF", {".gif"}, "", {}, "image/gif"},
     };
     return formats;
 }

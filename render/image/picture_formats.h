@@ -30,6 +30,7 @@ struct PictureFileFormat {
     std::vector<std::string_view> extensions;  ///< In lower case, with the dot, the usual one first: ".tif".
     const char* plugin = "";                   ///< OpenImageIO plugin that reads and writes it. Empty: others do.
     std::vector<WrittenDepth> written = {};    ///< The usual depth first. Empty: the format is read only.
+    std::string_view mediaType;                ///< "image/png". Empty: web browsers do not read the format.
     bool isLinear = false;                     ///< Holds linear light as floats.
     bool isStreamed = false;                   ///< Written row by row, as prints are (`PictureStream`).
 };

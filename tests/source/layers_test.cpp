@@ -21,8 +21,8 @@ const std::map<std::string, std::vector<std::string>> allowed{
     {"app", {"app/", "ui/", "exhibits/", "render/", "shaders/lib/"}},
     {"ui",
      {"ui/", "exhibits/framework/", "exhibits/museum/", "exhibits/study/", "exhibits/compare/", "exhibits/printing/",
-      "exhibits/recording/", "exhibits/jobs/kit/", "exhibits/jobs.h", "exhibits/exhibits.h", "render/",
-      "shaders/lib/"}},
+      "exhibits/recording/", "exhibits/shader_export/", "exhibits/jobs/kit/", "exhibits/jobs.h", "exhibits/exhibits.h",
+      "render/", "shaders/lib/"}},
     {"exhibits", {"exhibits/", "render/", "shaders/"}},
     {"render", {"render/", "shaders/lib/"}},
 };
@@ -129,6 +129,7 @@ const std::map<std::string, std::vector<std::string>> roomsOfExhibits{
     {"compare", {"framework", "museum", "study"}},
     {"recording", {"framework", "museum"}},
     {"stability", {"framework", "kit", "museum"}},
+    {"shader_export", {"framework", "museum", "your_shader"}},
 };
 const std::vector<std::string> roomsForExhibits{"framework", "kit", "printing"};
 

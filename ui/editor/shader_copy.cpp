@@ -1,7 +1,7 @@
 #include "ui/editor/shader_copy.h"
 
 #include "exhibits/framework/scene/text_document.h"
-#include "exhibits/jobs/shader/scene_shader.h"
+#include "exhibits/shader_export/scene_shader.h"
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
 #include "ui/kit/language.h"
@@ -48,14 +48,14 @@ void ShaderCopy::ask(std::size_t exhibit)
 void ShaderCopy::copyTo(std::size_t exhibit, const QString& path)
 {
     if (writing_.valid() && writing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
-    const jobs::JobScene scene{&window_.museum(), window_.history().sceneState(), exhibit,
-                               window_.viewport().presentRequest()};
-    writing_ = std::async(std::launch::async, [this, scene, path] {
+    writing_ = std::async(std::launch::async, [this, exhibit, path, state = window_.history().sceneState(),
+                                               request = window_.viewport().presentRequest()] {
         QString problem;
         QStringList notes;
         try {
             const std::string file = QFileInfo(path).absoluteFilePath().toStdString();
-            const guest::ExportedFiles files = exportedFiles(jobs::sceneShader(scene), guest::ExportForm::isf, file);
+            const guest::ExportedShader shader = guest::sceneShader(window_.museum(), state, exhibit, request);
+            const guest::ExportedFiles files = exportedFiles(shader, guest::ExportForm::isf, file);
             render::atomicWriteAll(files.files);
             for (const Message& note : files.notes) notes << translatedText(note);
         } catch (const Failure& failure) {

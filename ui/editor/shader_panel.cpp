@@ -1,7 +1,7 @@
 #include "ui/editor/shader_panel.h"
 
 #include "exhibits/framework/scene/text_document.h"
-#include "exhibits/your_shader/export/stand_alone.h"
+#include "exhibits/shader_export/stand_alone.h"
 #include "render/failure.h"
 #include "ui/editor/code_colors.h"
 #include "ui/editor/document_file.h"

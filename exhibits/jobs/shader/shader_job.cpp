@@ -1,7 +1,7 @@
 #include "exhibits/jobs/shader/shader_job.h"
 
 #include "exhibits/jobs/kit/job_document.h"
-#include "exhibits/jobs/shader/scene_shader.h"
+#include "exhibits/shader_export/scene_shader.h"
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
 
@@ -57,7 +57,8 @@ public:
     {
         if (!watch(0)) throw Stopped();
         const ShaderTable& t = shaderTable();
-        guest::ExportedShader shader = sceneShader(order_.scene);
+        const JobScene& scene = order_.scene;
+        guest::ExportedShader shader = guest::sceneShader(*scene.museum, scene.state, scene.subject, scene.frame);
         shader.start.size = {order_.values[t.width], order_.values[t.height]};
         shader.start.runs = order_.values[t.runs];
         const guest::ExportForm form = formOf(order_.out);

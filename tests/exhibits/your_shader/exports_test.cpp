@@ -1,8 +1,8 @@
 // Shaders that are exported show the same picture: read back by this program, and on a page in Chromium.
 
-#include "exhibits/jobs/shader/scene_shader.h"
-#include "exhibits/your_shader/export/code_rewriter.h"
-#include "exhibits/your_shader/export/exported_shader.h"
+#include "exhibits/shader_export/code_rewriter.h"
+#include "exhibits/shader_export/exported_shader.h"
+#include "exhibits/shader_export/scene_shader.h"
 #include "exhibits/your_shader/your_shader_table.h"
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
@@ -63,7 +63,7 @@ public:
     }
     [[nodiscard]] guest::ExportedShader exported() const
     {
-        return jobs::sceneShader({&gallery().museum, shot.sceneState, shot.exhibit, shot.request.frame});
+        return guest::sceneShader(gallery().museum, shot.sceneState, shot.exhibit, shot.request.frame);
     }
     /// Exports into the folder, and returns the notes.
     std::string exportTo(const fs::path& out, ExportForm form) const
@@ -82,7 +82,7 @@ public:
 };
 
 struct Difference {
-    double largest = 0, rmse = 0;  // Of display values from 0 to 255.
+    double largest = 0, rmse = 0;  // In display values from 0 to 255.
 };
 
 Difference between(const render::Image& a, const render::Image& b)
@@ -148,7 +148,8 @@ TEST_F(ShaderExports, AsShadertoyShowTheSamePictures)
         original.set("moment", 1.5);
         EXPECT_LE(readBack(original, folder / "exported.glsl", ExportForm::shadertoy, 1.5).largest, 1) << name;
     }
-    for (const char* name : {"buffers.json", "common.json", "feedback.json", "earlier_buffer.json"}) {
+    for (const char* name : {"buffers.json", "common.json", "feedback.json", "earlier_buffer.json", "cube_buffer.json",
+                             "cube_map.json", "volume.json", "keyboard.json"}) {
         ExportShot original{sources / name};
         original.set("moment", 0.2);
         EXPECT_EQ(readBack(original, folder / "exported.json", ExportForm::shadertoyJson, 0.2).largest, 0) << name;
@@ -167,7 +168,7 @@ TEST_F(ShaderExports, BeginWithThePresentValues)
     original.set("uGain", 5.0);
     original.set("uTint", glm::dvec3(0.2, 0.5, 0.8));
     original.set("uShiftY", 2.5);
-    original.set("sTEPS", 7.0);
+    original.set("steps", 7.0);
     for (const auto& [form, name] : {std::pair(ExportForm::isf, "a.fs"), std::pair(ExportForm::shadertoy, "a.glsl")}) {
         EXPECT_LE(readBack(original, folder / name, form, 0).largest, 1) << name;
         ExportShot again{folder / name};
@@ -179,7 +180,7 @@ TEST_F(ShaderExports, BeginWithThePresentValues)
         EXPECT_EQ(gain.unit, Unit::meter) << name;
         EXPECT_EQ(gain.label, "Gain of \\ all") << name;
         EXPECT_EQ(std::get<double>(table.rows()[*table.find("uShiftY")].initial), 2.5) << name;
-        EXPECT_EQ(std::get<double>(table.rows()[*table.find("sTEPS")].initial), 7) << name;
+        EXPECT_EQ(std::get<double>(table.rows()[*table.find("steps")].initial), 7) << name;
     }
 }
 
@@ -202,6 +203,10 @@ TEST_F(ShaderExports, SayWhatAFormCannotHold)
               "“inputImage” has no picture file; choose one with --set inputImage=FILE.");
     EXPECT_EQ(ExportShot(folder / "filter.fs").exportTo(folder / "filter.html", ExportForm::web),
               "“inputImage” has no picture file: the page begins with a test picture.\n");
+    for (const char* name : {"cube_buffer.json", "cube_map.json", "volume.json", "keyboard.json"}) {
+        EXPECT_EQ(refusal(sources / name, ExportForm::web).substr(0, 14), "A page has no ") << name;
+        EXPECT_EQ(refusal(sources / name, ExportForm::isf).substr(0, 30), "ISF has no channel of the kind") << name;
+    }
     const auto exhibitRefusal = [](const char* name) {
         try {
             return static_cast<void>(ExportShot(name).exported()), std::string("exported");
@@ -262,7 +267,7 @@ protected:
         if (std::system("command -v chromium >/dev/null 2>&1") != 0) GTEST_SKIP() << "Chromium is not installed.";
     }
 
-    /// What the page showed.
+    /// Result of a page.
     struct Shown {
         std::vector<render::Image> pictures;
         std::string console, problem;

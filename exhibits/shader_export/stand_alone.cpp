@@ -1,10 +1,10 @@
-#include "exhibits/your_shader/export/stand_alone.h"
+#include "exhibits/shader_export/stand_alone.h"
 
 #include "exhibits/framework/scene/stands_alone.h"
 #include "exhibits/framework/table/acting.h"
-#include "exhibits/your_shader/export/block_layout.h"
-#include "exhibits/your_shader/export/code_rewriter.h"
-#include "exhibits/your_shader/export/glsl_items.h"
+#include "exhibits/shader_export/block_layout.h"
+#include "exhibits/shader_export/code_rewriter.h"
+#include "exhibits/shader_export/glsl_items.h"
 #include "exhibits/your_shader/guest_reader.h"
 #include "exhibits/your_shader/guest_work.h"
 #include "render/failure.h"
@@ -24,7 +24,7 @@ namespace {
 
 using render::Json;
 
-constexpr const char* rootFile = "your_shader/export_root.frag";
+constexpr const char* rootFile = "your_shader/exported shader";
 constexpr const char* tonePass = "tone";
 
 [[noreturn]] void refuseExhibit(Message sentence)

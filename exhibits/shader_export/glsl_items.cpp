@@ -1,6 +1,6 @@
-#include "exhibits/your_shader/export/glsl_items.h"
+#include "exhibits/shader_export/glsl_items.h"
 
-#include "exhibits/your_shader/export/code_rewriter.h"
+#include "exhibits/shader_export/code_rewriter.h"
 #include "exhibits/your_shader/glsl_lexer.h"
 #include "render/failure.h"
 

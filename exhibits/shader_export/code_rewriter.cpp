@@ -1,4 +1,4 @@
-#include "exhibits/your_shader/export/code_rewriter.h"
+#include "exhibits/shader_export/code_rewriter.h"
 
 #include "exhibits/your_shader/glsl_lexer.h"
 #include "render/files/number_text.h"

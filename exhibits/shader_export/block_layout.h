@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/your_shader/export/glsl_items.h"
+#include "exhibits/shader_export/glsl_items.h"
 
 #include <cstddef>
 #include <map>

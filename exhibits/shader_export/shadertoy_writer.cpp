@@ -1,9 +1,9 @@
 // Writes a shader as Shadertoy's code, or as Shadertoy's JSON.
 
-#include "exhibits/your_shader/export/code_rewriter.h"
-#include "exhibits/your_shader/export/exported_shader.h"
-#include "exhibits/your_shader/export/form_bridge.h"
-#include "exhibits/your_shader/export/picture_files.h"
+#include "exhibits/shader_export/code_rewriter.h"
+#include "exhibits/shader_export/exported_shader.h"
+#include "exhibits/shader_export/form_bridge.h"
+#include "exhibits/shader_export/picture_files.h"
 #include "exhibits/your_shader/guest_glsl.h"
 #include "exhibits/your_shader/reading.h"
 #include "render/failure.h"

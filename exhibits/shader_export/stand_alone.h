@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exhibits/museum/museum.h"
-#include "exhibits/your_shader/export/exported_shader.h"
+#include "exhibits/shader_export/exported_shader.h"
 
 namespace vitrine::guest {
 

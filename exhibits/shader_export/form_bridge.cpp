@@ -1,6 +1,6 @@
-#include "exhibits/your_shader/export/form_bridge.h"
+#include "exhibits/shader_export/form_bridge.h"
 
-#include "exhibits/your_shader/export/code_rewriter.h"
+#include "exhibits/shader_export/code_rewriter.h"
 
 #include <map>
 

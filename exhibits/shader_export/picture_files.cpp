@@ -1,4 +1,4 @@
-#include "exhibits/your_shader/export/picture_files.h"
+#include "exhibits/shader_export/picture_files.h"
 
 #include "render/failure.h"
 #include "render/files/read_file.h"

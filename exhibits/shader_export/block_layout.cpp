@@ -1,6 +1,6 @@
-#include "exhibits/your_shader/export/block_layout.h"
+#include "exhibits/shader_export/block_layout.h"
 
-#include "exhibits/your_shader/export/code_rewriter.h"
+#include "exhibits/shader_export/code_rewriter.h"
 #include "exhibits/your_shader/glsl_lexer.h"
 #include "exhibits/your_shader/reading.h"
 #include "render/text/trimmed.h"

@@ -1,7 +1,7 @@
 // Writes a shader as one web page: programs in GLSL ES 3.00, pictures as data, and a player (assets/web).
 
-#include "exhibits/your_shader/export/exported_shader.h"
-#include "exhibits/your_shader/export/picture_files.h"
+#include "exhibits/shader_export/exported_shader.h"
+#include "exhibits/shader_export/picture_files.h"
 #include "exhibits/your_shader/guest_glsl.h"
 #include "exhibits/your_shader/guest_work.h"
 #include "exhibits/your_shader/reading.h"
@@ -9,6 +9,7 @@
 #include "render/files/assets.h"
 #include "render/files/read_file.h"
 #include "render/files/strict_json.h"
+#include "render/image/picture_formats.h"
 
 #include <algorithm>
 #include <array>
@@ -66,13 +67,10 @@ std::string base64(std::string_view bytes)
 /// Returns a picture file as the address of its data. Throws Failure if browsers do not read its format.
 std::string dataAddress(const std::filesystem::path& file)
 {
-    static const std::map<std::string, std::string> types{{".png", "png"},   {".jpg", "jpeg"}, {".jpeg", "jpeg"},
-                                                          {".webp", "webp"}, {".gif", "gif"},  {".bmp", "bmp"}};
-    std::string ending = file.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-    const auto type = types.find(ending);
-    if (type == types.end()) refuseForWeb(message("Web browsers cannot read {1}; convert it to PNG or JPEG.", file));
-    return "data:image/" + type->second + ";base64," + base64(render::readFile(file, mostPagePictureBytes));
+    const render::PictureFileFormat* format = render::formatNamed(file);
+    if (!format || format->mediaType.empty())
+        refuseForWeb(message("Web browsers cannot read {1}; convert it to PNG or JPEG.", file));
+    return "data:" + std::string(format->mediaType) + ";base64," + base64(render::readFile(file, mostPagePictureBytes));
 }
 
 std::string kindName(const Input& input)
@@ -226,7 +224,8 @@ private:
     void addTargets()
     {
         page_["targets"] = Json::array();
-        for (const Target& target : work_->targets)
+        for (const Target& target : work_->targets) {
+            if (target.isCube) refuseKind(target.name);
             page_["targets"].push_back(Json{{"name", target.name},
                                             {"float", target.isFloat},
                                             {"kept", target.isKept},
@@ -234,6 +233,11 @@ private:
                                             {"nearest", target.isNearest},
                                             {"width", target.width},
                                             {"height", target.height}});
+        }
+    }
+    [[noreturn]] static void refuseKind(const std::string& use)
+    {
+        refuseForWeb(message("A page has no picture of the kind of “{1}”; use a picture file or a buffer.", use));
     }
     static const char* nameOf(const PassPicture& picture, const std::string& use)
     {
@@ -245,7 +249,7 @@ private:
         case From::nothing: return "nothing";
         default: break;
         }
-        refuseForWeb(message("A page has no picture of the kind of “{1}”; use a picture file or a buffer.", use));
+        refuseKind(use);
     }
     void addPasses()
     {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/your_shader/export/exported_shader.h"
+#include "exhibits/shader_export/exported_shader.h"
 
 #include <filesystem>
 #include <string>

@@ -1,4 +1,4 @@
-#include "exhibits/your_shader/export/exported_shader.h"
+#include "exhibits/shader_export/exported_shader.h"
 
 #include "exhibits/framework/files/file_path.h"
 #include "exhibits/your_shader/guest_glsl.h"
