@@ -1,5 +1,6 @@
 #include "exhibits/museum/museum.h"
 
+#include "exhibits/framework/scene/continues_state.h"
 #include "exhibits/hall/hall.h"
 #include "exhibits/hall/hall_model.h"
 #include "exhibits/kit/blue_noise.h"
@@ -279,6 +280,12 @@ std::optional<LookedAt> Museum::lookedAt(const Prepared& prepared) const
         return LookedAt{i, buttonLine(*button)};
     }
     return std::nullopt;
+}
+
+void noteDrawn(const Museum& museum, const render::FrameReport& report)
+{
+    for (const MuseumExhibit& each : museum.exhibits())
+        if (const auto* continues = capability<ContinuesState>(each.exhibit)) continues->wasDrawn(report);
 }
 
 }  // namespace vitrine

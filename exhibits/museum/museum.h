@@ -15,6 +15,9 @@
 #include <vector>
 
 namespace vitrine {
+namespace render {
+struct FrameReport;
+}
 
 /// An exhibit of a museum.
 struct MuseumExhibit {
@@ -170,5 +173,8 @@ private:
     std::vector<MuseumExhibit> exhibits_;
     std::unique_ptr<render::AssetStore> assets_;
 };
+
+/// Tells the exhibits that continue from the state of the frame before that a frame was drawn.
+void noteDrawn(const Museum&, const render::FrameReport&);
 
 }  // namespace vitrine

@@ -163,6 +163,7 @@ void PictureMaker::drawStep()
     const Prepared before = leadsTo ? museum_.prepare(sceneState_, frame) : Prepared();
     render::FrameReport report =
         backend_.draw(museum_.plan(leadsTo ? before : *prepared_, frame, backend_.persistentState()));
+    noteDrawn(museum_, report);
     if (takesChannels && stepsDone_ < steps) report_ = std::move(report);
     if (takesChannels) takeChannels(tile);
     if (done + 1 == steps) takeColor(tile);

@@ -462,7 +462,9 @@ render::FrameReport Study::drawTimed(const SceneState& sceneState, std::size_t v
         frame.movingFrame = 2;
         frame.resetHistory = false;
     }
-    return backend_.draw(museum_.plan(prepared, frame, kept));
+    render::FrameReport report = backend_.draw(museum_.plan(prepared, frame, kept));
+    noteDrawn(museum_, report);
+    return report;
 }
 
 void Study::addTimes()

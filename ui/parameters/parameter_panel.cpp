@@ -31,9 +31,9 @@
 
 namespace vitrine::ui {
 ParameterPanel::ParameterPanel(History& history, QWidget* parent)
-    : QWidget(parent), history_(history), top_(new QHBoxLayout), onlyChanged_(new QToolButton(this)),
-      scroll_(new QScrollArea(this)), nothing_(new QLabel(tr("All parameters have their initial values."), this)),
-      choices_(new PanelChoices(this)), menus_(new ParameterMenus(history, *this, *choices_))
+    : QWidget(parent), history_(history), onlyChanged_(new QToolButton(this)), scroll_(new QScrollArea(this)),
+      nothing_(new QLabel(tr("All parameters have their initial values."), this)), choices_(new PanelChoices(this)),
+      menus_(new ParameterMenus(history, *this, *choices_))
 {
     onlyChanged_->setText(tr("Changed"));
     onlyChanged_->setAccessibleName(tr("Only changed"));
@@ -51,14 +51,15 @@ ParameterPanel::ParameterPanel(History& history, QWidget* parent)
     scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll_->setFocusPolicy(Qt::NoFocus);
 
-    top_->setContentsMargins(8, 8, 8, 8);
-    top_->setSpacing(8);
-    top_->addStretch(1);
-    top_->addWidget(onlyChanged_);
+    auto* top = new QHBoxLayout;
+    top->setContentsMargins(8, 8, 8, 8);
+    top->setSpacing(8);
+    top->addStretch(1);
+    top->addWidget(onlyChanged_);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    layout->addLayout(top_);
+    layout->addLayout(top);
     layout->addWidget(nothing_);
     layout->addWidget(scroll_, 1);
     setMinimumWidth(leastWidth);
@@ -73,9 +74,10 @@ ParameterPanel::ParameterPanel(History& history, QWidget* parent)
 
 void ParameterPanel::setHeading(QWidget* heading)
 {
-    top_->setContentsMargins(0, 8, 8, 8);
-    delete top_->takeAt(0);
-    top_->insertWidget(0, heading, 1);
+    auto* top = static_cast<QHBoxLayout*>(layout()->itemAt(0)->layout());
+    top->setContentsMargins(0, 8, 8, 8);
+    delete top->takeAt(0);
+    top->insertWidget(0, heading, 1);
 }
 
 void ParameterPanel::watch()

@@ -12,7 +12,6 @@
 #include <optional>
 #include <vector>
 
-class QHBoxLayout;
 class QLabel;
 class QScrollArea;
 class QToolButton;
@@ -122,7 +121,6 @@ private:
     [[nodiscard]] std::optional<std::size_t> rowAt(QObject*) const;
 
     History& history_;
-    QHBoxLayout* top_;
     QToolButton* onlyChanged_;
     QScrollArea* scroll_;
     QLabel* nothing_;

@@ -2,8 +2,8 @@
 
 #include "ui/window/job_scene.h"
 
+#include "exhibits/framework/files/lesson.h"
 #include "exhibits/framework/scene/capabilities.h"
-#include "exhibits/framework/scene/continues_state.h"
 #include "render/files/assets.h"
 #include "ui/charts/charts_dock.h"
 #include "ui/compare/compare_actions.h"
@@ -63,6 +63,9 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
+#include <filesystem>
+#include <system_error>
+
 namespace vitrine::ui {
 
 QSize firstWindowSize(const QSize& room)
@@ -109,7 +112,7 @@ MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* pare
     addGamepad();
     new TableReader(*this, this);
     new ExhibitThumbnails(*this, docks_->exhibits(), this);
-    visitCard_ = new VisitCard(*this);
+    visitCard_ = new VisitCard(*viewport_, history_, [this](std::size_t exhibit) { return visitOffers(exhibit); });
     choose(hallIndex);
     keeper_ = new SessionKeeper(*this);
     if (!keeper_->restore()) viewport_->showHint(tr("W A S D to walk, click an exhibit to tune it"));
@@ -205,8 +208,7 @@ void MainWindow::connectViewport()
             [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
     new FrameReporter(*this, *docks_, *status_, this);
     connect(viewport_, &Viewport::drawn, this, [this](const render::FrameReport& report) {
-        for (std::size_t i = 0; i < history_.sceneState().values.size(); ++i)
-            if (const auto* continues = capability<ContinuesState>(museum_.subject(i))) continues->wasDrawn(report);
+        noteDrawn(museum_, report);
         if (viewport_->schedule().still())
             QMetaObject::invokeMethod(presetController_, &PresetController::keepMissingThumbnail, Qt::QueuedConnection);
     });
@@ -236,8 +238,25 @@ void MainWindow::choose(std::size_t exhibit)
     comparison_->actions().refreshOffers();
     presetController_->refresh();
     docks_->explore().follow();
-    if (visitCard_) visitCard_->follow(exhibit);
+    if (visitCard_) visitCard_->follow(exhibit, museum_.subject(exhibit));
     if (keeper_) keeper_->noteLayout();
+}
+
+std::vector<VisitOffer> MainWindow::visitOffers(std::size_t exhibit)
+{
+    if (exhibit == hallIndex || lessons_->lesson()) return {};
+    std::vector<VisitOffer> offers;
+    const QString title = translatedText(museum_.subject(exhibit).title());
+    std::error_code ignored;
+    if (std::filesystem::exists(shippedLesson(museum_.subject(exhibit).name()), ignored))
+        offers.push_back(
+            {tr("Lesson"), tr("Start the lesson on %1").arg(title), [this, exhibit] { lessons_->start(exhibit); }});
+    if (QAction* offer = comparison_->actions().firstOffer())
+        offers.push_back({tr("Compare"), offer->text().remove(QLatin1Char('&')), [offer] { offer->trigger(); }});
+    offers.push_back(
+        {tr("Variations"), tr("Show nine variations of the present settings"), [this] { docks_->showExplore(); }});
+    offers.push_back({tr("About"), tr("About %1").arg(title), [this, exhibit] { dialogs_->openPage(exhibit); }});
+    return offers;
 }
 
 void MainWindow::visit(std::size_t exhibit)

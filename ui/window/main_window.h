@@ -7,6 +7,7 @@
 #include <QMainWindow>
 
 #include <memory>
+#include <vector>
 
 namespace vitrine::ui {
 
@@ -23,6 +24,7 @@ class SessionKeeper;
 class StatusLine;
 class Viewport;
 class VisitCard;
+struct VisitOffer;
 class WindowDialogs;
 class WindowDocks;
 class WindowPreferences;
@@ -85,6 +87,7 @@ private:
     void addGamepad();
     void showRow(const QString& name);
     void showTitle();
+    [[nodiscard]] std::vector<VisitOffer> visitOffers(std::size_t exhibit);
 
     const Museum& museum_;
     Renderers& renderers_;

@@ -1,9 +1,7 @@
 #include "ui/window/visit_card.h"
 
-#include "exhibits/framework/files/lesson.h"
 #include "exhibits/framework/files/state_folder.h"
-#include "ui/compare/compare_actions.h"
-#include "ui/compare/compare_controller.h"
+#include "exhibits/framework/scene/scene_object.h"
 #include "ui/kit/flat_style.h"
 #include "ui/kit/flow_layout.h"
 #include "ui/kit/ini_file.h"
@@ -11,13 +9,9 @@
 #include "ui/kit/text.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/type_size.h"
-#include "ui/lessons/lesson_controller.h"
+#include "ui/model/history.h"
 #include "ui/viewport/viewport.h"
-#include "ui/window/main_window.h"
-#include "ui/window/window_dialogs.h"
-#include "ui/window/window_docks.h"
 
-#include <QAction>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -26,7 +20,7 @@
 #include <QToolButton>
 
 #include <algorithm>
-#include <filesystem>
+#include <utility>
 
 namespace vitrine::ui {
 namespace {
@@ -49,9 +43,10 @@ bool noteVisit(const QString& exhibit)
 
 }  // namespace
 
-VisitCard::VisitCard(MainWindow& window)
-    : QFrame(&window.viewport()), window_(window), title_(new QLabel(this)), summary_(new QLabel(this)),
-      buttons_(new FlowLayout)
+VisitCard::VisitCard(Viewport& picture, History& history,
+                     std::function<std::vector<VisitOffer>(std::size_t exhibit)> offers)
+    : QFrame(&picture), picture_(picture), offers_(std::move(offers)), title_(new QLabel(this)),
+      summary_(new QLabel(this)), buttons_(new FlowLayout)
 {
     setObjectName(QStringLiteral("visitCard"));
     setCursor(Qt::ArrowCursor);
@@ -79,56 +74,46 @@ VisitCard::VisitCard(MainWindow& window)
     buttons_->setSpacing(4);
     layout->addLayout(buttons_);
     hide();
-    window.viewport().installEventFilter(this);
-    connect(&window.history(), &History::changesSettled, this, [this](const auto& exhibits) {
+    picture.installEventFilter(this);
+    connect(&history, &History::changesSettled, this, [this](const auto& exhibits) {
         if (exhibits.contains(exhibit_)) hide();
     });
 }
 
-void VisitCard::follow(std::size_t exhibit)
+void VisitCard::follow(std::size_t exhibit, const SceneObject& subject)
 {
     hide();
-    if (exhibit == hallIndex || banned_ || window_.lessons().lesson()) return;
-    const SceneObject& subject = window_.museum().subject(exhibit);
-    if (!noteVisit(text(subject.name()))) return;
+    if (banned_) return;
+    const std::vector<VisitOffer> offers = offers_(exhibit);
+    if (offers.empty() || !noteVisit(text(subject.name()))) return;
     exhibit_ = exhibit;
     title_->setText(translatedText(subject.title()));
     summary_->setText(translatedText(subject.summary()));
     setAccessibleName(tr("First visit of %1").arg(title_->text()));
-    fill(exhibit);
+    fill(offers);
     place();
     show();
 }
 
-void VisitCard::fill(std::size_t exhibit)
+void VisitCard::fill(const std::vector<VisitOffer>& offers)
 {
     while (QLayoutItem* item = buttons_->takeAt(0)) {
         delete item->widget();
         delete item;
     }
-    const auto add = [this](const QString& face, const QString& tip, auto act) {
+    for (const VisitOffer& offer : offers) {
         auto* button = new QToolButton(this);
-        button->setText(face);
-        button->setToolTip(tip);
-        button->setAccessibleName(tip);
+        button->setText(offer.face);
+        button->setToolTip(offer.tip);
+        button->setAccessibleName(offer.tip);
         button->setFocusPolicy(Qt::StrongFocus);
         buttons_->addWidget(button);
-        // The card goes first, because what follows may visit another exhibit.
-        connect(button, &QToolButton::clicked, this, [this, act] {
+        // The card is hidden first, because what follows may visit another exhibit.
+        connect(button, &QToolButton::clicked, this, [this, act = offer.act] {
             hide();
             act();
         });
-    };
-    const QString title = title_->text();
-    std::error_code ignored;
-    if (std::filesystem::exists(shippedLesson(window_.museum().subject(exhibit).name()), ignored))
-        add(tr("Lesson"), tr("Start the lesson on %1").arg(title),
-            [this, exhibit] { window_.lessons().start(exhibit); });
-    if (QAction* offer = window_.comparison().actions().firstOffer())
-        add(tr("Compare"), offer->text().remove(QLatin1Char('&')), [offer] { offer->trigger(); });
-    add(tr("Variations"), tr("Show nine variations of the present settings"),
-        [this] { window_.docks().showExplore(); });
-    add(tr("About"), tr("About %1").arg(title), [this, exhibit] { window_.dialogs().openPage(exhibit); });
+    }
 }
 
 void VisitCard::setBanned(bool banned)
@@ -139,7 +124,7 @@ void VisitCard::setBanned(bool banned)
 
 void VisitCard::place()
 {
-    const QSize room = window_.viewport().size();
+    const QSize room = picture_.size();
     const int width = std::min(grown(cardWidth, *this), room.width() - 2 * margin);
     const int height =
         std::max(layout()->hasHeightForWidth() ? layout()->heightForWidth(width) : 0, layout()->minimumSize().height());

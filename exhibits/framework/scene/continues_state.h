@@ -17,7 +17,7 @@ public:
     /// Does what `Exhibit::plan` does, and is called in its place for the main view. `kept`: content of the renderer's
     /// persistent images. The picture must not depend on it, unless a parameter says so.
     virtual void planFrom(const PlanContext&, const render::PersistentState& kept, render::FramePlan&) const = 0;
-    /// Called in the window after a frame was drawn.
+    /// Called after a frame was drawn.
     virtual void wasDrawn(const render::FrameReport&) const {}
 };
 
