@@ -376,22 +376,20 @@ Json Service::renderPicture(const Json& params, const Watch& watch)
     const jobs::JobOrder& order = ordered.order;
     requireRawChannels(raw, order.values[pictureTable().channels]);
     if (!ordered.plan.refusal.empty()) throw Failure(ErrorKind::usage, ordered.plan.refusal);
-    const render::PictureFormat format = jobs::pictureFormat(order.values, order.out);
     const RequestedPicture job{order.scene.subject, order.scene.state,
                                jobs::pictureRequest(order.values, order.scene, order.out)};
     PictureMaker maker(museum_, renderer_, job.sceneState, job.request);
     do watch(maker.progress(), "drawing");
     while (maker.step());
-    const render::PictureMetadata metadata{
-        .preset = pictureSettings(museum_, job.subject, job.sceneState, job.request, "Picture")};
     Json answer{{"exhibit", std::string(museum_.subject(job.subject).name())}, {"size", sizeJson(job.request)}};
     if (!raw.empty()) {
         answer["binary"] = rawJson(maker.picture());
         bytes_ = rawBytes(maker.picture(), raw);
     } else if (inAnswer) {
-        answer["png"] = pictureInBase64(job.request, maker, format, metadata);
+        answer["png"] = pictureInBase64(job.request, maker, jobs::pictureFormat(order.values, order.out),
+                                        jobs::pictureMetadata(order.scene, job.request));
     } else {
-        render::writePicture(order.out, maker.picture(), format, metadata);
+        jobs::stagedPicture(order.scene, job.request, order.values, order.out, maker.picture())->publish();
         answer["out"] = std::filesystem::absolute(order.out).string();
     }
     if (withReport) {

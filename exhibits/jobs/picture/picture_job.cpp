@@ -167,6 +167,23 @@ render::PictureFormat pictureFormat(const ParameterValues& values, const std::fi
     throw Failure(ErrorKind::usage, out.string() + ": give a name that ends in " + render::writtenExtensions() + '.');
 }
 
+render::PictureMetadata pictureMetadata(const JobScene& scene, const PictureRequest& request)
+{
+    render::PictureMetadata metadata = exrMetadata(*scene.museum, request);
+    const render::Camera* view = scene.frame.alone ? nullptr : &scene.state.camera;
+    metadata.preset = pictureSettings(*scene.museum, scene.subject, scene.state, request, "Picture", view);
+    return metadata;
+}
+
+std::unique_ptr<render::PartFile> stagedPicture(const JobScene& scene, const PictureRequest& request,
+                                                const ParameterValues& values, const std::filesystem::path& out,
+                                                const render::Image& picture)
+{
+    const render::PictureMetadata metadata = pictureMetadata(scene, request);
+    if (isWebp(out)) return stagedWebp(out, picture, request.frame.transparent, metadata.preset);
+    return render::stagedPicture(out, picture, pictureFormat(values, out), metadata);
+}
+
 PictureRun::PictureRun(JobOrder order)
     : order_(std::move(order)), request_(pictureRequest(order_.values, order_.scene, order_.out))
 {
@@ -203,17 +220,7 @@ void PictureRun::end()
     report_.facts = factsOf(request_);
     const JobScene& scene = order_.scene;
     if (!order_.out.empty()) {
-        const render::Camera* view = scene.frame.alone ? nullptr : &scene.state.camera;
-        std::string settings = pictureSettings(*scene.museum, scene.subject, scene.state, request_, "Picture", view);
-        if (isWebp(order_.out)) {
-            staged_.push_back(
-                stagedWebp(order_.out, maker_->picture(), request_.frame.transparent, std::move(settings)));
-        } else {
-            render::PictureMetadata metadata = exrMetadata(*scene.museum, request_);
-            metadata.preset = std::move(settings);
-            staged_.push_back(render::stagedPicture(order_.out, maker_->picture(),
-                                                    pictureFormat(order_.values, order_.out), metadata));
-        }
+        staged_.push_back(stagedPicture(scene, request_, order_.values, order_.out, maker_->picture()));
         report_.files.push_back(order_.out);
     } else {
         picture_ = maker_->picture();

@@ -69,4 +69,13 @@ public:
 /// without 16 bits.
 [[nodiscard]] render::PictureFormat pictureFormat(const ParameterValues&, const std::filesystem::path& out);
 
+/// Returns what the file of a picture says about it: the settings, and the attributes of OpenEXR (`exrMetadata`).
+[[nodiscard]] render::PictureMetadata pictureMetadata(const JobScene&, const PictureRequest&);
+
+/// Writes a finished picture in the format of the values and of its name, with its metadata, as a file that does not
+/// yet replace `out`.
+[[nodiscard]] std::unique_ptr<render::PartFile> stagedPicture(const JobScene&, const PictureRequest&,
+                                                              const ParameterValues&, const std::filesystem::path& out,
+                                                              const render::Image&);
+
 }  // namespace vitrine::jobs

@@ -127,7 +127,7 @@ std::vector<HostileLine> requestsThatAreRefused()
         {asking("render", R"({"exhibit":"sdf_morph","eye":[1,2,null]})"), -32602, "eye"},
         {asking("render", R"({"exhibit":"sdf_morph","fov":1e300})"), -32602, "fov"},
         {asking("render", R"({"exhibit":"sdf_morph","size":"8x8","out":"/nowhere/x.png"})"), -32005, "/nowhere"},
-        {asking("render", R"({"exhibit":"sdf_morph","out":"x.webp"})"), -32602, ".png"},
+        {asking("render", R"({"exhibit":"sdf_morph","out":"x.bmp"})"), -32602, ".png"},
         {asking("render", R"({"exhibit":"sdf_morph","environment":"/nowhere.hdr","size":"8x8"})"), -32005, "nowhere"},
         {asking("render", R"({"exhibit":"hall","alone":true})"), -32602, "alone"},
         {asking("load", R"({"exhibit":"sdf_morph"})"), -32602, "preset is missing"},
