@@ -33,7 +33,7 @@ Json findingsJson(const std::vector<scenes::Finding>& findings)
 void printFinding(scenes::Finding finding)
 {
     finding.sentence = ui::translatedInLocale(finding.sentence);
-    std::printf("%s\n", finding.text().c_str());
+    std::printf("%s\n", finding.text().english().c_str());
 }
 
 /// Checks one file and prints the findings. Returns 0, or the exit code of a failed check or a failed read.
@@ -50,7 +50,7 @@ int checkScene(const std::string& file, Json* report)
         std::printf("%s: good (\"%s\", %zu nodes, %zu parameters)\n", file.c_str(), read.scene->name.c_str(),
                     read.scene->nodes.size(), read.scene->parameters().size());
         for (const scenes::Finding& shape : read.scene->leftOut)
-            std::printf("%s This shape is left out.\n", shape.text().c_str());
+            std::printf("%s This shape is left out.\n", shape.text().english().c_str());
     } else {
         for (const scenes::Finding& finding : read.findings) printFinding(finding);
     }

@@ -1078,7 +1078,7 @@ Zeiten nach: %2.</translation>
     <message>
         <location filename="exhibits/jobs/picture/picture_job.cpp"/>
         <source>--channels: &quot;{1}&quot; is not a channel{2} give color, {3}, separated by commas.</source>
-        <translation>--channels: „{=1}“ ist kein Kanal{2} geben Sie color, {=3} an, durch Kommas getrennt.</translation>
+        <translation>--channels: „{=1}“ ist kein Kanal{2} geben Sie color, {3} an, durch Kommas getrennt.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/picture/picture_job.cpp"/>
@@ -1241,7 +1241,7 @@ Zeiten nach: %2.</translation>
     <message>
         <location filename="exhibits/jobs/picture/picture_job.cpp"/>
         <source>--sixteen-bit: WebP does not support 16 bits; give --out a name that ends in {1}, or leave the option out.</source>
-        <translation>--sixteen-bit: WebP speichert keine 16 Bit; geben Sie bei --out einen Namen an, der auf {=1} endet, oder lassen Sie die Option weg.</translation>
+        <translation>--sixteen-bit: WebP speichert keine 16 Bit; geben Sie bei --out einen Namen an, der auf {1} endet, oder lassen Sie die Option weg.</translation>
     </message>
     <message>
         <location filename="app/serve/listener.cpp"/>
@@ -1947,17 +1947,17 @@ Zeiten nach: %2.</translation>
         <translation>Links A; rechts %1.</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/export/web_writer.cpp"/>
+        <location filename="exhibits/shader_export/web_writer.cpp"/>
         <source>A page has no picture of the kind of “{1}”; use a picture file or a buffer.</source>
         <translation>Eine Seite hat kein Bild der Art von „{1}“; verwenden Sie eine Bilddatei oder einen Puffer.</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/export/web_writer.cpp"/>
+        <location filename="exhibits/shader_export/web_writer.cpp"/>
         <source>A page has no sound: “{1}” is silence there.</source>
         <translation>Eine Seite hat keinen Ton: „{1}“ ist dort Stille.</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/export/web_writer.cpp"/>
+        <location filename="exhibits/shader_export/web_writer.cpp"/>
         <source>A page has no {1}, which “{2}” is; use a picture.</source>
         <translation>Eine Seite hat kein {1}, wie es „{2}“ ist; verwenden Sie ein Bild.</translation>
     </message>
@@ -2457,13 +2457,13 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="ui/window/exhibit_list.cpp"/>
-        <location filename="ui/window/visit_card.cpp"/>
+        <location filename="ui/window/main_window.cpp"/>
         <source>About</source>
         <translation>Über</translation>
     </message>
     <message>
         <location filename="ui/window/exhibit_list.cpp"/>
-        <location filename="ui/window/visit_card.cpp"/>
+        <location filename="ui/window/main_window.cpp"/>
         <source>About %1</source>
         <translation>Über %1</translation>
     </message>
@@ -4684,7 +4684,7 @@ Zeiten nach: %2.</translation>
         <translation>{1} lässt sich nicht vergleichen: {2}.</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/export/picture_files.cpp"/>
+        <location filename="exhibits/shader_export/picture_files.cpp"/>
         <source>Cannot copy {1} beside the output: {2} is another picture; choose another folder.</source>
         <translation>{1} kann nicht neben die Ausgabe kopiert werden: {2} ist ein anderes Bild; wählen Sie einen anderen Ordner.</translation>
     </message>
@@ -5732,7 +5732,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="ui/study/kept_studies.cpp"/>
-        <location filename="ui/window/visit_card.cpp"/>
+        <location filename="ui/window/main_window.cpp"/>
         <source>Compare</source>
         <translation>Vergleichen</translation>
     </message>
@@ -8658,7 +8658,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <location filename="exhibits/framework/files/picture_record.cpp"/>
         <source>give {1}; correct it there.</source>
-        <translation>geben Sie {=1} an; korrigieren Sie es dort.</translation>
+        <translation>geben Sie {1} an; korrigieren Sie es dort.</translation>
     </message>
     <message>
         <location filename="exhibits/hall/hall_table.h"/>
@@ -8933,7 +8933,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Schein in der Halle</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/export/stand_alone.cpp"/>
+        <location filename="exhibits/shader_export/stand_alone.cpp"/>
         <source>Halos around bright lights are left out.</source>
         <translation>Lichthöfe um helle Lichter fehlen.</translation>
     </message>
@@ -9741,22 +9741,22 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>ISF (*.fs)</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/export/isf_writer.cpp"/>
+        <location filename="exhibits/shader_export/isf_writer.cpp"/>
         <source>ISF filters all buffers and does not repeat them: “{1}” of “{2}” may look different.</source>
         <translation>ISF filtert alle Puffer und wiederholt sie nicht: „{1}“ von „{2}“ kann anders aussehen.</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/export/isf_writer.cpp"/>
+        <location filename="exhibits/shader_export/isf_writer.cpp"/>
         <source>ISF has no channel of the kind “{1}”, which “{2}” is; export Shadertoy's JSON.</source>
         <translation>ISF hat keinen Kanal der Art „{1}“, wie es „{2}“ ist; exportieren Sie das JSON von Shadertoy.</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/export/isf_writer.cpp"/>
+        <location filename="exhibits/shader_export/isf_writer.cpp"/>
         <source>ISF has no {1}, which “{2}” is; export a web page.</source>
         <translation>ISF hat kein {1}, was „{2}“ ist; exportieren Sie eine Webseite.</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/export/isf_writer.cpp"/>
+        <location filename="exhibits/shader_export/isf_writer.cpp"/>
         <source>ISF names no picture for the input “{1}”; the host chooses one.</source>
         <translation>ISF nennt kein Bild für die Eingabe „{1}“; das Programm, das den Shader öffnet, wählt eines.</translation>
     </message>
@@ -10975,7 +10975,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <location filename="ui/lessons/lesson_bar.cpp"/>
         <location filename="ui/window/exhibit_list.cpp"/>
-        <location filename="ui/window/visit_card.cpp"/>
+        <location filename="ui/window/main_window.cpp"/>
         <source>Lesson</source>
         <translation>Lektion</translation>
     </message>
@@ -12082,7 +12082,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Bewegung im Fenster. Reduziert: Die Kamera springt, statt zu gleiten, Bedienfelder gleiten nicht, Meldungen blenden nicht aus, und die Uhr der Exponate steht, bis Sie sie starten (Leertaste im Bild) oder den Knopf eines Exponats drücken. Gehen und Ziehen bleiben, wie sie sind.</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/export/isf_writer.cpp"/>
+        <location filename="exhibits/shader_export/isf_writer.cpp"/>
         <source>Mouse button</source>
         <translation>Maustaste</translation>
     </message>
@@ -17250,37 +17250,37 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Shadertoy-JSON</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/export/shadertoy_writer.cpp"/>
+        <location filename="exhibits/shader_export/shadertoy_writer.cpp"/>
         <source>Shadertoy's code has no buffers, and the picture of this shader is one; export ISF or a web page.</source>
         <translation>Shadertoy-Code hat keine Puffer, und das Bild dieses Shaders ist einer; exportieren Sie ISF oder eine Webseite.</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/export/shadertoy_writer.cpp"/>
+        <location filename="exhibits/shader_export/shadertoy_writer.cpp"/>
         <source>Shadertoy's code has no buffers, and “{1}” is one; export ISF or a web page.</source>
         <translation>Shadertoy-Code hat keine Puffer, und „{1}“ ist einer; exportieren Sie ISF oder eine Webseite.</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/export/shadertoy_writer.cpp"/>
+        <location filename="exhibits/shader_export/shadertoy_writer.cpp"/>
         <source>Shadertoy's code has no buttons: “{1}” is never pressed.</source>
         <translation>Shadertoy-Code hat keine Knöpfe: „{1}“ wird nie gedrückt.</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/export/shadertoy_writer.cpp"/>
+        <location filename="exhibits/shader_export/shadertoy_writer.cpp"/>
         <source>Shadertoy's code has no input of the type {1}, which “{2}” is; export ISF or a web page.</source>
         <translation>Shadertoy-Code hat keine Eingabe des Typs {1}, wie es „{2}“ ist; exportieren Sie ISF oder eine Webseite.</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/export/shadertoy_writer.cpp"/>
+        <location filename="exhibits/shader_export/shadertoy_writer.cpp"/>
         <source>Shadertoy's code has no labels of choices: “{1}” is a whole number.</source>
         <translation>Shadertoy-Code hat keine Namen von Auswahlen: „{1}“ ist eine ganze Zahl.</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/export/shadertoy_writer.cpp"/>
+        <location filename="exhibits/shader_export/shadertoy_writer.cpp"/>
         <source>Shadertoy's code has no vertex shader; export ISF or a web page.</source>
         <translation>Shadertoy-Code hat keinen Vertex-Shader; exportieren Sie ISF oder eine Webseite.</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/export/shadertoy_writer.cpp"/>
+        <location filename="exhibits/shader_export/shadertoy_writer.cpp"/>
         <source>Shadertoy's code names no channel of the kind “{1}”; give --out a name that ends in .json.</source>
         <translation>Shadertoy-Code nennt keinen Kanal der Art „{1}“; geben Sie --out einen Namen, der auf .json endet.</translation>
     </message>
@@ -17706,7 +17706,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Meldungen zeigen</translation>
     </message>
     <message>
-        <location filename="ui/window/visit_card.cpp"/>
+        <location filename="ui/window/main_window.cpp"/>
         <source>Show nine variations of the present settings</source>
         <translation>Neun Variationen der jetzigen Einstellungen zeigen</translation>
     </message>
@@ -18474,7 +18474,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <location filename="ui/window/exhibit_list.cpp"/>
-        <location filename="ui/window/visit_card.cpp"/>
+        <location filename="ui/window/main_window.cpp"/>
         <source>Start the lesson on %1</source>
         <translation>Lektion zu „%1“ beginnen</translation>
     </message>
@@ -19852,7 +19852,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <location filename="ui/editor/shader_panel.cpp"/>
-        <location filename="exhibits/your_shader/export/stand_alone.cpp"/>
+        <location filename="exhibits/shader_export/stand_alone.cpp"/>
         <location filename="exhibits/jobs/shader/shader_job.cpp"/>
         <source>The hall is drawn by many passes; visit an exhibit first.</source>
         <translation>Die Halle wird in vielen Durchgängen gezeichnet; besuchen Sie zuerst ein Exponat.</translation>
@@ -20156,7 +20156,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>die Überlagerung ist ausgeschaltet</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/export/shadertoy_writer.cpp"/>
+        <location filename="exhibits/shader_export/shadertoy_writer.cpp"/>
         <source>The passes of this shader are not Shadertoy's buffers; export ISF or a web page.</source>
         <translation>Die Durchgänge dieses Shaders sind keine Puffer von Shadertoy; exportieren Sie ISF oder eine Webseite.</translation>
     </message>
@@ -20477,6 +20477,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <location filename="exhibits/your_shader/your_shader.cpp"/>
+        <location filename="exhibits/your_shader/guest_passes.cpp"/>
         <source>The screen stays dark.</source>
         <translation>Der Bildschirm bleibt dunkel.</translation>
     </message>
@@ -20528,7 +20529,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Der Shader hat {1} Anweisungen, wenn jeder Aufruf durch seine Funktion ersetzt wird, mehr als die {2}, die Treiber bewältigen; lassen Sie Funktionen einander seltener aufrufen.</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/export/shadertoy_writer.cpp"/>
+        <location filename="exhibits/shader_export/shadertoy_writer.cpp"/>
         <source>The shader has {1} passes, and Shadertoy's code has one; give --out a name that ends in .json, .fs or .html.</source>
         <translation>Der Shader hat {1} Durchgänge, und Shadertoy-Code hat einen; geben Sie --out einen Namen, der auf .json, .fs oder .html endet.</translation>
     </message>
@@ -20548,7 +20549,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Der Shader bindet mehr als {1} Dateien ein; fassen Sie einige zusammen.</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/export/glsl_items.cpp"/>
+        <location filename="exhibits/shader_export/glsl_items.cpp"/>
         <source>The shader of this exhibit cannot be exported: “{1}” is not understood.</source>
         <translation>Der Shader dieses Exponats kann nicht exportiert werden: „{1}“ wird nicht verstanden.</translation>
     </message>
@@ -20558,7 +20559,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>der Shader liest es</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/export/shadertoy_writer.cpp"/>
+        <location filename="exhibits/shader_export/shadertoy_writer.cpp"/>
         <source>The shader reads more than the four pictures that Shadertoy's code has; export ISF or a web page.</source>
         <translation>Der Shader liest mehr als die vier Bilder, die Shadertoy-Code hat; exportieren Sie ISF oder eine Webseite.</translation>
     </message>
@@ -20573,7 +20574,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>der Shader mit konstanten Zahlen wird noch erzeugt</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/export/shadertoy_writer.cpp"/>
+        <location filename="exhibits/shader_export/shadertoy_writer.cpp"/>
         <source>The shader writes gl_FragData, which Shadertoy's code lacks; write gl_FragColor.</source>
         <translation>Der Shader schreibt gl_FragData, das Shadertoy-Code nicht hat; schreiben Sie gl_FragColor.</translation>
     </message>
@@ -22942,7 +22943,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Unterschiede in der Dicke der Haare: Bei 0 haben alle die Dicke des Fells, bei 1 jede von da bis nichts.</translation>
     </message>
     <message>
-        <location filename="ui/window/visit_card.cpp"/>
+        <location filename="ui/window/main_window.cpp"/>
         <source>Variations</source>
         <translation>Variationen</translation>
     </message>
@@ -23323,7 +23324,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>Wetter</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/export/web_writer.cpp"/>
+        <location filename="exhibits/shader_export/web_writer.cpp"/>
         <source>Web browsers cannot read {1}; convert it to PNG or JPEG.</source>
         <translation>Webbrowser können {1} nicht lesen; wandeln Sie es in PNG oder JPEG um.</translation>
     </message>
@@ -24226,6 +24227,11 @@ steht in assets/SOURCES.md.</translation>
         <translation>Ihr Shader, den Sie bearbeiten können, oder der Shader eines Passes, wie der Treiber ihn erhält.</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/guest_passes.cpp"/>
+        <source>Your Shader: a frame of {1} takes too long here; lower its parameters or “Loop rounds”, or draw it smaller.</source>
+        <translation>Ihr Shader: Ein Bild von {=1} dauert hier zu lange; verringern Sie seine Parameter oder „Schleifendurchläufe“, oder zeichnen Sie es kleiner.</translation>
+    </message>
+    <message>
         <location filename="ui/presets/preset_list.cpp"/>
         <source>Yours</source>
         <translation>Eigene</translation>
@@ -24359,6 +24365,11 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1} und {=2} schließen einander aus; geben Sie eines davon an.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
+        <source>{1} And {2} more; `vitrine scene check` lists them.</source>
+        <translation>{1} Und {2} weitere; `vitrine scene check` listet sie auf.</translation>
+    </message>
+    <message>
         <location filename="exhibits/study/study_judge.cpp"/>
         <source>{1} at {2}</source>
         <translation>{1} bei {2}</translation>
@@ -24393,37 +24404,37 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1} kann nicht an seinen Platz gelegt werden ({2})</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/export/stand_alone.cpp"/>
+        <location filename="exhibits/shader_export/stand_alone.cpp"/>
         <source>{1} cannot stand alone: it is made of meshes, and a shader of your own draws one rectangle.</source>
         <translation>{1} kann nicht allein stehen: Es besteht aus Netzen, und ein eigener Shader zeichnet ein Rechteck.</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/export/stand_alone.cpp"/>
+        <location filename="exhibits/shader_export/stand_alone.cpp"/>
         <source>{1} cannot stand alone: it reads a buffer of numbers, which web pages and ISF do not have.</source>
         <translation>{1} kann nicht allein stehen: Es liest einen Puffer mit Zahlen, den Webseiten und ISF nicht haben.</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/export/stand_alone.cpp"/>
+        <location filename="exhibits/shader_export/stand_alone.cpp"/>
         <source>{1} cannot stand alone: it reads a picture that the program computes; choose settings without it.</source>
         <translation>{1} kann nicht allein stehen: Es liest ein Bild, das das Programm berechnet; wählen Sie Einstellungen ohne es.</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/export/stand_alone.cpp"/>
+        <location filename="exhibits/shader_export/stand_alone.cpp"/>
         <source>{1} cannot stand alone: it reads what its vertices hand over.</source>
         <translation>{1} kann nicht allein stehen: Es liest, was seine Eckpunkte übergeben.</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/export/stand_alone.cpp"/>
+        <location filename="exhibits/shader_export/stand_alone.cpp"/>
         <source>{1} cannot stand alone: its picture is made by several passes that depend on each other.</source>
         <translation>{1} kann nicht allein stehen: Das Bild entsteht in mehreren Durchgängen, die voneinander abhängen.</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/export/stand_alone.cpp"/>
+        <location filename="exhibits/shader_export/stand_alone.cpp"/>
         <source>{1} cannot stand alone: its picture is not toned.</source>
         <translation>{1} kann nicht allein stehen: Sein Bild wird nicht für den Bildschirm umgerechnet.</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/export/stand_alone.cpp"/>
+        <location filename="exhibits/shader_export/stand_alone.cpp"/>
         <source>{1} cannot stand alone: nothing of it is drawn with these settings.</source>
         <translation>{1} kann nicht allein stehen: Mit diesen Einstellungen wird nichts davon gezeichnet.</translation>
     </message>
@@ -24751,7 +24762,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1}&quot;; meinten Sie {=2}?</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/export/stand_alone.cpp"/>
+        <location filename="exhibits/shader_export/stand_alone.cpp"/>
         <source>{1}, as Vitrine draws it.</source>
         <translation>{1}, wie Vitrine es zeichnet.</translation>
     </message>
@@ -24871,7 +24882,7 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <location filename="exhibits/jobs/picture/picture_job.cpp"/>
         <source>{1}: this format does not support 16 bits; give a name that ends in {2}, or leave --sixteen-bit out.</source>
-        <translation>{=1}: Dieses Format unterstützt keine 16 Bit; geben Sie einen Namen an, der auf {=2} endet, oder lassen Sie --sixteen-bit weg.</translation>
+        <translation>{=1}: Dieses Format unterstützt keine 16 Bit; geben Sie einen Namen an, der auf {2} endet, oder lassen Sie --sixteen-bit weg.</translation>
     </message>
     <message>
         <location filename="exhibits/recording/record.cpp"/>
@@ -25036,12 +25047,12 @@ steht in assets/SOURCES.md.</translation>
         <translation>„{=1}“ hat kein MIN und MAX; der Regler geht von 0 bis 1 oder bis zum Anfangswert.</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/export/web_writer.cpp"/>
+        <location filename="exhibits/shader_export/web_writer.cpp"/>
         <source>“{1}” has no picture file: the page begins with a test picture.</source>
         <translation>„{1}“ hat keine Bilddatei: Die Seite beginnt mit einem Testbild.</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/export/shadertoy_writer.cpp"/>
+        <location filename="exhibits/shader_export/shadertoy_writer.cpp"/>
         <source>“{1}” has no picture file; choose one with --set {1}=FILE.</source>
         <translation>„{1}“ hat keine Bilddatei; wählen Sie eine mit --set {1}=DATEI.</translation>
     </message>
@@ -25106,7 +25117,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>„{=1}“ nennt keine Datei; schreiben Sie #iChannel0 &quot;file://name.png&quot;.</translation>
     </message>
     <message>
-        <location filename="exhibits/your_shader/export/isf_writer.cpp"/>
+        <location filename="exhibits/shader_export/isf_writer.cpp"/>
         <source>“{1}” of “{2}” names no file; name a picture beside the shader in a line #{1} &quot;file://name.png&quot;.</source>
         <translation>„{1}“ von „{2}“ nennt keine Datei; nennen Sie ein Bild neben dem Shader in einer Zeile #{1} &quot;file://name.png&quot;.</translation>
     </message>

@@ -7,10 +7,10 @@
 
 namespace vitrine::scenes {
 
-std::string Finding::text() const
+Message Finding::text() const
 {
-    return file + ':' + std::to_string(line) + ':' + std::to_string(column) + ": " + (key.empty() ? "" : key + ": ") +
-           sentence;
+    return key.empty() ? message("{1}:{2}:{3}: {4}", file, line, column, Message(sentence))
+                       : message("{1}:{2}:{3}: {4}: {5}", file, line, column, key, Message(sentence));
 }
 
 bool Scene::animated() const

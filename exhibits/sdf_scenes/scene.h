@@ -3,6 +3,7 @@
 #include "exhibits/sdf_scenes/node_kinds.h"
 #include "exhibits/sdf_scenes/record_kinds.h"
 #include "render/files/json_text.h"
+#include "render/text/message.h"
 
 #include <cstdint>
 #include <map>
@@ -33,7 +34,7 @@ struct Finding {
     std::string sentence;  ///< With its full stop.
 
     /// "file:line:column: key: sentence".
-    [[nodiscard]] std::string text() const;
+    [[nodiscard]] Message text() const;
 };
 
 inline constexpr std::uint32_t none = ~std::uint32_t{0};

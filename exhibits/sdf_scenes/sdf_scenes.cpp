@@ -279,7 +279,7 @@ void SdfScenes::plan(const PlanContext& context, render::FramePlan& plan) const
     }
     planPart("sdf_scenes/scene", values, portal, context, plan);
     for (const scenes::Finding& shape : shown(values).scene->leftOut)
-        plan.warn("sdf_scenes/shapes", shape.text() + " This shape is left out.");
+        plan.warn("sdf_scenes/shapes", shape.text().english() + " This shape is left out.");
     const std::size_t lights = shown(values).scene->lights.size();
     if (lights > SCENE_MOST_LIGHTS)
         plan.warn("sdf_scenes/lights", "The scene has " + std::to_string(lights) + " lights; the first " +

@@ -269,7 +269,12 @@ std::string Catalog::filled(std::string_view sentence, const std::vector<std::st
 std::string Catalog::translated(const Message& message) const
 {
     if (message.kind_ == Message::Kind::verbatim) return message.text_;
-    if (!message.isMarked()) return recognized(message.english());  // Completely or not at all.
+    // Without words of its own, such as "{1}:{2}: {3}", it is in the language of its arguments.
+    const std::string_view own = message.text();
+    const bool hasWords =
+        std::any_of(own.begin(), own.end(), [](unsigned char c) { return c > 127 || std::isalpha(c) != 0; });
+    if (!message.isMarked() && (hasWords || message.arguments_.empty()))
+        return recognized(message.english());  // Completely or not at all.
     if (message.arguments_.empty()) {
         const auto known = texts_->whole.find(std::string(message.text()));
         return known == texts_->whole.end() ? std::string(message.text()) : known->second;

@@ -59,7 +59,7 @@ std::vector<Words> wrongCalls(const test::TemporaryFolder& folder)
         {"render", "sdf_morfh", "--out", out},
         {"render", "nobody", "--out", out},
         {"render", "hall", "--alone", "--out", out},
-        {"render", "sdf_morph", "--out", folder / "a.webp"},
+        {"render", "sdf_morph", "--out", folder / "a.webp", "--sixteen-bit"},
         {"study", "fur", "--out", folder / "s", "--max-ms", "1", "--max-error", "1"},
         {"print", "--width-mm", "3", "--height-mm", "3", "--view-size", "8x8"},
         {"print", "--width-mm", "3", "--height-mm", "3"},

@@ -6,8 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include <iterator>
 #include <regex>
 #include <set>
+#include <sstream>
+#include <string>
+#include <vector>
 
 namespace vitrine {
 namespace {
@@ -41,7 +45,10 @@ TEST(List, OfJobsHasASchemaOfEachAndTheirHelpEveryOption)
         const jobs::Job& job = *jobs::allJobs()[i];
         EXPECT_EQ(schemas[i]["title"], std::string(job.name()));
         EXPECT_NE(listed.out.find(std::string(job.summary())), std::string::npos) << listed.out;
-        const Ended help = test::vitrine({std::string(job.name()), "--help"});
+        std::istringstream command{std::string(job.command())};
+        std::vector<std::string> words{std::istream_iterator<std::string>(command), {}};
+        words.emplace_back("--help");
+        const Ended help = test::vitrine(words);
         ASSERT_EQ(help.code, 0) << help.err;
         for (const jobs::JobOption& option : jobs::optionsOf(job.parameters())) {
             const bool shown = help.out.find("  " + option.name) != std::string::npos;

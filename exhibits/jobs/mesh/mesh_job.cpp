@@ -9,6 +9,7 @@
 #include "render/files/atomic_write.h"
 #include "render/files/number_text.h"
 #include "render/text/joined.h"
+#include "render/text/message.h"
 #include "render/text/nearest_word.h"
 
 #include <unistd.h>
@@ -258,10 +259,10 @@ std::shared_ptr<const JobInputs> MeshJob::read(const ParameterValues& values) co
     if (!read.fileRead) throw Failure(ErrorKind::file, read.findings.front().sentence);
     if (!read.scene) {
         const std::size_t others = read.findings.size() - 1;
-        throw Failure(
-            ErrorKind::check,
-            read.findings.front().text() +
-                (others > 0 ? " And " + std::to_string(others) + " more; `vitrine scene check` lists them." : ""));
+        const Message first = read.findings.front().text();
+        throw Failure(ErrorKind::check,
+                      others > 0 ? message("{1} And {2} more; `vitrine scene check` lists them.", first, others)
+                                 : first);
     }
     auto inputs = std::make_shared<MeshInputs>();
     inputs->scene = std::move(read.scene);
@@ -274,7 +275,7 @@ JobPlan MeshJob::plan(const ParameterValues& values, const JobScene&, const JobI
     const scenes::Scene& scene = *static_cast<const MeshInputs&>(inputs).scene;
     JobPlan plan;
     for (const scenes::Finding& shape : scene.leftOut)
-        plan.warnings.push_back(shape.text() + " This shape is left out.");
+        plan.warnings.push_back(shape.text().english() + " This shape is left out.");
     const auto refuse = [&](const std::string& why) {
         if (plan.refusal.empty()) plan.refusal = why;
     };

@@ -179,7 +179,7 @@ TEST(SceneFiles, ShapesOfTheReferenceThatAreNoneAreLeftOutOfTheOthers)
     ASSERT_TRUE(read.scene) << test::findingsText(read);
     ASSERT_EQ(read.scene->leftOut.size(), 4U);
     std::string all;
-    for (const scenes::Finding& finding : read.scene->leftOut) all += finding.text() + '\n';
+    for (const scenes::Finding& finding : read.scene->leftOut) all += finding.text().english() + '\n';
     for (const char* key :
          {"primitives.spheres[1]: this is 0 m", "primitives.triangles[0]: the corners lie on one line",
           "unions[0].shapes[1]: the axis is 0, 0, 0", "subtractions[0].shapes[1]: this is -2 m"})

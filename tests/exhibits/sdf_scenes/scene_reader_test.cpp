@@ -13,7 +13,7 @@ std::string first(const std::string& text)
 {
     const scenes::ReadScene read = test::readText(text);
     EXPECT_FALSE(read.scene) << text;
-    return read.findings.empty() ? std::string() : read.findings.front().text();
+    return read.findings.empty() ? std::string() : read.findings.front().text().english();
 }
 
 /// Returns the first finding about a root that begins in line 3, column 9.

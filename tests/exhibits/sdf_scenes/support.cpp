@@ -72,7 +72,7 @@ scenes::ReadScene readText(const std::string& text, const scenes::SceneLimits& l
 std::string findingsText(const scenes::ReadScene& read)
 {
     std::string text;
-    for (const scenes::Finding& finding : read.findings) text += finding.text() + '\n';
+    for (const scenes::Finding& finding : read.findings) text += finding.text().english() + '\n';
     return text;
 }
 
