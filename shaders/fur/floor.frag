@@ -22,10 +22,10 @@ vec3 sunOnFloor(vec3 normal)
     return light.sunIrradiance * sunThroughGlass(world) * (lit / PI);
 }
 
-// Radiance of the rug. `open`: share of the sky's light past the bodies.
-vec3 rugRadiance(float r, float open)
+// Radiance of the rug. `width`: of the pixel, in the pit. `open`: share of the sky's light past the bodies.
+vec3 rugRadiance(float r, float width, float open)
 {
-    RugPoint rug = rugPoint(inPit.xz, max(length(dFdx(inPit.xz)), length(dFdy(inPit.xz))), fur.rugRadius, fur.rugColor);
+    RugPoint rug = rugPoint(inPit.xz, width, fur.rugRadius, fur.rugColor);
     vec3 normal = normalize(mat3(fur.worldFromPit) * rug.normal);
     vec3 toLamp = lampDirection();
     vec3 lamp = lampLight() * (max(dot(normal, toLamp), 0.0) / PI * left.y * open);
@@ -58,9 +58,10 @@ void main()
 #endif
     float edge = max(fwidth(r), 1.0e-5);
     float cover = fur.rugRadius > 0.0 ? clamp(0.5 + (fur.rugRadius - r) / edge, 0.0, 1.0) : 0.0;
+    float width = max(length(dFdx(inPit.xz)), length(dFdy(inPit.xz)));
     // llvmpipe executes both sides of every `if`, but skips a loop that none of its eight pixels enters.
     for (int once = 0; once < 1 && cover > 0.0; ++once) {
-        vec3 rug = min(rugRadiance(r, open), vec3(6e4));
+        vec3 rug = min(rugRadiance(r, width, open), vec3(6e4));
         radiance = radiance * (1.0 - cover) + vec4(rug, 1.0) * cover;
     }
 }

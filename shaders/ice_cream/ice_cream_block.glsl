@@ -92,5 +92,5 @@ BLOCK_STRUCT(Candy, CANDY_FIELDS)
     FIELD(ivec3, gridCells)  /* number along each axis; 0: no sprinkles */ \
     FIELD(float, sprinkleRadius) \
     FIELD(float, sprinkleReach)  /* how far one may extend beyond the cream */ \
-    FIELD(vec3, towardsHall)     /* unit vector out of the niche */
+    FIELD(vec3, towardsHall)     /* unit vector towards the hall */
 BLOCK_STRUCT(IceCreamShape, ICE_CREAM_FIELDS)

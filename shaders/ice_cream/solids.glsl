@@ -126,8 +126,8 @@ float waferAtMost(vec2 profile)
     return most + 1.0e-5;
 }
 
-// Value of the field for the wafer; `most` is the upper bound from waferAtMost. Foot, collar and bowl stand on each other: the vertical gap to
-// each bounds its distance.
+// Value of the field for the wafer; `most` is the upper bound from waferAtMost. Foot, collar and bowl stand on each
+// other: the vertical gap to each bounds its distance.
 float waferLevel(vec3 p, vec2 profile, float most)
 {
     float level = 1.0e9;
