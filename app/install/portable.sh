@@ -25,7 +25,7 @@ trap 'rm -rf "$work"' EXIT
 
 machine='^(ld-linux-x86-64|lib(c|m|dl|rt|pthread|resolv|util|GL|GLX|EGL|GLdispatch|GLESv2|gbm|vulkan|cuda[^.]*|nvidia[^.]*))\.so'
 shared='^lib(OpenGL|stdc\+\+|gcc_s|z|zstd|lzma|bz2|expat|drm|X11|X11-xcb|xcb|xcb-[a-z0-9]+|Xau|Xdmcp|Xext|Xfixes|Xrender|bsd|md|wayland-[a-z]+|ffi|fontconfig|freetype|brotli[a-z]+|harfbuzz|graphite2|glib-2|pcre2-8|dbus-1|systemd|gcrypt|gpg-error|cap|lz4|uuid|udev)[.0-9-]*\.so'
-# Whose dependencies become placeholders, and those of their dependencies that do not.
+# Libraries whose dependencies become placeholders, and the dependencies that do not.
 greedy='^(lib(OpenImageIO|OpenImageIO_Util|av[a-z]+|sw[a-z]+|tiff|SDL2-2\.0|icuuc|icui18n)\.so)'
 wanted='^lib(OpenImageIO_Util|av(codec|filter|format|util)|sw(scale|resample)|OpenEXR|OpenEXRCore|Iex|IlmThread|Imath|tbb|boost_thread|tiff|webp|webpmux|webpdemux|jpeg|png16|deflate|jbig|Lerc|x264|openh264|vpx|fmt|icuuc|icui18n)[.0-9_d-]*\.so'
 

@@ -135,6 +135,7 @@ void showPrintDialog(ui::MainWindow& window, const QString& picture)
 {
     window.dialogs().openPrint();
     auto* dialog = window.findChild<ui::PrintDialog*>();
+    dialog->resize(1200, 680);
     dialog->setPath(QStringLiteral("/home/visitor/Pictures/lenticular-print.tif"));
     QElapsedTimer passed;
     passed.start();
