@@ -14846,13 +14846,13 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/your_shader/your_shader_table.h"/>
         <source>Press x</source>
         <extracomment>tables</extracomment>
-        <translation>Druck x</translation>
+        <translation>Gedrückt x</translation>
     </message>
     <message>
         <location filename="exhibits/your_shader/your_shader_table.h"/>
         <source>Press y</source>
         <extracomment>tables</extracomment>
-        <translation>Druck y</translation>
+        <translation>Gedrückt y</translation>
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>

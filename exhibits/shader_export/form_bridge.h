@@ -13,7 +13,7 @@ struct BridgedVariable {
     int count = 0;  ///< Length of an array, whose elements are equal; 0: no array.
 };
 
-/// Words of the new form.
+/// Expressions that give the built-in values in the new form, such as "RENDERSIZE"; empty: it has none.
 struct FormWords {
     std::string size;  ///< vec2, pixels.
     std::string time, delta, frame, date;

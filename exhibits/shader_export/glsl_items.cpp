@@ -97,12 +97,12 @@ private:
     std::size_t at_ = 0;
 };
 
-/// Follows the conditions of a text, line by line.
+/// Evaluates the #if lines of a text, line by line.
 class Conditions {
 public:
     explicit Conditions(GlslMacros& macros) : macros_(macros) {}
 
-    /// Returns whether the line is kept.
+    /// Returns whether the preprocessor keeps the line.
     bool keeps(const std::string& line)
     {
         const std::size_t first = line.find_first_not_of(" \t");

@@ -31,7 +31,7 @@ std::string spaced(const std::vector<double>& numbers)
     return text;
 }
 
-/// Returns the type that `#iUniform` has for an input; empty: none.
+/// Returns the type of an input in an `#iUniform` line; empty if such a line has none for it.
 std::string sliderType(const Input& input)
 {
     if (input.type == InputType::color) return input.glslType == "vec4" ? "color4" : "color3";

@@ -32,7 +32,7 @@ constexpr const char* tonePass = "tone";
     throw Failure(ErrorKind::check, std::move(sentence));
 }
 
-/// Everything that the text is made of.
+/// An exhibit with the passes that draw it alone, from which the text of the ISF is generated.
 struct AlonePicture {
     const SceneObject& exhibit;
     const ParameterValues& values;
@@ -74,7 +74,7 @@ const render::Pass& drawingPass(const render::FramePlan& plan, const SceneObject
     return *found;
 }
 
-/// Writes the text.
+/// Generates the text of the ISF.
 class AloneWriter {
 public:
     AloneWriter(const AlonePicture& picture, std::vector<Message>& notes) : picture_(picture), notes_(notes)
@@ -119,7 +119,7 @@ private:
     [[nodiscard]] std::string colorFunction() const;
     [[nodiscard]] static std::string compact(const std::string& text);
     [[nodiscard]] bool uses(const std::string& member) const { return members_.contains(member); }
-    /// Returns a variable that no item has.
+    /// Returns a variable name that no item of the shader has: `name`, with underscores if necessary.
     [[nodiscard]] std::string freeName(std::string name) const
     {
         while (taken_.contains(name)) name += '_';

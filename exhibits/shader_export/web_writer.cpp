@@ -112,7 +112,7 @@ std::string withRounds(const std::string& glsl, int rounds)
     return replaced(text, "\nuint guest_rounds", "\nhighp uint guest_rounds");
 }
 
-/// Collects what the page contains.
+/// Collects the programs, inputs, passes and pictures of the page.
 class PageWriter {
 public:
     explicit PageWriter(const ExportedShader& exported) : exported_(exported), shader_(exported.shader) {}

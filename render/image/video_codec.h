@@ -56,9 +56,9 @@ public:
     /// says what went wrong; empty: success.
     [[nodiscard]] virtual std::string readComment(const std::string& path, VideoFormat, std::string& out) noexcept = 0;
     /// Decodes the bytes of a BMP, or of a GIF with one picture, to 8-bit codes: gray, RGB or RGBA, row 0 at the top.
-    /// The caller must have checked the size in the header. Returns as `readComment`.
+    /// The caller must have checked the size in the header. Returns the problem like `readComment`.
     [[nodiscard]] virtual std::string readStill(std::string_view bytes, bool isGif, StoredPicture& out) noexcept = 0;
-    /// Decodes a WAV or FLAC file. Returns as `readComment`.
+    /// Decodes a WAV or FLAC file. Returns the problem like `readComment`.
     [[nodiscard]] virtual std::string readSound(const std::string& path, Sound& out) noexcept = 0;
     /// Version of the loaded libavcodec: "59.37.100".
     [[nodiscard]] virtual const char* libraryVersion() const noexcept = 0;

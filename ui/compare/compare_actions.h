@@ -42,7 +42,7 @@ public:
     void refresh();
     /// Lists the comparisons that the visited subject offers.
     void refreshOffers();
-    /// Returns the first of them; null if there is none.
+    /// Returns the command of the first comparison that the visited subject offers; null if there is none.
     [[nodiscard]] QAction* firstOffer() const;
 
 private:
