@@ -20796,6 +20796,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>die Zeit ist keine Zahl oder liegt vor dem Druck auf den Knopf; die Körper werden in Ruhe gezeigt, bis sie stimmt</translation>
     </message>
     <message>
+        <location filename="render/gl/renderer.cpp"/>
+        <source>the time is over</source>
+        <translation>die Zeit ist um</translation>
+    </message>
+    <message>
         <location filename="exhibits/crepuscular_rays/rays_scene.cpp"/>
         <source>the tint of the rays is black</source>
         <translation>die Tönung der Strahlen ist schwarz</translation>

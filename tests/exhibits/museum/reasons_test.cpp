@@ -247,6 +247,9 @@ const std::map<std::string, Claim>& claims()
         {"a mesh is shown instead of the field", is("shownAs", 1)},
         {"the overlay is switched off", isZero("showBox")},
         // Reasons of the soft serve.
+        {"the light is that of the reference", is("lighting", 1)},
+        {"the backdrop is switched off", isZero("backdrop")},
+        {"the background stays empty", isAlone},
         {"the ambient light is black",
          [](const Skipped& s) { return s.number("lighting") == 1 && s.brightest("referenceAmbient") == 0; }},
         {"the build-up has not come so far",
