@@ -20478,8 +20478,8 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <location filename="exhibits/your_shader/your_shader.cpp"/>
         <location filename="exhibits/your_shader/guest_passes.cpp"/>
-        <source>The screen stays dark.</source>
-        <translation>Der Bildschirm bleibt dunkel.</translation>
+        <source>The frame stays empty.</source>
+        <translation>Der Rahmen bleibt leer.</translation>
     </message>
     <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays.cpp"/>

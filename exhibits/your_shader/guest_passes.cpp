@@ -54,7 +54,7 @@ public:
             plan_.warnOfFile("your_shader/time",
                              "Your Shader: a frame of " + work_.path.string() +
                                  " takes too long here; lower its parameters or “Loop rounds”, or draw it smaller.",
-                             "The screen stays dark.");
+                             "The frame stays empty.");
             return std::nullopt;
         }
         readPressedKeys();

@@ -223,7 +223,7 @@ std::shared_ptr<const PreparedPart> YourShader::prepare(const PrepareContext& co
         if (!first->table) {
             if (!first->why.empty())
                 part->unreadable.push_back(
-                    {"your_shader/file", unreadableFile(row, title(), first->why), message("The screen stays dark.")});
+                    {"your_shader/file", unreadableFile(row, title(), first->why), message("The frame stays empty.")});
             return part;
         }
         std::vector<std::string> notes;
@@ -240,7 +240,7 @@ std::shared_ptr<const PreparedPart> YourShader::prepare(const PrepareContext& co
                  message("The program ended while it drew {1} for the first time, so it is not drawn; save the "
                          "file to try it again.",
                          table.work->path)),
-             message("The screen stays dark.")});
+             message("The frame stays empty.")});
         return part;
     }
     guard.begin(*table.work);

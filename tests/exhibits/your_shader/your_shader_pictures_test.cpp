@@ -681,8 +681,8 @@ TEST_F(YourShaderPictures, ThatTakeTooLongAreStoppedUntilSomethingChanges)
         EXPECT_EQ(dark.report.stopped, "");
         EXPECT_EQ(complaints(dark.report),
                   "your_shader/time: Your Shader: a frame of " + (own.folder / "own.fs").string() +
-                      " takes too long here; lower its parameters or “Loop rounds”, or draw it smaller. The screen "
-                      "stays dark.\n");
+                      " takes too long here; lower its parameters or “Loop rounds”, or draw it smaller. The frame "
+                      "stays empty.\n");
     }
     own.set("loopRounds", 100.0);
     const Picture changed = own.shot.take();
