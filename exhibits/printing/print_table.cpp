@@ -1,6 +1,7 @@
 #include "exhibits/printing/print_table.h"
 
 #include "exhibits/framework/table/acting.h"
+#include "exhibits/printing/quilt.h"
 #include "render/text/joined.h"
 
 #include <algorithm>
@@ -100,10 +101,15 @@ std::vector<std::string> picturesOf(const ParameterValues& values)
 ParameterValues withPictures(ParameterValues values, const std::vector<std::string>& pictures)
 {
     const PrintTable& table = printTable();
-    if (values[table.origin] == ViewOrigin::quilt)
-        values.set(table.quilt, pictures.empty() ? std::string() : pictures.front());
-    else
+    if (values[table.origin] != ViewOrigin::quilt) {
         values.set(table.files, joined(pictures, "\n"));
+        return values;
+    }
+    values.set(table.quilt, pictures.empty() ? std::string() : pictures.front());
+    if (const auto grid = quiltNamed(values[table.quilt])) {
+        values.set(table.quiltColumns, grid->columns);
+        values.set(table.quiltRows, grid->rows);
+    }
     return values;
 }
 

@@ -221,7 +221,8 @@ struct PrintTable final : Parameters {
 [[nodiscard]] bool sameViews(const ParameterValues&, const ParameterValues&);
 /// Returns the pictures that the views are read from: those of `files`, or the quilt.
 [[nodiscard]] std::vector<std::string> picturesOf(const ParameterValues&);
-/// Returns the values with other pictures, of the same origin.
+/// Returns the values with other pictures of the same origin, and with the grid that the name of a quilt tells
+/// (`quiltNamed`).
 [[nodiscard]] ParameterValues withPictures(ParameterValues, const std::vector<std::string>&);
 /// Returns the number of views, with "auto" as the number for rendered views, or for a chart. Throws like `sheetOf`.
 [[nodiscard]] int viewCount(const ParameterValues&);

@@ -2,6 +2,7 @@
 
 #include "exhibits/framework/table/typed_number.h"
 #include "exhibits/museum/assignment.h"
+#include "exhibits/printing/quilt.h"
 #include "exhibits/printing/view_colors.h"
 #include "exhibits/printing/view_files.h"
 #include "render/failure.h"
@@ -118,6 +119,10 @@ std::shared_ptr<const PrintViews> readQuilt(const ParameterValues& values, const
     const ViewColors colors = viewColors({file});
     const render::Image quilt = readView(file, colors, progress, 0, *reading.views);
     reading.views->addNote(quiltNote(quilt, columns, rows));
+    if (const auto named = quiltNamed(file); named && (named->columns != columns || named->rows != rows))
+        reading.views->addNote("The name of " + file.filename().string() + " says " + std::to_string(named->columns) +
+                               " x " + std::to_string(named->rows) + " views; it is read as " +
+                               std::to_string(columns) + " x " + std::to_string(rows) + '.');
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         require(progress, static_cast<double>(i) / static_cast<double>(chosen.size()));
         const int k = static_cast<int>(chosen[i]);

@@ -1,5 +1,6 @@
 #include "exhibits/printing/view_rig.h"
 
+#include "exhibits/printing/print_table.h"
 #include "exhibits/printing/quilt.h"
 #include "exhibits/printing/view_files.h"
 
@@ -252,6 +253,16 @@ TEST(Quilt, HasItsGridInItsName)
     for (const char* none : {"cat.png", "cat_qs8x6.png", "cat_qs0x6a1.png", "cat_qs8x6a0.png", "cat_qs9999x6a1.png",
                              "cat_qs8x6a0.75_small.png", "cat_qs8x6a1e9.png"})
         EXPECT_EQ(printing::quiltNamed(none), std::nullopt) << none;
+
+    // A quilt that is chosen brings its grid; another name leaves the grid.
+    const printing::PrintTable& table = printing::printTable();
+    ParameterValues values = table.initial();
+    values.set(table.origin, printing::ViewOrigin::quilt);
+    values = printing::withPictures(std::move(values), {"cat_qs5x9a1.77.png"});
+    EXPECT_EQ(values[table.quiltColumns], 5);
+    EXPECT_EQ(values[table.quiltRows], 9);
+    values = printing::withPictures(std::move(values), {"cat.png"});
+    EXPECT_EQ(values[table.quiltColumns], 5);
 }
 
 TEST(Quilt, HasItsFirstViewAtTheBottomLeftAsItIsReadBack)
