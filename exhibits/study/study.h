@@ -48,7 +48,7 @@ private:
         bool heldOut = false;
     };
 
-    // The following members make the jobs.
+    // Functions that list the pictures to draw and the frames to time.
     void addViews();
     /// A picture to draw, and whether one frame of it is timed and counted.
     struct PictureJob {

@@ -11,7 +11,7 @@ namespace vitrine::render {
 /// Returns whether the name is that of a picture or a recording, which may contain settings. Other files are settings
 /// files themselves.
 [[nodiscard]] bool mayCarrySettings(const std::filesystem::path&);
-/// Extensions of the files that may, as `ParameterInfo::extensions` has them: "png jpg mp4".
+/// Extensions of the files that can carry settings, in the form of `ParameterInfo::extensions`: "png jpg mp4".
 [[nodiscard]] std::string carriedSettingsEndings();
 
 /// Returns the settings text inside a picture (`embeddedPreset`) or a recording (its comment, as `VideoFile` writes

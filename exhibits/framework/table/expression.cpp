@@ -452,7 +452,7 @@ std::optional<double> evaluateWith(std::string_view text, Unit unit, const Expre
 
 std::optional<std::string> writtenExpression(std::string_view text, Unit unit, const WrittenNames& written)
 {
-    // The values do not decide how a text is read, except for names without one.
+    // Whether a name is known, and its unit, decide how the text is parsed; its value does not, so it is 1 here.
     const ExpressionNames names = [&](std::string_view name) -> std::optional<NamedValue> {
         const std::optional<WrittenValue> known = written(name);
         return known ? std::optional(NamedValue{1, known->unit}) : std::nullopt;
