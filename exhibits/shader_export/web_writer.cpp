@@ -130,7 +130,9 @@ public:
             {"rate", start.rate},
             {"mouse", Json{{"x", start.mouse.position.x}, {"y", start.mouse.position.y}, {"down", start.mouse.isDown}}},
             {"readsTime", work_->readsTime},
-            {"kept", work_->isKept}};
+            {"kept", work_->isKept},
+            {"triangles", trianglesOf(shader_)},
+            {"mipmaps", shader_.form == Form::shadertoy}};
         addInputs();
         addFrameBlock();
         addTargets();

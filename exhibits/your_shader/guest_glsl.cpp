@@ -240,6 +240,14 @@ constexpr const char* isfMacros = R"(#define IMG_NORM_PIXEL(image, at) texture(i
 constexpr const char* triangle = R"(vec2 guest_corner() { return vec2((gl_VertexID & 1) * 2, gl_VertexID & 2); }
 )";
 
+/// The same for two triangles, which are two instances. Vertex shaders of visitors expect corners from 0 to 1.
+constexpr const char* twoTriangles = R"(vec2 guest_corner()
+{
+    vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
+    return gl_InstanceID == 0 ? corner : vec2(1.0) - corner;
+}
+)";
+
 /// A variable that a plain fragment shader expects of its vertex shader.
 struct Varying {
     std::string type, name;
@@ -269,7 +277,8 @@ std::vector<Varying> varyingsOf(const Code& code)
 
 std::string vertexText(const Shader& shader, const Pass& pass, const std::string& blocks)
 {
-    std::string text = "#version 450\n" + lineDirective(1, PassText::ownSource) + triangle + blocks;
+    std::string text = "#version 450\n" + lineDirective(1, PassText::ownSource) +
+                       (trianglesOf(shader) == 2 ? twoTriangles : triangle) + blocks;
     if (shader.form == Form::isf) {
         text += "out vec2 isf_FragNormCoord;\nvoid isf_vertShaderInit() { isf_FragNormCoord = guest_corner(); "
                 "gl_Position = vec4(guest_corner() * 2.0 - 1.0, 0.0, 1.0); }\n";
@@ -362,6 +371,11 @@ std::string inVisitorsWords(std::string_view text)
 bool isPicture(const Input& input)
 {
     return input.glslType.starts_with("sampler");
+}
+
+int trianglesOf(const Shader& shader)
+{
+    return shader.form == Form::isf && !shader.vertexCode.empty() ? 2 : 1;
 }
 
 std::vector<PictureUse> picturesOf(const Shader& shader, const Pass& pass)

@@ -27,6 +27,10 @@ struct PictureUse {
 /// Returns the pictures that a pass declares, in the order of their texture units.
 [[nodiscard]] std::vector<PictureUse> picturesOf(const Shader&, const Pass&);
 
+/// Returns the number of triangles that a pass is drawn with, as instances of three vertices each: two for a vertex
+/// shader of the visitor, else one that is larger than the picture.
+[[nodiscard]] int trianglesOf(const Shader&);
+
 /// Returns whether an input is a picture.
 [[nodiscard]] bool isPicture(const Input&);
 

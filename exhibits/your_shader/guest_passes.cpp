@@ -3,6 +3,7 @@
 #include "exhibits/framework/table/derive.h"
 #include "exhibits/kit/exhibit_pass.h"
 #include "exhibits/your_shader/guest_built_in.h"
+#include "exhibits/your_shader/guest_glsl.h"
 #include "exhibits/your_shader/guest_keys.h"
 #include "exhibits/your_shader/guest_sound.h"
 #include "exhibits/your_shader/size_expression.h"
@@ -385,7 +386,7 @@ render::Pass WorkPlan::passOf(std::size_t i, std::int64_t step, const StepTime& 
                                             [&](std::string_view name) { return sizeIn(i, name); });
     pass.inputs = inputsOf(of, step, time);
     pass.colors = {isCube ? render::Attachment::clearedSlice(target, face) : render::Attachment::cleared(target)};
-    pass.draws = {render::Draw{}};
+    pass.draws = {render::Draw{.instances = trianglesOf(*work_.shader)}};
     pass.unbounded = timeKey();
     if (plan_.images().at(target).levels > 1 && (!isCube || face == 5)) pass.mipmaps = {target};
     return pass;

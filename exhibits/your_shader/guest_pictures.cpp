@@ -23,10 +23,11 @@ template <typename T> void turnOver(std::vector<T>& values, int height)
 
 }  // namespace
 
-render::AssetStore::Made<render::Texture> readPicture(const std::string& path)
+render::AssetStore::Made<render::Texture> readPicture(const std::string& path, bool mipmaps)
 {
     auto picture = std::make_shared<render::Texture>(*render::loadTexture(path, true, false));
     picture->sRgb = false;
+    picture->mipmaps = mipmaps;
     for (std::size_t i = 0; i < picture->floats.size(); ++i) {
         const bool isAlpha = picture->channels == 4 && i % 4 == 3;
         if (!isAlpha) picture->floats[i] = static_cast<float>(render::srgbFromLinear(picture->floats[i]));
@@ -37,14 +38,15 @@ render::AssetStore::Made<render::Texture> readPicture(const std::string& path)
     return {std::move(picture), bytes};
 }
 
-std::shared_ptr<const render::Texture> testPicture()
+std::shared_ptr<const render::Texture> testPicture(bool mipmaps)
 {
-    static const auto picture = [] {
+    const auto make = [](bool hasMipmaps) {
         constexpr int side = 512;
         auto made = std::make_shared<render::Texture>();
         made->name = "test_picture";
         made->width = made->height = side;
         made->repeat = false;
+        made->mipmaps = hasMipmaps;
         const auto byte = [](double value) { return static_cast<std::uint8_t>(std::lround(255 * value)); };
         for (int y = 0; y < side; ++y)
             for (int x = 0; x < side; ++x) {
@@ -55,8 +57,9 @@ std::shared_ptr<const render::Texture> testPicture()
                     made->bytes.push_back(byte(color));
             }
         return made;
-    }();
-    return picture;
+    };
+    static const std::shared_ptr<const render::Texture> withMipmaps = make(true), without = make(false);
+    return mipmaps ? withMipmaps : without;
 }
 
 }  // namespace vitrine::guest

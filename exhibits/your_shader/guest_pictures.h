@@ -9,9 +9,10 @@
 namespace vitrine::guest {
 
 /// Reads a picture as visitors' shaders expect it: display values, the lower row first. Throws Failure.
-[[nodiscard]] render::AssetStore::Made<render::Texture> readPicture(const std::string& path);
+/// Shadertoy's pictures have mip levels, those of the other forms have none.
+[[nodiscard]] render::AssetStore::Made<render::Texture> readPicture(const std::string& path, bool mipmaps);
 
 /// Returns the picture of inputs that name no file: rings and diagonals in colors, 512 x 512 pixels.
-[[nodiscard]] std::shared_ptr<const render::Texture> testPicture();
+[[nodiscard]] std::shared_ptr<const render::Texture> testPicture(bool mipmaps);
 
 }  // namespace vitrine::guest

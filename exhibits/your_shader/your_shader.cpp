@@ -57,12 +57,15 @@ struct PreparedShader final : PreparedPart {
 guest::LoadedPicture pictureFrom(const std::string& path, const ParameterInfo& parameter, std::string_view title,
                                  render::AssetStore& assets, PreparedShader& part)
 {
-    if (path.empty()) return {guest::testPicture(), 1};
-    const auto read = assets.get<render::Texture>("your_shader.picture", path, guest::readPicture);
+    const bool mipmaps = part.table().work->shader->form == guest::Form::shadertoy;
+    if (path.empty()) return {guest::testPicture(mipmaps), 1};
+    const auto read =
+        assets.get<render::Texture>(mipmaps ? "your_shader.mipmapped_picture" : "your_shader.picture", path,
+                                    [mipmaps](const std::string& file) { return guest::readPicture(file, mipmaps); });
     if (!read.failure.empty())
         part.unreadable.push_back({"your_shader/pictures", unreadableFile(parameter, title, read.failure),
                                    message("A test picture takes its place.")});
-    return {read.value ? read.value : guest::testPicture(), read.id};
+    return {read.value ? read.value : guest::testPicture(mipmaps), read.id};
 }
 
 /// Returns the sound of a file, or silence. Reports a file that cannot be read.

@@ -18,6 +18,7 @@ window_start gl xvfb-run -a $bench window_start
 portable gl xvfb-run -a $bench portable
 window_latency gl xvfb-run -a -s -screen\ 0\ 1600x1000x24 $bench window_latency
 web_hall gl sh tests/bench/web_hall/run.sh
+isf_renderers gl sh tests/exhibits/your_shader/compare_renderers.sh "\$ISF_FILES" 2
 stability_suite gl env VITRINE_SCAN_PRESETS=100 ctest --test-dir build/release -L stability -j 2
 END
     sed "s,^\([^ ]*\) ,study_\1 gl build/release/vitrine study ," tests/bench/studies.txt

@@ -415,6 +415,34 @@ TEST_F(YourShaderPictures, ShowAFileWithItsLowerRowBelow)
     EXPECT_THROW((void)own.shot.take(), Failure);
 }
 
+TEST_F(YourShaderPictures, OfVertexShadersInterpolateBetweenTheCornersOfThePicture)
+{
+    ShaderShot own;
+    // At the corners, the clamped value is 0 or 1; between them it is linear.
+    writeBytes(own.folder / "own.vs", "varying vec2 at;\nvoid main() { isf_vertShaderInit();\n"
+                                      "at = clamp(isf_FragNormCoord, 0.0, 1.0); }\n");
+    ASSERT_EQ(own.show("/*{}*/ varying vec2 at;\nvoid main() { gl_FragColor = vec4(at, 0.0, 1.0); }"), "");
+    const Picture picture = own.shot.take();
+    const auto at = [](int pixel, int pixels) { return static_cast<int>(std::lround(255 * (pixel + 0.5) / pixels)); };
+    for (const glm::ivec2 p : {glm::ivec2(0), glm::ivec2(23, 0), glm::ivec2(5, 11), glm::ivec2(20, 15)})
+        EXPECT_EQ(ShaderShot::code(picture, p.x, p.y), (Codes{at(p.x, 24), at(p.y, 16), 0})) << p.x << ',' << p.y;
+}
+
+TEST_F(YourShaderPictures, OfFilesAreNotBlurredWhereCoordinatesJump)
+{
+    ShaderShot own;
+    render::writePicture(own.folder / "halves.png",
+                         made(64, 64, [](int x, int, int) { return static_cast<float>(x >= 32); }),
+                         render::PictureFormat::png8);
+    ASSERT_EQ(own.show(isf(R"("INPUTS": [{"NAME": "inputImage", "TYPE": "image"}])",
+                           "gl_FragColor = IMG_NORM_PIXEL(inputImage, vec2(fract(gl_FragCoord.x * 0.5), 0.5));")),
+              "");
+    own.set("inputImage", (own.folder / "halves.png").string());
+    const Picture picture = own.shot.take();
+    EXPECT_EQ(ShaderShot::code(picture, 6, 3), (Codes{0, 0, 0}));
+    EXPECT_EQ(ShaderShot::code(picture, 7, 3), (Codes{255, 255, 255}));
+}
+
 TEST_F(YourShaderPictures, ComeFromPassesWithSizesByExpression)
 {
     ShaderShot own;
