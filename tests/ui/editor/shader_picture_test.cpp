@@ -2,13 +2,17 @@
 #include "tests/ui/few_samples.h"
 #include "tests/ui/ui_main.h"
 
+#include "exhibits/fur/fur.h"
 #include "exhibits/museum/museum.h"
+#include "exhibits/sdf_scenes/sdf_scenes.h"
 #include "exhibits/your_shader/guest_work.h"
 #include "exhibits/your_shader/your_shader.h"
 #include "ui/compare/compare_controller.h"
 #include "ui/compare/picture_b.h"
 #include "ui/editor/live_text.h"
+#include "ui/editor/shader_copy.h"
 #include "ui/editor/shader_panel.h"
+#include "ui/kit/message_strip.h"
 #include "ui/kit/theme.h"
 #include "ui/model/settings_b.h"
 #include "ui/viewport/gl_probe.h"
@@ -21,8 +25,12 @@
 #include <QDockWidget>
 #include <QElapsedTimer>
 #include <QFile>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 
 #include <clocale>
 #include <cmath>
@@ -37,7 +45,7 @@ using vitrine::test::patience;
 class ShaderPictureTest : public QObject {
     Q_OBJECT
 
-    static constexpr std::size_t shader = 1;
+    static constexpr std::size_t shader = 1, scenes = 2, fur = 3;
 
     std::unique_ptr<QTemporaryDir> home_;
     std::unique_ptr<Museum> museum_;
@@ -110,12 +118,17 @@ private slots:
         std::setlocale(LC_NUMERIC, "C");
         applyTheme(*qApp, darkTheme());
         QVERIFY2(whyNoOpenGl().isEmpty(), qPrintable(whyNoOpenGl()));
-        std::vector<std::unique_ptr<Exhibit>> exhibits;
-        exhibits.push_back(std::make_unique<YourShader>());
-        museum_ = std::make_unique<Museum>(std::move(exhibits));
     }
     void init()
     {
+        std::vector<std::unique_ptr<Exhibit>> exhibits;
+        exhibits.push_back(std::make_unique<YourShader>());
+        // Others cost a software renderer time in every picture of the hall.
+        if (QByteArray(QTest::currentTestFunction()) == "anExhibitIsCopiedAsAShaderOfOnesOwn") {
+            exhibits.push_back(std::make_unique<SdfScenes>());
+            exhibits.push_back(std::make_unique<Fur>());
+        }
+        museum_ = std::make_unique<Museum>(std::move(exhibits));
         home_ = std::make_unique<QTemporaryDir>();
         for (const char* name : {"HOME", "XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME"})
             qputenv(name, home_->path().toLocal8Bit());
@@ -141,6 +154,7 @@ private slots:
         window_->close();
         window_.reset();
         renderers_.reset();
+        museum_.reset();
     }
 
     void anEditIsSeen_data()
@@ -291,6 +305,46 @@ private slots:
         QTRY_VERIFY(std::abs(brightness(viewport().shown()) - 63.75) < 3);
         QTRY_VERIFY(std::abs(brightness(compared.picture().image()) - 127.5) < 3);
         compared.letGo();
+    }
+
+    void anExhibitIsCopiedAsAShaderOfOnesOwn()
+    {
+        QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+        QToolButton* copy = nullptr;
+        for (QToolButton* each : panel().findChildren<QToolButton*>())
+            if (each->text() == "Copy as a shader of my own") copy = each;
+        QVERIFY(copy);
+        QTRY_COMPARE(copy->toolTip(), QString("This is a shader of your own already."));
+        QVERIFY(!copy->isEnabled());
+        settle();
+        const QImage gyroid = viewport().shown().copy();
+        window_->visit(fur);
+        QTRY_VERIFY_WITH_TIMEOUT(copy->toolTip().startsWith("Fur with Physics cannot stand alone: "), 60000);
+        QVERIFY(!copy->isEnabled());
+        window_->visit(scenes);
+        const ParameterValues& ofScenes = window_->history().sceneState().values[scenes];
+        window_->history().set(scenes, ofScenes.table().find("scene").value(), std::string("torus.json"), 0);
+        QTRY_VERIFY_WITH_TIMEOUT(copy->isEnabled(), 60000);
+        copy->click();
+        auto* dialog = window_->findChild<QFileDialog*>();
+        QVERIFY(dialog);
+        dialog->setDirectory(home_->path());
+        QCOMPARE(dialog->findChild<QLineEdit*>("fileNameEdit")->text(), QString("sdf_scenes.fs"));
+        QSignalSpy copied(&panel().copy(), &ShaderCopy::copied);
+        static_cast<QDialog*>(dialog)->accept();
+        const QString path = home_->filePath("sdf_scenes.fs");
+        QTRY_COMPARE_WITH_TIMEOUT(copied.count(), 1, 60000);
+        QCOMPARE(copied.first().first().toString(), path);
+        auto* strip = window_->findChild<MessageStrip*>();
+        QTRY_VERIFY(strip->texts().join(QLatin1Char('\n')).contains("It is a shader of your own now."));
+        QCOMPARE(window_->chosen(), shader);
+        QTRY_VERIFY(panel().view()->text().contains("as Vitrine draws it"));
+        const auto work = [&] { return static_cast<const YourShaderTable&>(values().table()).work; };
+        QTRY_VERIFY(work() && work()->path.filename() == "sdf_scenes.fs");
+        viewport().jumpTo(museum_->bestView(shader, values()));
+        QTRY_VERIFY_WITH_TIMEOUT(viewport().schedule().still(), 60000);
+        QVERIFY(brightness(viewport().shown()) > 5);
+        QVERIFY(viewport().shown() != gyroid);
     }
 
     void anErrorLeavesThePictureAsItIs()
