@@ -19775,6 +19775,12 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>der Frame setzt den letzten nicht fort</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/your_shader.cpp"/>
+        <location filename="exhibits/your_shader/guest_passes.cpp"/>
+        <source>The frame stays empty.</source>
+        <translation>Der Rahmen bleibt leer.</translation>
+    </message>
+    <message>
         <location filename="exhibits/hall/own_objects.cpp"/>
         <source>the free plinth is empty</source>
         <translation>der freie Sockel ist leer</translation>
@@ -20089,6 +20095,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/framework/table/preset_values.cpp"/>
         <source>the name of a choice</source>
         <translation>der Name einer Auswahl</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_views.cpp"/>
+        <source>The name of {1} says {2} x {3} views; it is read as {4} x {5}.</source>
+        <translation>Der Name von {=1} nennt {2} x {3} Ansichten; gelesen wird das Bild als {4} x {5}.</translation>
     </message>
     <message>
         <location filename="render/files/atomic_write.cpp"/>
@@ -20474,12 +20485,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/hall/hall_tone_mapping.cpp"/>
         <source>the screen shows less than the eye sees</source>
         <translation>der Bildschirm zeigt weniger, als das Auge sieht</translation>
-    </message>
-    <message>
-        <location filename="exhibits/your_shader/your_shader.cpp"/>
-        <location filename="exhibits/your_shader/guest_passes.cpp"/>
-        <source>The frame stays empty.</source>
-        <translation>Der Rahmen bleibt leer.</translation>
     </message>
     <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays.cpp"/>

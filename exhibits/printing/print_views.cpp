@@ -122,7 +122,7 @@ std::shared_ptr<const PrintViews> readQuilt(const ParameterValues& values, const
     if (const auto named = quiltNamed(file); named && (named->columns != columns || named->rows != rows))
         reading.views->addNote("The name of " + file.filename().string() + " says " + std::to_string(named->columns) +
                                " x " + std::to_string(named->rows) + " views; it is read as " +
-                               std::to_string(columns) + " x " + std::to_string(rows) + '.');
+                               std::to_string(columns) + " x " + std::to_string(rows) + ".");
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         require(progress, static_cast<double>(i) / static_cast<double>(chosen.size()));
         const int k = static_cast<int>(chosen[i]);

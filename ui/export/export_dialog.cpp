@@ -57,9 +57,9 @@ ExportDialog::ExportDialog(std::vector<ExportKind> kinds, QWidget* parent)
 
 QDialog* ExportDialog::page(const ExportKind& kind)
 {
-    QDialog*& page = pages_[kind.id];
-    if (page) return page;
-    page = kind.makePage(stack_);
+    if (const auto known = pages_.find(kind.id); known != pages_.end()) return known->second;
+    QDialog* page = kind.makePage(stack_);  // Kept only after this, which may throw.
+    pages_[kind.id] = page;
     page->setWindowFlags(Qt::Widget);
     page->setAccessibleName(kind.title);
     stack_->addWidget(page);

@@ -7,6 +7,7 @@
 #include "render/version.h"
 #include "tests/render/scene/gltf_builder.h"
 #include "tests/ui/ui_main.h"
+#include "ui/export/export_dialog.h"
 #include "ui/jobs/job_dialog.h"
 #include "ui/jobs/sprite_preview.h"
 #include "ui/kit/export_bar.h"
@@ -18,6 +19,7 @@
 #include <QComboBox>
 #include <QDir>
 #include <QLabel>
+#include <QListWidget>
 #include <QPointer>
 #include <QProcess>
 #include <QPushButton>
@@ -26,6 +28,7 @@
 #include <clocale>
 #include <fstream>
 #include <set>
+#include <stdexcept>
 
 using namespace vitrine;
 using namespace vitrine::ui;
@@ -383,6 +386,24 @@ private slots:
         QVERIFY(dialog_->setup().values() == before);
         QCOMPARE(animations().currentText(), QString("jump"));
         QCOMPARE(dialog_->setup().history().stack().count(), 0);
+    }
+
+    void anExportWhosePageCannotBeMadeIsClosed()
+    {
+        ExportDialog dialog({{"broken", "Broken", [](QWidget*) -> QDialog* { throw std::runtime_error("no page"); },
+                              [](const QDialog&) { return false; }}},
+                            nullptr);
+        bool isThrown = false;
+        try {
+            dialog.findChild<QListWidget*>()->setCurrentRow(0);
+        } catch (const std::runtime_error&) {
+            isThrown = true;
+        }
+        QVERIFY(isThrown);
+        dialog.show();
+        QCOMPARE(dialog.shownKind(), QString("broken"));
+        QTest::keyClick(&dialog, Qt::Key_Escape);
+        QVERIFY(!dialog.isVisible());
     }
 };
 
