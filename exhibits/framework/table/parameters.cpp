@@ -222,7 +222,7 @@ std::uint16_t Parameters::appendParameter(ParameterInfo row)
     assert(nearestLegal(row, row.initial).has_value());
     assert(row.words.empty() || row.isNumeric());
     assert(!row.several || row.isWritten());
-    assert(row.given.tuple.empty() || row.isNumeric());
+    assert(row.given.tuple.empty() || row.isNumeric() || row.kind == Kind::file);
     rows_.push_back(std::move(row));
     return static_cast<std::uint16_t>(rows_.size() - 1);
 }
