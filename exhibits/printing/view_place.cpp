@@ -18,13 +18,13 @@ std::string_view trimmed(std::string_view text)
     return render::trimmed(text, " ");
 }
 
-/// Removes everything up to the first `sign` from `rest`, and the sign with it; all of `rest` if it has no such sign.
+/// Removes everything up to the first `sign` from `left`, and the sign with it; all of `left` if it has no such sign.
 /// Returns the removed text, trimmed, without the sign.
-std::string_view takeTo(char sign, std::string_view& rest)
+std::string_view takeTo(char sign, std::string_view& left)
 {
-    const std::size_t at = rest.find(sign);
-    const std::string_view part = rest.substr(0, at);
-    rest = at == std::string_view::npos ? std::string_view() : rest.substr(at + 1);
+    const std::size_t at = left.find(sign);
+    const std::string_view part = left.substr(0, at);
+    left = at == std::string_view::npos ? std::string_view() : left.substr(at + 1);
     return trimmed(part);
 }
 
@@ -51,8 +51,8 @@ ViewPlaces viewPlaces(std::string_view text)
     ViewPlaces places;
     std::string lines(text);
     std::replace(lines.begin(), lines.end(), '\n', ';');
-    for (std::string_view rest = lines; !trimmed(rest).empty();) {
-        const std::string_view part = takeTo(';', rest);
+    for (std::string_view left = lines; !trimmed(left).empty();) {
+        const std::string_view part = takeTo(';', left);
         if (part.empty()) continue;
         const auto place = onePlace(part);
         if (!place)
