@@ -15,11 +15,6 @@ bool belongsToForm(std::string_view word)
            word.starts_with("iChannel");
 }
 
-bool isPrecision(std::string_view word)
-{
-    return word == "highp" || word == "mediump" || word == "lowp";
-}
-
 /// Qualifiers and types of GLSL, which are no names.
 bool isTypeWord(std::string_view word)
 {
@@ -178,28 +173,6 @@ bool usesWord(const Code& code, std::string_view word)
 {
     return std::any_of(code.begin(), code.end(),
                        [&](const CodePiece& piece) { return Tokens(piece.text).contains(word); });
-}
-
-std::vector<VaryingName> varyingNames(const Code& code)
-{
-    std::vector<VaryingName> found;
-    for (const CodePiece& piece : code) {
-        const Tokens tokens(piece.text);
-        int depth = 0;
-        for (std::size_t i = 0; i + 2 < tokens.size(); ++i) {
-            const std::string_view word = tokens.text(i);
-            if (tokens[i].directive != 0) continue;
-            depth += (word == "{") - (word == "}") + (word == "(") - (word == ")");
-            if (depth != 0 || (word != "in" && word != "varying")) continue;
-            std::size_t at = i + 1;
-            while (isPrecision(tokens.text(at))) ++at;
-            VaryingName varying{std::string(tokens.text(at)), std::string(tokens.text(at + 1))};
-            const auto isKnown = [&](const VaryingName& other) { return other.name == varying.name; };
-            if (tokens.text(at + 2) == ";" && std::none_of(found.begin(), found.end(), isKnown))
-                found.push_back(std::move(varying));
-        }
-    }
-    return found;
 }
 
 std::string outputName(const Code& code)

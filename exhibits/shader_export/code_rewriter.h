@@ -28,12 +28,6 @@ inline constexpr const char* exportedMain = "pictureMain";
 /// Returns whether a word stands in the code, outside of comments.
 [[nodiscard]] bool usesWord(const Code&, std::string_view word);
 
-/// A variable that a plain shader expects of its vertex shader.
-struct VaryingName {
-    std::string type, name;
-};
-[[nodiscard]] std::vector<VaryingName> varyingNames(const Code&);
-
 /// Returns the name of the output that a plain shader declares: `out vec4 color;`. Empty if it declares none.
 [[nodiscard]] std::string outputName(const Code&);
 

@@ -1,6 +1,7 @@
 #include "exhibits/shader_export/form_bridge.h"
 
 #include "exhibits/shader_export/code_rewriter.h"
+#include "exhibits/your_shader/guest_glsl.h"
 
 #include <map>
 
@@ -114,7 +115,7 @@ std::vector<BridgedVariable> bridgedVariables(const ExportedShader& exported, co
         variables.push_back(std::move(variable));
     }
     if (shader.form == Form::plain)
-        for (const VaryingName& varying : varyingNames(pass.code)) {
+        for (const Varying& varying : varyingsOf(pass.code)) {
             const std::string& n = words.normalized;
             const std::string value = varying.type == "float"  ? n + ".x"
                                       : varying.type == "vec2" ? n

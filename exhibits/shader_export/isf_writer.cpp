@@ -228,7 +228,7 @@ private:
     [[nodiscard]] bool isShared(const std::string& name, const Pass& pass) const
     {
         const auto isNamed = [&](const auto& each) { return each.name == name; };
-        const std::vector<VaryingName> varyings = varyingNames(pass.code);
+        const std::vector<Varying> varyings = varyingsOf(pass.code);
         return shader_.inputNamed(name) != nullptr ||
                std::any_of(shader_.builtIns.begin(), shader_.builtIns.end(), isNamed) ||
                std::any_of(varyings.begin(), varyings.end(), isNamed);

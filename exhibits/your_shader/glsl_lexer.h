@@ -43,6 +43,12 @@ private:
     std::vector<Token> tokens_;
 };
 
+/// Returns whether a word is a precision of GLSL ES, such as "highp".
+[[nodiscard]] inline bool isPrecision(std::string_view word)
+{
+    return word == "highp" || word == "mediump" || word == "lowp";
+}
+
 /// Returns the column (from 1) where a word first stands in a line of the text; 1 if it does not.
 [[nodiscard]] int columnOf(std::string_view text, int line, std::string_view word);
 

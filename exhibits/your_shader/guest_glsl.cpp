@@ -248,33 +248,6 @@ constexpr const char* twoTriangles = R"(vec2 guest_corner()
 }
 )";
 
-/// A variable that a plain fragment shader expects of its vertex shader.
-struct Varying {
-    std::string type, name;
-};
-
-std::vector<Varying> varyingsOf(const Code& code)
-{
-    std::vector<Varying> found;
-    std::set<std::string> names;
-    for (const CodePiece& piece : code) {
-        const Tokens tokens(piece.text);
-        int depth = 0;
-        for (std::size_t i = 0; i + 2 < tokens.size(); ++i) {
-            const std::string_view word = tokens.text(i);
-            if (tokens[i].directive != 0) continue;
-            depth += (word == "{") - (word == "}") + (word == "(") - (word == ")");
-            if (depth != 0 || (word != "in" && word != "varying")) continue;
-            std::size_t at = i + 1;
-            while (tokens.text(at) == "highp" || tokens.text(at) == "mediump" || tokens.text(at) == "lowp") ++at;
-            const std::string name(tokens.text(at + 1));
-            if (tokens.text(at + 2) == ";" && names.insert(name).second)
-                found.push_back({std::string(tokens.text(at)), name});
-        }
-    }
-    return found;
-}
-
 std::string vertexText(const Shader& shader, const Pass& pass, const std::string& blocks)
 {
     std::string text = "#version 450\n" + lineDirective(1, PassText::ownSource) +
@@ -367,6 +340,28 @@ std::string inVisitorsWords(std::string_view text)
 }
 
 }  // namespace
+
+std::vector<Varying> varyingsOf(const Code& code)
+{
+    std::vector<Varying> found;
+    std::set<std::string> names;
+    for (const CodePiece& piece : code) {
+        const Tokens tokens(piece.text);
+        int depth = 0;
+        for (std::size_t i = 0; i + 2 < tokens.size(); ++i) {
+            const std::string_view word = tokens.text(i);
+            if (tokens[i].directive != 0) continue;
+            depth += (word == "{") - (word == "}") + (word == "(") - (word == ")");
+            if (depth != 0 || (word != "in" && word != "varying")) continue;
+            std::size_t at = i + 1;
+            while (isPrecision(tokens.text(at))) ++at;
+            const std::string name(tokens.text(at + 1));
+            if (tokens.text(at + 2) == ";" && names.insert(name).second)
+                found.push_back({std::string(tokens.text(at)), name});
+        }
+    }
+    return found;
+}
 
 bool isPicture(const Input& input)
 {

@@ -31,6 +31,13 @@ struct PictureUse {
 /// shader of the visitor, else one that is larger than the picture.
 [[nodiscard]] int trianglesOf(const Shader&);
 
+/// A variable that a plain fragment shader expects of its vertex shader.
+struct Varying {
+    std::string type, name;
+};
+/// Returns the variables that the code declares with `in` or `varying`, each name once.
+[[nodiscard]] std::vector<Varying> varyingsOf(const Code&);
+
 /// Returns whether an input is a picture.
 [[nodiscard]] bool isPicture(const Input&);
 

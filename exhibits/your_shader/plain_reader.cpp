@@ -55,7 +55,7 @@ private:
         std::size_t end = i;
         while (end < tokens_.size() && tokens_.text(end) != ";") ++end;
         std::size_t at = i + 1;
-        while (tokens_.text(at) == "highp" || tokens_.text(at) == "mediump" || tokens_.text(at) == "lowp") ++at;
+        while (isPrecision(tokens_.text(at))) ++at;
         const std::string type(tokens_.text(at));
         bool expectsName = true;
         for (++at; at < end; ++at) {

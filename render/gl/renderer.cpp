@@ -347,7 +347,7 @@ struct Renderer::State {
                 if (pass.countSamples) samplesQueries.emplace_back();
                 const ProgramInUse used = run(pass, ranges[next], building);
                 if (pass.countSamples) SamplesQuery::end();
-                if (isCanceled && isCanceled()) throw Abandoned();  // It may have ended an unbounded pass.
+                if (pass.unbounded && abandoned()) throw Abandoned();  // It may have ended between two bands.
                 if (pass.unbounded && unbounded.isOver())
                     leaveOut(pass, report);
                 else if (used.fallback.empty())

@@ -246,12 +246,16 @@ Image flipMap(const Image& reference, const Image& test, double pixelsPerDegree)
     return map;
 }
 
-double flip(const Image& reference, const Image& test, double pixelsPerDegree)
+double meanOfMap(const Image& map)
 {
-    const Image map = flipMap(reference, test, pixelsPerDegree);
     double sum = 0;
     for (const float error : map.pixels) sum += error;
     return map.empty() ? 0 : sum / static_cast<double>(map.pixels.size());
+}
+
+double flip(const Image& reference, const Image& test, double pixelsPerDegree)
+{
+    return meanOfMap(flipMap(reference, test, pixelsPerDegree));
 }
 
 }  // namespace vitrine::render

@@ -16,6 +16,8 @@ inline constexpr double flipPixelsPerDegree = 67;
 /// filters, which its Gaussians are. `pixelsPerDegree` must be positive.
 [[nodiscard]] Image flipMap(const Image& reference, const Image& test, double pixelsPerDegree = flipPixelsPerDegree);
 
+/// Returns the mean of a map of errors, which has one channel; 0 if it is empty.
+[[nodiscard]] double meanOfMap(const Image&);
 /// Returns the mean of the map.
 [[nodiscard]] double flip(const Image& reference, const Image& test, double pixelsPerDegree = flipPixelsPerDegree);
 

@@ -91,10 +91,7 @@ Image hdrFlipMap(const Image& reference, const Image& test, double pixelsPerDegr
 
 double hdrFlip(const Image& reference, const Image& test, double pixelsPerDegree)
 {
-    const Image map = hdrFlipMap(reference, test, pixelsPerDegree);
-    double sum = 0;
-    for (const float error : map.pixels) sum += error;
-    return map.empty() ? 0 : sum / static_cast<double>(map.pixels.size());
+    return meanOfMap(hdrFlipMap(reference, test, pixelsPerDegree));
 }
 
 }  // namespace vitrine::render
