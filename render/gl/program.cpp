@@ -2,6 +2,7 @@
 
 #include "render/failure.h"
 #include "render/gl/program_binaries.h"
+#include "render/measure/clock.h"
 
 #include <algorithm>
 #include <iterator>
@@ -37,7 +38,19 @@ bool buildsInParallel()
     return epoxy_has_gl_extension("GL_KHR_parallel_shader_compile");
 }
 
+void allowBuildThreads()
+{
+    if (buildsInParallel()) glMaxShaderCompilerThreadsKHR(0xFFFFFFFF);
+}
+
 PendingProgram::PendingProgram(const ShaderSource& source, const ShaderKey& key)
+{
+    const double start = wallSeconds();
+    hand(source, key);
+    built_.seconds = wallSeconds() - start;
+}
+
+void PendingProgram::hand(const ShaderSource& source, const ShaderKey& key)
 {
     std::vector<std::pair<GLenum, ShaderText>> texts;
     try {
@@ -85,24 +98,30 @@ bool PendingProgram::done() const
 
 BuiltProgram PendingProgram::take()
 {
-    if (!program_) return std::move(built_);
+    const double start = wallSeconds();
+    if (program_) finish();
+    built_.seconds += wallSeconds() - start;
+    return std::move(built_);
+}
+
+void PendingProgram::finish()
+{
     for (const Stage& stage : stages_) {
         GLint good = GL_FALSE;
         glGetShaderiv(stage.shader.name(), GL_COMPILE_STATUS, &good);
         if (good == GL_TRUE) continue;
         built_.problem = firstError(infoLog(stage.shader.name(), false), stage.source.files);
-        return std::move(built_);
+        return;
     }
     GLint good = GL_FALSE;
     glGetProgramiv(program_.name(), GL_LINK_STATUS, &good);
     if (good != GL_TRUE) {
         built_.problem = firstError(infoLog(program_.name(), true), stages_.back().source.files);
-        return std::move(built_);
+        return;
     }
     for (const Stage& stage : stages_) glDetachShader(program_.name(), stage.shader.name());
     saveProgramBinary(program_.name(), everything_);
     built_.program = std::move(program_);
-    return std::move(built_);
 }
 
 void PendingProgram::abandon()

@@ -15,6 +15,7 @@ struct BuiltProgram {
     std::vector<std::string> files;  ///< Every shader file that it includes, for hot reload.
     ShaderMessage problem;           ///< Set if the build failed.
     bool fromCache = false;
+    double seconds = 0;  ///< Time that the calling thread needed, or waited for the driver.
 };
 
 /// Compiles and links the program, or loads the linked binary from the user's cache folder if driver and source are the
@@ -32,6 +33,9 @@ public:
     void abandon();
 
 private:
+    void hand(const ShaderSource&, const ShaderKey&);
+    void finish();
+
     struct Stage {
         ShaderName shader;
         ShaderText source;
@@ -44,6 +48,9 @@ private:
 
 /// Returns whether the driver of the current context compiles several programs in the background.
 [[nodiscard]] bool buildsInParallel();
+
+/// Lets the driver of the current context use as many threads as it wants for that.
+void allowBuildThreads();
 
 /// Returns a readable name: "kit/sdf/march.frag [GLASS]".
 [[nodiscard]] std::string describe(const ShaderKey&);

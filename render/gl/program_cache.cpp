@@ -50,6 +50,22 @@ std::optional<ProgramInUse> ProgramCache::useSpecialized(const ShaderKey& key)
     return ProgramInUse{.program = entry.build.program.name(), .specialized = key.specialized->about};
 }
 
+void ProgramCache::begin(const std::vector<Pass>& passes, Building building)
+{
+    if (!buildsInParallel()) return;
+    for (const Pass& pass : passes) {
+        if (pass.work == Work::simulation) continue;
+        const bool waits = building == Building::isWaitedFor || !canWait(pass.shader);
+        if (!waits && !pass.shader.meanwhile) continue;
+        const ShaderKey& key = waits ? pass.shader : *pass.shader.meanwhile;
+        const auto [entry, isNew] = programs_.try_emplace(identify(key), Entry{key, {}, {}});
+        if (!isNew) continue;
+        entry->second.lastUse = frame_;
+        entry->second.building = entry->second.awaited = true;
+        entry->second.pending.emplace(source_, key);
+    }
+}
+
 ProgramInUse ProgramCache::use(const ShaderKey& key, Building building)
 {
     if (building == Building::goesOn)
@@ -66,7 +82,7 @@ ProgramInUse ProgramCache::use(const ShaderKey& key, Building building)
     Entry& entry = found->second;
     entry.lastUse = frame_;
     takeWhatIsFinished(id, entry);
-    if (entry.building && building == Building::isWaitedFor) buildNow(id, entry);
+    if (entry.building && (entry.awaited || building == Building::isWaitedFor)) buildNow(id, entry);
     if (entry.build.program) {
         if (!key.programFamily.empty()) {
             lastGood_[key.programFamily] = id;
@@ -102,7 +118,9 @@ void ProgramCache::beginInBackground(const std::string& id, Entry& entry)
 void ProgramCache::giveUpOthers(const std::string& family, const std::string& id)
 {
     std::erase_if(programs_, [&](const auto& entry) {
-        if (entry.first == id || !entry.second.building || entry.second.key.programFamily != family) return false;
+        if (entry.first == id || !entry.second.building || entry.second.awaited ||
+            entry.second.key.programFamily != family)
+            return false;
         if (builder_) builder_->cancel(entry.first);
         return true;
     });
@@ -118,17 +136,21 @@ void ProgramCache::takeWhatIsFinished(const std::string& id, Entry& entry)
         finished = builder_->take(id);
     }
     if (!finished) return;
-    entry.building = false;
+    entry.building = entry.awaited = false;
     entry.pending.reset();
     take(entry, std::move(*finished));
 }
 
-/// Builds it here instead of waiting for the thread, which may have others in its queue.
+/// Waits for the driver. What the thread should build is built here instead, since it may have others in its queue.
 void ProgramCache::buildNow(const std::string& id, Entry& entry)
 {
-    if (!entry.pending) builder_->cancel(id);
-    entry.pending.reset();
-    entry.building = false;
+    entry.building = entry.awaited = false;
+    if (entry.pending) {
+        take(entry, entry.pending->take());
+        entry.pending.reset();
+        return;
+    }
+    builder_->cancel(id);
     rebuild(entry);
 }
 
@@ -158,7 +180,7 @@ void ProgramCache::dropIdle()
 {
     std::vector<std::pair<std::uint64_t, std::string>> idle;
     for (const auto& [id, entry] : programs_)
-        if (entry.lastUse != frame_ && !entry.building) idle.emplace_back(entry.lastUse, id);
+        if (entry.lastUse != frame_ && (!entry.building || entry.awaited)) idle.emplace_back(entry.lastUse, id);
     if (idle.size() <= mostIdle) return;
     std::sort(idle.begin(), idle.end());
     for (std::size_t i = 0; i < idle.size() - mostIdle; ++i) programs_.erase(idle[i].second);
@@ -173,7 +195,7 @@ void ProgramCache::rebuild(Entry& entry)
 void ProgramCache::take(Entry& entry, BuiltProgram fresh)
 {
     entry.newest = newestFile(fresh.files.empty() ? entry.build.files : fresh.files);
-    built_ += fresh.fromCache ? 0 : 1;
+    if (!fresh.fromCache) builds_.push_back({describe(entry.key), fresh.seconds});
     const std::string& family = entry.key.programFamily;
     if (!family.empty())
         std::erase_if(problems_, [&](const ShaderProblem& problem) { return problem.programFamily == family; });

@@ -37,6 +37,8 @@ public:
     /// Number of programs that are kept although the last frame did not use them.
     static constexpr std::size_t mostIdle = 24;
 
+    ProgramCache() { allowBuildThreads(); }
+
     /// Builds programs of families on a thread with this context from now on. Null stops that thread.
     void buildWith(std::shared_ptr<SharedContext>);
 
@@ -46,6 +48,9 @@ public:
     void dropIdle();
 
     enum class Building { goesOn, isWaitedFor };
+    /// Starts building the programs of these passes that a frame has to wait for, all at once. A driver that compiles
+    /// in the background then needs the time of the slowest of them instead of their sum. Does nothing for others.
+    void begin(const std::vector<Pass>&, Building);
     /// Returns the program or a fallback: its last good build, or another program of its family. Throws Failure
     /// (ErrorKind::shader) if there is none.
     [[nodiscard]] ProgramInUse use(const ShaderKey&, Building = Building::goesOn);
@@ -57,8 +62,8 @@ public:
     bool reloadChanged();
     [[nodiscard]] const std::vector<ShaderProblem>& problems() const { return problems_; }
     [[nodiscard]] std::size_t size() const { return programs_.size(); }
-    /// Number of builds so far that were not served by the cache on disk.
-    [[nodiscard]] int built() const { return built_; }
+    /// Builds so far that were not served by the cache on disk, in their order.
+    [[nodiscard]] const std::vector<ProgramBuild>& builds() const { return builds_; }
     void abandon();
 
 private:
@@ -68,6 +73,7 @@ private:
         std::filesystem::file_time_type newest{};
         std::uint64_t lastUse = 0;
         bool building = false;                  ///< Being built in the background.
+        bool awaited = false;                   ///< Being built because a frame waits for it (`begin`).
         std::optional<PendingProgram> pending;  ///< For a driver that compiles in the background.
     };
     using Programs = std::map<std::string, Entry>;
@@ -86,7 +92,7 @@ private:
     Programs programs_;
     std::map<std::string, std::string> lastGood_;  ///< Family -> id of the program that was last used successfully.
     std::vector<ShaderProblem> problems_;
-    int built_ = 0;
+    std::vector<ProgramBuild> builds_;
     std::uint64_t frame_ = 0;
     std::unique_ptr<ProgramBuilder> builder_;
 };

@@ -334,6 +334,7 @@ struct Renderer::State {
                    FrameClock& clock, std::vector<SamplesQuery>& samplesQueries, FrameReport& report)
     {
         const auto building = plan.allSlices ? ProgramCache::Building::isWaitedFor : ProgramCache::Building::goesOn;
+        programs.begin(plan.passes(), building);
         std::size_t next = 0;
         try {
             for (; next < plan.passes().size(); ++next) {
@@ -522,6 +523,11 @@ bool Renderer::reloadChangedShaders()
 const std::vector<ShaderProblem>& Renderer::problems() const
 {
     return state_->programs.problems();
+}
+
+const std::vector<ProgramBuild>& Renderer::builds() const
+{
+    return state_->programs.builds();
 }
 
 void Renderer::abandon()

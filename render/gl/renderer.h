@@ -28,6 +28,12 @@ struct ShaderProblem {
     std::string programFamily = {};  ///< Family of the failed program (ShaderKey::programFamily); empty if it has none.
 };
 
+/// A program that was compiled and linked.
+struct ProgramBuild {
+    std::string program;  ///< For example "kit/sdf/march.frag [GLASS]".
+    double seconds = 0;   ///< Time that the thread that built it needed, or waited for the driver.
+};
+
 /// Executes frame plans on the current OpenGL 4.5 core context, on one thread. The context must be current at
 /// construction and at every call; drawing on another thread throws std::logic_error. Images are kept while frames
 /// declare or use them. Meshes and textures are kept while their originals live. Programs are kept while they are among
@@ -76,6 +82,10 @@ public:
     /// is listed by `problems`. Returns whether any picture may have changed.
     bool reloadChangedShaders();
     [[nodiscard]] const std::vector<ShaderProblem>& problems() const;
+
+    /// Returns the programs that were built so far, in their order, without those from the cache on disk. Includes the
+    /// siblings' programs.
+    [[nodiscard]] const std::vector<ProgramBuild>& builds() const;
 
     /// Returns the memory in use by kind: images of this renderer, and textures, meshes and programs, which siblings
     /// share.

@@ -33,6 +33,7 @@ struct Gallery {
     Museum museum{allExhibits()};
     SceneState sceneState = museum.initialSceneState();
     render::gl::Renderer renderer{};
+    render::FrameReport report{};  ///< The latest frame's.
 };
 
 struct Frame {
@@ -60,9 +61,24 @@ Frame draw(Gallery& gallery, std::size_t subject, glm::ivec2 size, State state, 
         request.sample = 1 + n % 15;
     }
     const double start = render::wallSeconds();
-    const render::FrameReport report = gallery.renderer.draw(
+    gallery.report = gallery.renderer.draw(
         test::planned(gallery.museum, gallery.sceneState, request, gallery.renderer.persistentState()));
-    return {1e3 * (render::wallSeconds() - start), report.milliseconds};
+    return {1e3 * (render::wallSeconds() - start), gallery.report.milliseconds};
+}
+
+/// Returns the slowest passes of the latest frame as text, with their milliseconds by the clock of the head.
+std::string slowestPasses(const Gallery& gallery)
+{
+    std::vector<render::StepReport> ran = gallery.report.ran;
+    std::stable_sort(ran.begin(), ran.end(),
+                     [](const auto& a, const auto& b) { return a.milliseconds > b.milliseconds; });
+    std::string text;
+    for (std::size_t i = 0; i < std::min<std::size_t>(ran.size(), 4); ++i) {
+        char pass[128];
+        std::snprintf(pass, sizeof pass, "%s%s %.2f", i ? ", " : "", ran[i].name.c_str(), ran[i].milliseconds);
+        text += pass;
+    }
+    return text;
 }
 
 /// Measures frames of one state for at most `seconds`, and returns a table's cell. `last` is the wall time of the
@@ -89,6 +105,51 @@ std::string cell(Gallery& gallery, std::size_t subject, glm::ivec2 size, State s
     return text;
 }
 
+/// Prints the rest of a subject's line of the table of frames within `share` seconds. Returns its line of the table of
+/// passes.
+std::string printSubject(Gallery& gallery, std::size_t subject, double share)
+{
+    const double begin = render::wallSeconds();
+    gallery.renderer.timeSteps(true);
+    const double first = draw(gallery, subject, small, State::still, 0).wall;
+    const std::string passes = slowestPasses(gallery) + " | ";
+    gallery.renderer.timeSteps(false);
+    Frame last = draw(gallery, subject, small, State::still, 0);
+    std::printf(" %.0f | %.0f |", first, last.wall);
+    // Frames that build specialized programs, or draw slices that are left, are slower.
+    for (int n = 0; n < 8 && render::wallSeconds() < begin + share / 5; ++n)
+        if (const Frame next = draw(gallery, subject, small, State::still, 0); next.wall < last.wall) last = next;
+    glm::dvec2 drawn(small);
+    int left = 9;
+    for (const glm::ivec2 size : sizes) {
+        last.wall *= size.x * size.y / (drawn.x * drawn.y);
+        drawn = size;
+        for (const State state : {State::still, State::moving, State::refining}) {
+            const double each = (begin + share - render::wallSeconds()) / left--;
+            std::printf(" %s |", cell(gallery, subject, size, state, each, last).c_str());
+            std::fflush(stdout);
+        }
+    }
+    std::printf("\n");
+    if (last.wall > 1e3) return passes + "left out: too slow";
+    gallery.renderer.timeSteps(true);
+    for (int n = 0; n < 2; ++n) (void)draw(gallery, subject, sizes[0], State::still, 0);
+    gallery.renderer.timeSteps(false);
+    return passes + slowestPasses(gallery);
+}
+
+/// Prints the programs for which the frames waited longest.
+void printBuilds(std::vector<render::gl::ProgramBuild> builds)
+{
+    double sum = 0;
+    for (const auto& build : builds) sum += build.seconds;
+    std::stable_sort(builds.begin(), builds.end(), [](const auto& a, const auto& b) { return a.seconds > b.seconds; });
+    std::printf("\n## Programs: %zu built, waited for in %.1f s together\n\n| waited for longest | s |\n|---|---|\n",
+                builds.size(), sum);
+    for (std::size_t i = 0; i < std::min<std::size_t>(builds.size(), 10); ++i)
+        std::printf("| %s | %.2f |\n", builds[i].program.c_str(), builds[i].seconds);
+}
+
 /// Prints frame times and times of compilation. Nothing is read from a cache of programs.
 void printFrames(double end)
 {
@@ -96,6 +157,7 @@ void printFrames(double end)
     ::setenv("__GL_SHADER_DISK_CACHE", "0", 1);
     const render::gl::HeadlessContext context;
     Gallery gallery;
+    std::string passes;
     std::printf("\n## Frames, in milliseconds: wall clock · clock of the head\n\nHall: from the entrance. Exhibits: at "
                 "their places, from their best views. First picture: 320 x 180, with programs to compile and textures "
                 "to upload.\n\n"
@@ -105,29 +167,19 @@ void printFrames(double end)
     std::printf("\n|%s\n", "---|---|---|---|---|---|---|---|---|---|---|---|");
     const std::size_t count = gallery.museum.subjects().size();
     for (std::size_t subject = 0; subject < count; ++subject) {
+        const std::string name(gallery.museum.subject(subject).name());
         const double share = (end - render::wallSeconds()) / static_cast<double>(count - subject);
-        const double until = render::wallSeconds() + share;
-        std::printf("| %s |", std::string(gallery.museum.subject(subject).name()).c_str());
-        if (share < 1) {
+        std::printf("| %s |", name.c_str());
+        if (share < 1)
             std::printf(" left out: no time left | | | | | | | | | | |\n");
-            continue;
-        }
-        const double first = draw(gallery, subject, small, State::still, 0).wall;
-        Frame last = draw(gallery, subject, small, State::still, 0);
-        std::printf(" %.0f | %.0f |", first, last.wall);
-        glm::dvec2 drawn(small);
-        int left = 9;
-        for (const glm::ivec2 size : sizes) {
-            last.wall *= size.x * size.y / (drawn.x * drawn.y);
-            drawn = size;
-            for (const State state : {State::still, State::moving, State::refining}) {
-                const double each = (until - render::wallSeconds()) / left--;
-                std::printf(" %s |", cell(gallery, subject, size, state, each, last).c_str());
-                std::fflush(stdout);
-            }
-        }
-        std::printf("\n");
+        else
+            passes += "| " + name + " | " + printSubject(gallery, subject, share) + " |\n";
     }
+    std::printf("\n## Slowest passes, in milliseconds by the clock of the head\n\nA timer query includes the time for "
+                "which the GPU waits for a program to be built.\n\n"
+                "| what | first picture | 1280 x 720 still |\n|---|---|---|\n%s",
+                passes.c_str());
+    printBuilds(gallery.renderer.builds());
     std::printf("\n## Memory of the renderer at the end\n\n| what | count | MB |\n|---|---|---|\n");
     for (const auto& stored : gallery.renderer.stored())
         std::printf("| %s | %lld | %.1f |\n", stored.what.c_str(), static_cast<long long>(stored.count),

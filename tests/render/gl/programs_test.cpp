@@ -332,6 +332,34 @@ TEST_F(GeneratedShaders, AreLetGoWhenNotUsedForLong)
     EXPECT_EQ(static_cast<std::size_t>(gl::ProgramName::live() - before), cache.size());
 }
 
+TEST_F(GeneratedShaders, OfOneFrameAreBuiltTogether)
+{
+    if (!gl::buildsInParallel()) GTEST_SKIP() << "the driver compiles one program after the other";
+    std::vector<Pass> passes(3);
+    for (std::size_t i = 0; i < 3; ++i)
+        passes[i].shader = key(i == 1 ? "not GLSL\n" : returns(50 + static_cast<int>(i)), "scene");
+    ProgramCache cache;
+    cache.beginFrame();
+    cache.begin(passes, ProgramCache::Building::goesOn);
+    EXPECT_EQ(cache.size(), 3U);
+    EXPECT_EQ(cache.builds().size(), 0U) << "none is waited for yet";
+    EXPECT_NE(cache.use(passes[0].shader).program, 0U);
+    EXPECT_EQ(cache.builds().size(), 1U);
+    EXPECT_FALSE(cache.use(passes[1].shader).fallback.empty()) << "drawn with the first, of the same family";
+    EXPECT_TRUE(cache.use(passes[2].shader).fallback.empty());
+    EXPECT_EQ(cache.builds().size(), 3U) << "each was built once";
+
+    passes.resize(1);
+    passes[0].shader = key(returns(60));
+    cache.begin(passes, ProgramCache::Building::isWaitedFor);
+    for (int i = 0; i < 30; ++i) {
+        cache.beginFrame();
+        (void)cache.use(key(returns(100 + i)));
+        cache.dropIdle();
+    }
+    EXPECT_LE(cache.size(), 1 + ProgramCache::mostIdle) << "what no frame used is deleted, finished or not";
+}
+
 TEST_F(GeneratedShaders, ComeBackFromTheCacheOnDisk)
 {
     const test::TemporaryFolder folder;
@@ -341,13 +369,13 @@ TEST_F(GeneratedShaders, ComeBackFromTheCacheOnDisk)
     {
         ProgramCache first;
         (void)first.use(key(returns(1)));
-        EXPECT_EQ(first.built(), 1);
+        EXPECT_EQ(first.builds().size(), 1U);
     }
     ProgramCache second;
     (void)second.use(key(returns(1)));
-    EXPECT_EQ(second.built(), 0) << "the same text";
+    EXPECT_EQ(second.builds().size(), 0U) << "the same text";
     (void)second.use(key(returns(2)));
-    EXPECT_EQ(second.built(), 1) << "another one under the same path";
+    EXPECT_EQ(second.builds().size(), 1U) << "another one under the same path";
     outer ? setenv("XDG_CACHE_HOME", restored.c_str(), 1) : unsetenv("XDG_CACHE_HOME");
 }
 
