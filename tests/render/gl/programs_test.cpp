@@ -338,6 +338,7 @@ TEST_F(GeneratedShaders, OfOneFrameAreBuiltTogether)
     std::vector<Pass> passes(3);
     for (std::size_t i = 0; i < 3; ++i)
         passes[i].shader = key(i == 1 ? "not GLSL\n" : returns(50 + static_cast<int>(i)), "scene");
+    setenv("VITRINE_NO_PROGRAM_CACHE", "1", 1);
     ProgramCache cache;
     cache.beginFrame();
     cache.begin(passes, ProgramCache::Building::goesOn);
@@ -348,6 +349,7 @@ TEST_F(GeneratedShaders, OfOneFrameAreBuiltTogether)
     EXPECT_FALSE(cache.use(passes[1].shader).fallback.empty()) << "drawn with the first, of the same family";
     EXPECT_TRUE(cache.use(passes[2].shader).fallback.empty());
     EXPECT_EQ(cache.builds().size(), 3U) << "each was built once";
+    unsetenv("VITRINE_NO_PROGRAM_CACHE");
 
     passes.resize(1);
     passes[0].shader = key(returns(60));
