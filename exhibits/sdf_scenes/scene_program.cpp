@@ -327,12 +327,14 @@ double SceneProgram::levelWithinReach(const SceneConstants& all, std::uint32_t i
         // Outside its box, the child's field is the distance, so points within a level are no farther out than that.
         return perMeter < 1 ? levelAt((reach + levelAt(0)) / (1 - perMeter)) : endless;
     }
+    // The reach grows until it is consistent with itself, also if it were one step larger.
     constexpr double step = 1.1;
-    while (reachAt(levelAt(reach)) > reach)
-        if (reach = step * reachAt(levelAt(reach)); !(reach < farthest)) return endless;
+    const auto isBeyond = [&](double at) { return reachAt(levelAt(step * at)) > at; };
+    for (reach = std::max(reach, 1e-3); isBeyond(reach); reach *= step)
+        if (!(reach < farthest)) return endless;
     // Also check that no larger reach is consistent with itself.
-    for (double beyond = std::max(reach, 1e-3); beyond < farthest; beyond *= step)
-        if (reachAt(levelAt(step * beyond)) > beyond) return endless;
+    for (double beyond = step * reach; beyond < farthest; beyond *= step)
+        if (isBeyond(beyond)) return endless;
     return levelAt(reach);
 }
 

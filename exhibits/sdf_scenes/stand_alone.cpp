@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 namespace vitrine {
 namespace {
@@ -21,6 +23,8 @@ using scenes::ProgramNode;
 using scenes::Scene;
 using scenes::SceneConstants;
 using scenes::SceneProgram;
+
+constexpr double endless = 1e6;  // Boxes end here, meters.
 
 constexpr const char* sceneFunctions = R"(
 // Rotation around z, then y, then x.
@@ -48,22 +52,30 @@ vec3 sceneDirection(vec3 d)
 /// Writes the words of a scene's program that depend on its parameters or on the time.
 class SceneNumberWriter {
 public:
-    /// `moment`: seconds of the scene when the shader's time is 0.
-    SceneNumberWriter(const scenes::ShownScene& shown, double moment, const std::vector<double>& numbers)
-        : scene_(*shown.scene), program_(*shown.program), moment_(moment), numbers_(numbers),
-          words_(program_.words(numbers)), isFolded_(program_.wordCount(), 1)
+    /// `moment`: seconds of the scene when the shader's time is 0. `present`: values of the scene's parameters.
+    SceneNumberWriter(const scenes::ShownScene& shown, double moment, std::vector<double> present,
+                      const std::vector<double>& numbers)
+        : scene_(*shown.scene), program_(*shown.program), moment_(moment), present_(std::move(present)),
+          numbers_(numbers), words_(program_.words(numbers)), isFolded_(program_.wordCount(), 1)
     {
     }
 
     StandAloneNumbers write()
     {
         StandAloneNumbers result;
-        for (const scenes::SceneParameter& parameter : scene_.parameters())
-            result.inputs.push_back(
-                {parameter.name, parameter.name, parameter.unit, parameter.initial, parameter.low, parameter.high});
+        const std::vector<scenes::SceneParameter>& parameters = scene_.parameters();
+        for (std::size_t i = 0; i < parameters.size(); ++i)
+            result.inputs.push_back({parameters[i].name, parameters[i].name, parameters[i].unit, present_[i],
+                                     parameters[i].low, parameters[i].high});
         for (std::uint32_t m = 0; m < scene_.materials.size(); ++m) writeMaterial(m, result);
         for (const ProgramNode& node : program_.nodes()) writeNode(node);
-        if (anyNode_) writeRanges();
+        if (anyNode_) {
+            const std::vector<Interval> whole = wholeIntervals();
+            const Samples samples = sampled(whole);
+            writeRanges(samples.words);
+            writeBoxes(samples.box, boundedIntervals(whole));
+            result.assigned.insert({"stage.boxLow", "stage.boxHigh"});
+        }
         const auto varies = [&](const scenes::Record& record) {
             return anyVaries(record.numbers, numbersOfRecord(record));
         };
@@ -73,16 +85,22 @@ public:
                                            "follow the inputs."));
         result.functions = sceneFunctions;
         result.assignments = std::move(lines_);
-        result.assigned = {"sceneValues"};
+        result.assigned.insert("sceneValues");
         result.sources = scenes::generatedSources(
             scenes::restingSceneGlsl(program_, words_, isFolded_, {"sdf_scenes/stage_block.glsl", "SceneStage stage"}));
         return result;
     }
 
-    /// Returns the box around all samples; empty if no node varies.
-    [[nodiscard]] const render::Box& box() const { return box_; }
-
 private:
+    /// Settings of a parameter, SI.
+    struct Interval {
+        double low = 0, high = 0;
+    };
+    /// Words of many settings, and the box around all solids of them.
+    struct Samples {
+        std::vector<std::vector<double>> words;
+        render::Box box{glm::dvec3(1e9), glm::dvec3(-1e9)};
+    };
     [[nodiscard]] bool varies(std::uint32_t number) const { return scene_.numbers[number].expression != none; }
     [[nodiscard]] bool anyVaries(std::uint32_t first, std::size_t count) const
     {
@@ -199,23 +217,41 @@ private:
             "min(" + number(of.scale) + ", min(" + number(of.scale + 1) + ", " + number(of.scale + 2) + "))");
     }
 
-    /// Sets what depends on the bounds of nodes to values that hold for many settings: the ends of all parameters, and
-    /// some in between, at several times.
-    void writeRanges()
+    /// Sets what depends on the bounds of nodes to values that hold for all samples.
+    void writeRanges(const std::vector<std::vector<double>>& samples)
     {
-        const std::vector<std::vector<double>> samples = sampledWords();
         for (const ProgramNode& node : program_.nodes()) {
             const NodeKind& kind = program_.kind(node);
             if (kind.form != scenes::Form::repeater) continue;
             const auto w = static_cast<std::uint32_t>(node.numbers + kind.numbers());
-            const auto most = [&](std::uint32_t i) {
-                double value = samples[0][w + i];
-                for (const auto& each : samples) value = std::max(value, each[w + i]);
-                return value;
-            };
-            for (std::uint32_t i = 0; i < 7; ++i) keep(w + i, most(i));
+            for (std::uint32_t axis = 0; axis < 3; ++axis) keepCopies(node, axis, samples);
+            keep(w + 6, most(w + 6, samples));
             for (const std::uint32_t first : {7U, 13U}) keepBox(w + first, samples);
         }
+    }
+    static double most(std::uint32_t word, const std::vector<std::vector<double>>& samples)
+    {
+        double value = samples[0][word];
+        for (const auto& each : samples) value = std::max(value, each[word]);
+        return value;
+    }
+    /// Sets where the copies along an axis begin and how many follow, so that they include those of each sample.
+    void keepCopies(const ProgramNode& node, std::uint32_t axis, const std::vector<std::vector<double>>& samples)
+    {
+        const NodeKind& kind = program_.kind(node);
+        const bool isAround = kind.name == "repeatAround";
+        const auto high = static_cast<std::uint32_t>(node.numbers + kind.numbers()) + axis, times = high + 3;
+        const double first = most(high, samples);
+        double copies = most(times, samples), all = 0;
+        for (const auto& each : samples) {
+            const double spacing = isAround ? 2 * std::numbers::pi / each[node.numbers] : each[node.numbers + axis];
+            const double count = each[node.numbers + (isAround ? 0 : axis + 3)];
+            const bool repeats = isAround ? axis == 0 : spacing > 0;
+            if (repeats) copies = std::max(copies, each[times] + std::ceil((first - each[high]) / spacing - 1e-9));
+            all = std::max(all, !repeats ? 1 : count > 0.5 ? count : scenes::mostCopiesAsked);
+        }
+        keep(high, first);
+        keep(times, std::min({copies, all, scenes::mostCopiesAsked}));
     }
     void keep(std::uint32_t word, double value) { words_.words[word] = value; }
     void keepBox(std::uint32_t word, const std::vector<std::vector<double>>& samples)
@@ -230,60 +266,132 @@ private:
             keep(word + axis + 3, 0.5 * std::max(high - low, 0.0));
         }
     }
-    [[nodiscard]] std::vector<std::vector<double>> sampledWords();
+    [[nodiscard]] std::vector<Interval> wholeIntervals() const;
+    [[nodiscard]] std::vector<Interval> boundedIntervals(const std::vector<Interval>& whole) const;
+    [[nodiscard]] Samples sampled(const std::vector<Interval>&) const;
+    void writeBoxes(const render::Box& whole, const std::vector<Interval>& bounded);
 
     const Scene& scene_;
     const SceneProgram& program_;
     const double moment_;
+    const std::vector<double> present_;
     const std::vector<double>& numbers_;
     SceneConstants words_;
     std::vector<char> isFolded_;
     std::string lines_;
     bool anyNode_ = false;
-    render::Box box_{glm::dvec3(1e6), glm::dvec3(-1e6)};
 };
 
-std::vector<std::vector<double>> SceneNumberWriter::sampledWords()
+std::vector<SceneNumberWriter::Interval> SceneNumberWriter::wholeIntervals() const
 {
-    const std::vector<scenes::SceneParameter>& parameters = scene_.parameters();
-    std::vector<std::vector<double>> settings;
-    std::vector<double> present;
-    for (const scenes::SceneParameter& parameter : parameters) present.push_back(parameter.initial);
-    settings.push_back(present);
-    for (std::size_t i = 0; i < parameters.size(); ++i)
-        for (const double end : {parameters[i].low, parameters[i].high}) {
-            settings.push_back(present);
+    std::vector<Interval> whole;
+    for (const scenes::SceneParameter& parameter : scene_.parameters()) {
+        const double now = present_[whole.size()];
+        whole.push_back({std::min(parameter.low, now), std::max(parameter.high, now)});
+    }
+    return whole;
+}
+
+/// Returns the words at the ends of all intervals, and for some settings in between, at several times.
+SceneNumberWriter::Samples SceneNumberWriter::sampled(const std::vector<Interval>& intervals) const
+{
+    std::vector<std::vector<double>> settings{present_};
+    for (std::size_t i = 0; i < intervals.size(); ++i)
+        for (const double end : {intervals[i].low, intervals[i].high}) {
+            settings.push_back(present_);
             settings.back()[i] = end;
         }
     // Further settings in between: a sequence without clumps (Roberts 2018), and corners.
     constexpr double golden = 0.6180339887498949;
     for (int k = 1; k <= 40; ++k) {
         settings.emplace_back();
-        for (std::size_t i = 0; i < parameters.size(); ++i) {
+        for (std::size_t i = 0; i < intervals.size(); ++i) {
             const double share = std::fmod(k * std::pow(golden, static_cast<double>(i + 1)), 1.0);
             const double at = k % 2 == 0 ? share : std::round(share);
-            settings.back().push_back(parameters[i].low + at * (parameters[i].high - parameters[i].low));
+            settings.back().push_back(intervals[i].low + at * (intervals[i].high - intervals[i].low));
         }
     }
-    std::vector<std::vector<double>> samples;
+    Samples samples;
     for (std::size_t k = 0; k < settings.size(); ++k)
         for (int time = 0; time < (scene_.animated() ? 4 : 1); ++time) {
             const double t = moment_ + time * 7.3 + static_cast<double>(k) * 0.9;
             SceneConstants made = program_.words(scene_.numbersAt(t, settings[k]));
             if (!made.extents.empty()) {
-                box_.low = glm::min(box_.low, made.extents.front().box.low);
-                box_.high = glm::max(box_.high, made.extents.front().box.high);
+                const render::Box& box = made.extents.front().box;
+                samples.box.low = glm::min(samples.box.low, glm::max(box.low, glm::dvec3(-endless)));
+                samples.box.high = glm::max(samples.box.high, glm::min(box.high, glm::dvec3(endless)));
             }
-            samples.push_back(std::move(made.words));
+            samples.words.push_back(std::move(made.words));
         }
     return samples;
 }
 
-std::string boxLine(const char* name, const glm::dvec3& corner)
+/// Returns whether a box has an end on all sides on which the other one has.
+bool isBoundedLike(const render::Box& box, const render::Box& other)
 {
-    std::string text = "    stage." + std::string(name) + " = vec3(";
-    for (int i = 0; i < 3; ++i) text += (i > 0 ? ", " : "") + scenes::floatLiteral(std::clamp(corner[i], -1e6, 1e6));
-    return text + ");\n";
+    bool isBounded = true;
+    for (int axis = 0; axis < 3; ++axis) {
+        isBounded = isBounded && (box.low[axis] > -endless || other.low[axis] <= -endless);
+        isBounded = isBounded && (box.high[axis] < endless || other.high[axis] >= endless);
+    }
+    return isBounded;
+}
+
+/// Returns intervals around the present values in which the box has an end on all sides on which the present one has.
+/// A box without end costs steps: rays that pass the solids go on, and reach the step limit.
+std::vector<SceneNumberWriter::Interval> SceneNumberWriter::boundedIntervals(const std::vector<Interval>& whole) const
+{
+    std::vector<Interval> bounded;
+    for (const double value : present_) bounded.push_back({value, value});
+    const render::Box now = sampled(bounded).box;
+    const auto isBounded = [&](const std::vector<Interval>& each) { return isBoundedLike(sampled(each).box, now); };
+    if (isBounded(whole)) return whole;
+    // All ends grow alike, each as far as it can.
+    std::vector<char> isStuck(2 * whole.size(), 0);
+    for (const double share : {0.0625, 0.125, 0.25, 0.5, 1.0})
+        for (std::size_t end = 0; end < isStuck.size(); ++end) {
+            if (isStuck[end] != 0) continue;
+            const std::size_t i = end / 2;
+            double& moved = end % 2 == 0 ? bounded[i].low : bounded[i].high;
+            const double before = moved, last = end % 2 == 0 ? whole[i].low : whole[i].high;
+            moved = share < 1 ? present_[i] + share * (last - present_[i]) : last;
+            isStuck[end] = isBounded(bounded) ? 0 : 1;
+            if (isStuck[end] != 0) moved = before;
+        }
+    return bounded;
+}
+
+std::string boxLine(const char* name, const glm::dvec3& corner, const glm::dvec3& boundedCorner)
+{
+    const auto vector = [](const glm::dvec3& v) {
+        std::string text = "vec3(";
+        for (int i = 0; i < 3; ++i) text += (i > 0 ? ", " : "") + scenes::floatLiteral(v[i]);
+        return text + ')';
+    };
+    const std::string line = "    stage." + std::string(name) + " = ";
+    return corner == boundedCorner ? line + vector(corner) + ";\n"
+                                   : line + "boxIsBounded ? " + vector(boundedCorner) + " : " + vector(corner) + ";\n";
+}
+
+/// Sets the box around all solids: the whole one, or a bounded one while all parameters are in its intervals.
+void SceneNumberWriter::writeBoxes(const render::Box& whole, const std::vector<Interval>& bounded)
+{
+    const std::vector<Interval> all = wholeIntervals();
+    std::string condition;
+    const auto add = [&](std::size_t i, const char* comparison, double end) {
+        condition += (condition.empty() ? "" : " && ") + std::string("@") + scene_.parameters()[i].name + "@ " +
+                     comparison + ' ' + scenes::floatLiteral(end);
+    };
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const double margin = 1e-5 * (all[i].high - all[i].low);  // Inputs are rounded, in their own units.
+        if (bounded[i].low > all[i].low) add(i, ">=", bounded[i].low - margin);
+        if (bounded[i].high < all[i].high) add(i, "<=", bounded[i].high + margin);
+    }
+    const glm::dvec3 grow(1e-3);
+    const render::Box tight = condition.empty() ? whole : sampled(bounded).box;
+    if (!condition.empty()) lines_ += "    bool boxIsBounded = " + condition + ";\n";
+    lines_ += boxLine("boxLow", whole.low - grow, tight.low - grow);
+    lines_ += boxLine("boxHigh", whole.high + grow, tight.high + grow);
 }
 
 }  // namespace
@@ -304,18 +412,13 @@ StandAloneNumbers SdfScenes::standAloneNumbers(const ParameterValues& values) co
     if (scenes::isInBuffer(*scene.program))
         throw Failure(ErrorKind::check,
                       message("The scene has more numbers than a shader of your own can hold; export a part of it."));
-    SceneNumberWriter writer(scene, moment, numbers);
-    StandAloneNumbers result = writer.write();
     const auto& table = static_cast<const Table&>(values.table());
-    for (std::size_t i = 0; i < result.inputs.size() && i < table.ofScene.size(); ++i) {
-        result.inputs[i].initial = values[table.ofScene[i]];
+    std::vector<double> present;
+    for (const scenes::SceneParameter& parameter : scene.scene->parameters()) present.push_back(parameter.initial);
+    for (std::size_t i = 0; i < present.size() && i < table.ofScene.size(); ++i) present[i] = values[table.ofScene[i]];
+    StandAloneNumbers result = SceneNumberWriter(scene, moment, present, numbers).write();
+    for (std::size_t i = 0; i < result.inputs.size() && i < table.ofScene.size(); ++i)
         result.inputs[i].label = label(values.rows()[table.ofScene[i].row]);
-    }
-    if (const render::Box& box = writer.box(); box.low.x < box.high.x) {
-        const glm::dvec3 grow(1e-3);
-        result.assignments += boxLine("boxLow", box.low - grow) + boxLine("boxHigh", box.high + grow);
-        result.assigned.insert({"stage.boxLow", "stage.boxHigh"});
-    }
     const scenes::SceneCamera camera = scenes::sceneCamera(*scene.scene, numbers, 0);
     const Portal portal = portalAt(values, 0, numbers);
     result.pivotDistance = glm::length(camera.target - camera.eye) / glm::length(glm::dvec3(portal.workFromExhibit[2]));

@@ -257,6 +257,23 @@ TEST(SceneOperations, CopiesThatMoveTooNearAreNotAskedWithoutEnd)
     EXPECT_LE(times[0] * times[1] * times[2], scenes::mostCopiesAsked);
 }
 
+TEST(SceneOperations, TwistsInABlendAreBoundedUpToTheWidthAtWhichTheyNoLongerAre)
+{
+    // A wider blend reaches farther from the twisted child: once the bounds are endless, they stay so.
+    const std::string turned =
+        R"({"kind": "twist", "rate": 50, "child": {"kind": "union", "blendWidth": 0.03, "children": [)"
+        R"({"kind": "box", "size": [0.24, 2.3, 0.24]},)"
+        R"({"kind": "box", "size": [0.24, 2.3, 0.24], "rotate": [0, 45, 0]}]}})";
+    std::string ends;
+    for (int i = 0; i <= 40; ++i) {
+        const double width = 0.02 * i;
+        const auto field = test::fieldOf(operation("union", "cubic", std::to_string(width), {turned, box}));
+        ends += field.box().high.y < 1e6 ? '.' : '-';
+    }
+    EXPECT_EQ(ends.find_last_of('.') + 1, std::min(ends.find('-'), ends.size())) << ends;
+    EXPECT_GE(ends.find('-'), 15U) << ends;
+}
+
 TEST(SceneOperations, ProfilesAreExtrudedAndRevolvedToShapesThatAreKnown)
 {
     struct Twin {

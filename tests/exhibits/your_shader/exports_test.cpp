@@ -227,7 +227,7 @@ TEST_F(ShaderExports, OfScenesShowTheSamePictures)
     // The bounds of moving shapes are wider in the exported shader, so that rays begin elsewhere and hit within the
     // same tolerance at other points.
     for (const Case& each : {Case{"torus.json", {}, 0.6}, Case{"dahlia.json", {{"bloom", 0.4}, {"width", 1.3}}, 1.5},
-                             Case{"shading.json", {}, 0.6}}) {
+                             Case{"shading.json", {}, 0.6}, Case{"rotunda.json", {}, 0.6}}) {
         ExportShot original("sdf_scenes");
         original.set("scene", std::string(each.scene));
         original.read();
@@ -256,6 +256,56 @@ TEST_F(ShaderExports, OfScenesFollowTheirParameters)
     EXPECT_LE(between(original.shot.take().image, after).rmse, 1.5);
     again.set("orbit", 1.0);
     EXPECT_GT(between(after, again.shot.take().image).rmse, 10);
+}
+
+/// Returns how far an exported scene is from the original after the same change of parameters.
+Difference afterChanges(const std::string& scene, const fs::path& out,
+                        const std::vector<std::pair<const char*, double>>& changes)
+{
+    ExportShot original("sdf_scenes");
+    original.set("scene", scene);
+    original.read();
+    original.set("evaluation", 2.0);
+    original.exportTo(out, ExportForm::isf);
+    ExportShot again{out};
+    for (ExportShot* each : {&original, &again})
+        for (const auto& [name, value] : changes) each->set(name, value);
+    return between(original.shot.take().image, again.shot.take().image);
+}
+
+TEST_F(ShaderExports, OfScenesAreBoundedAsTheOriginalsAfterChanges)
+{
+    // Rays that pass a box without end reach the step limit and widen silhouettes.
+    for (const auto& changes : std::vector<std::vector<std::pair<const char*, double>>>{
+             {{"melt", 0.05}}, {{"twist", -1.2}, {"columns", 9.0}}, {{"twist", 1.3}, {"melt", 0.2}}})
+        EXPECT_LE(afterChanges("rotunda.json", folder / "rotunda.fs", changes).rmse, 0.6) << changes[0].first;
+    // Rays begin at other points, so that they end at others within the tolerance: the finer it is, the less they
+    // differ.
+    const double coarse = afterChanges("dahlia.json", folder / "dahlia.fs", {{"lean", 0.0}}).rmse;
+    const double fine = afterChanges("dahlia.json", folder / "dahlia.fs", {{"lean", 0.0}, {"hitTolerance", 0.1}}).rmse;
+    EXPECT_LE(coarse, 6);
+    EXPECT_LE(fine, 1.6);
+}
+
+TEST_F(ShaderExports, OfScenesHaveAllCopiesAfterChanges)
+{
+    // The copy that is nearest depends on where the content of the first one lies.
+    const auto scene = [&](const std::string& root) {
+        writeBytes(
+            folder / "copies.json",
+            R"({"format": "vitrine-scene", "version": 1, "parameters": {"shift": {"value": 0, "range": [0, 3]}},)"
+            R"("camera": {"position": [0.5, 6, 6]}, "root": {"kind": "union", "children": [)"
+            R"({"kind": "box", "size": [0.2, 0.2, 0.2]}, )" +
+                root + "]}}");
+        return (folder / "copies.json").string();
+    };
+    const std::string ball = R"("child": {"kind": "sphere", "radius": 0.3, "translate": )";
+    const std::string around = R"({"kind": "repeatAround", "count": 7, )" + ball + R"([1.2, 0, "shift"]}})";
+    const std::string cells =
+        R"({"kind": "repeat", "spacing": [0.8, 0, 0], "count": [4, 1, 1], )" + ball + R"(["shift - 1.5", 0, 0]}})";
+    for (const std::string& root : {around, cells})
+        for (const double shift : {0.0, 0.4, 1.7, 3.0})
+            EXPECT_LE(afterChanges(scene(root), folder / "copies.fs", {{"shift", shift}}).rmse, 1) << root << shift;
 }
 
 /// A page in Chromium.
