@@ -1,7 +1,12 @@
 #pragma once
 
+#include "exhibits/museum/museum.h"
+#include "render/gl/renderer.h"
+
 #include <glm/glm.hpp>
 
+#include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,6 +40,23 @@ bool sdfEvaluations(const Options&);
 bool windowLatency(const Options&);
 /// `longest`: seconds for each start; the case ends without a table when one takes longer.
 bool windowStart(const Options&, double longest);
+bool yourShader(const Options&);
+
+/// Frame that is measured beside others.
+struct Row {
+    std::string name;
+    std::function<render::FrameReport()> draw;
+    std::vector<double> cpu{}, wall{};  ///< Milliseconds.
+    render::FrameReport last{};
+};
+using SharedRenderer = std::shared_ptr<render::gl::Renderer>;
+/// Returns a row that draws a request. `perFrame`: seconds by which its time advances.
+[[nodiscard]] Row frame(std::string name, const Museum&, const SceneState&, FrameRequest, SharedRenderer,
+                        double perFrame = 0);
+/// Draws all rows in turn, after three frames each that are not measured.
+void measure(std::vector<Row>&, int rounds);
+/// Prints a table of the rows: counters, medians, ratios to the first row.
+void print(const char* title, const std::vector<Row>&);
 
 /// Returns the median, for an even number of values the upper one; 0 if there are none.
 [[nodiscard]] double median(std::vector<double> values);

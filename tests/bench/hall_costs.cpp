@@ -13,19 +13,10 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <functional>
 #include <string>
 #include <vector>
 
 namespace vitrine::bench {
-namespace {
-
-struct Row {
-    std::string name;
-    std::function<render::FrameReport()> draw;
-    std::vector<double> cpu{}, wall{};
-    render::FrameReport last{};
-};
 
 void measure(std::vector<Row>& rows, int rounds)
 {
@@ -42,42 +33,46 @@ void measure(std::vector<Row>& rows, int rounds)
 
 void print(const char* title, const std::vector<Row>& rows)
 {
+    const auto count = [](const Row& row, const char* of) { return static_cast<long long>(row.last.counters.at(of)); };
     std::printf("\n### %s\n\n| what | passes | draws | triangles | ms (clock) | lowest to highest | ms (wall) | "
                 "against the first row |\n|---|---|---|---|---|---|---|---|\n",
                 title);
     for (const Row& row : rows) {
         const auto [low, high] = std::minmax_element(row.cpu.begin(), row.cpu.end());
         std::printf("| %s | %lld | %lld | %lld | %.2f | %.2f to %.2f | %.2f | %.3f |\n", row.name.c_str(),
-                    static_cast<long long>(row.last.counters.at("passes")),
-                    static_cast<long long>(row.last.counters.at("draws")),
-                    static_cast<long long>(row.last.counters.at("triangles")), median(row.cpu), *low, *high,
+                    count(row, "passes"), count(row, "draws"), count(row, "triangles"), median(row.cpu), *low, *high,
                     median(row.wall), median(row.cpu) / median(rows.front().cpu));
     }
 }
 
-}  // namespace
+Row frame(std::string name, const Museum& museum, const SceneState& state, FrameRequest request, SharedRenderer with,
+          double perFrame)
+{
+    return {std::move(name), [&museum, state, request, with = std::move(with), perFrame]() mutable {
+                request.time += perFrame;
+                return with->draw(test::planned(museum, state, request, with->persistentState()));
+            }};
+}
 
 bool hallCosts(const Options& options)
 {
-    const glm::ivec2 size = options.size;
     const int rounds = options.runsOr(9);
     const double start = render::wallSeconds();
     const render::gl::HeadlessContext context;
     const double contextReady = render::wallSeconds();
     const Museum museum{allExhibits()};
     const double museumReady = render::wallSeconds();
-    render::gl::Renderer renderer;
-    render::gl::Renderer aloneRenderer;
+    const auto renderer = std::make_shared<render::gl::Renderer>();
     const SceneState sceneState = museum.initialSceneState();
     FrameRequest entrance;
     entrance.camera = sceneState.camera;
-    entrance.raster.size = size;
+    entrance.raster.size = options.size;
     const render::FrameReport first =
-        renderer.draw(test::planned(museum, sceneState, entrance, renderer.persistentState()));
+        renderer->draw(test::planned(museum, sceneState, entrance, renderer->persistentState()));
     const double firstReady = render::wallSeconds();
 
     std::printf("Clock: %s\nSize: %d x %d, %d rounds in turn after 3 warm-up frames, medians\n", first.clock.c_str(),
-                size.x, size.y, rounds);
+                options.size.x, options.size.y, rounds);
     std::printf("\n### Start to first frame, without a window, programs as the cache has them\n\n| step | ms (wall) "
                 "|\n|---|---|\n| OpenGL context | %.0f |\n| reading the hall | %.0f |\n| first frame: programs, "
                 "uploads, shadow, probe, picture | %.0f |\n| together | %.0f |\n",
@@ -86,7 +81,7 @@ bool hallCosts(const Options& options)
 
     // The empty hall has its own renderer, so that neither changes the other's cache.
     const Museum empty{std::vector<std::unique_ptr<Exhibit>>{}};
-    render::gl::Renderer emptyRenderer;
+    const auto emptyRenderer = std::make_shared<render::gl::Renderer>();
     const SceneState emptySceneState = empty.initialSceneState();
     FrameRequest away = entrance;
     away.camera = {{0.5, 1.65, 9}, {0.5, 1.2, 12}, 0.959931};  // Exhibits and their shadows are out of view.
@@ -98,24 +93,20 @@ bool hallCosts(const Options& options)
     FrameRequest alone = entrance;
     alone.alone = sdf;
     alone.camera = museum.subject(sdf).bestView(sceneState.values[sdf]);
-    const auto draw = [&](const FrameRequest& request) {
-        return [&museum, &renderer, &sceneState, request] {
-            return renderer.draw(test::planned(museum, sceneState, request, renderer.persistentState()));
-        };
+    const auto draw = [&](const char* name, const FrameRequest& request) {
+        return frame(name, museum, sceneState, request, renderer);
     };
-    const auto drawEmpty = [&](const FrameRequest& request) {
-        return [&empty, &emptyRenderer, &emptySceneState, request] {
-            return emptyRenderer.draw(test::planned(empty, emptySceneState, request, emptyRenderer.persistentState()));
-        };
+    const auto drawEmpty = [&](const char* name, const FrameRequest& request) {
+        return frame(name, empty, emptySceneState, request, emptyRenderer);
     };
     std::vector<Row> rows;
-    rows.push_back({"empty hall, towards the door", drawEmpty(away)});
-    rows.push_back({"hall with all exhibits out of view, towards the door", draw(away)});
-    rows.push_back({"empty hall, above the door", drawEmpty(intoTheBeam)});
-    rows.push_back({"hall with the exhibits out of view but for a beam in the air, above the door", draw(intoTheBeam)});
-    rows.push_back({"empty hall, from the entrance", drawEmpty(entrance)});
-    rows.push_back({"hall with the exhibit in view, from the entrance", draw(entrance)});
-    rows.push_back({"hall, before the exhibit", draw(near)});
+    rows.push_back(drawEmpty("empty hall, towards the door", away));
+    rows.push_back(draw("hall with all exhibits out of view, towards the door", away));
+    rows.push_back(drawEmpty("empty hall, above the door", intoTheBeam));
+    rows.push_back(draw("hall with the exhibits out of view but for a beam in the air, above the door", intoTheBeam));
+    rows.push_back(drawEmpty("empty hall, from the entrance", entrance));
+    rows.push_back(draw("hall with the exhibit in view, from the entrance", entrance));
+    rows.push_back(draw("hall, before the exhibit", near));
     measure(rows, rounds);
     print("Cost of the hall", rows);
     const auto passes = [](const Row& row) { return static_cast<long long>(row.last.counters.at("passes")); };
@@ -125,63 +116,51 @@ bool hallCosts(const Options& options)
 
     std::vector<Row> sliders;
     const auto& table = static_cast<const SdfMorph&>(museum.exhibit(sdf)).parameters();
-    double morph = 0;
-    render::gl::Renderer morphRenderer;
-    sliders.push_back({"exhibit before the visitor: nothing moved", draw(near)});
-    sliders.push_back({"exhibit's slider (morph)", [&] {
-                           SceneState changed = sceneState;
-                           changed.values[sdf].set(table.morph, morph = morph < 0.9 ? morph + 0.05 : 0.0);
-                           return morphRenderer.draw(
-                               test::planned(museum, changed, near, morphRenderer.persistentState()));
-                       }});
-    double exposure = 0;
-    sliders.push_back({"hall's slider that develops only (exposure)", [&] {
-                           SceneState changed = sceneState;
-                           changed.hall().setParameter(*changed.hall().table().find("exposure"),
-                                                       exposure = exposure < 1 ? exposure + 0.1 : -1.0);
-                           return renderer.draw(test::planned(museum, changed, near, renderer.persistentState()));
-                       }});
-    double elevation = 0.3;
-    render::gl::Renderer sunRenderer;  // Its own renderer, because a moving sun leaves nothing to cache.
-    sliders.push_back({"hall's slider that lights anew (sun elevation)", [&] {
-                           SceneState changed = sceneState;
-                           changed.hall().setParameter(*changed.hall().table().find("sunElevation"),
-                                                       elevation = elevation < 0.5 ? elevation + 0.01 : 0.3);
-                           return sunRenderer.draw(test::planned(museum, changed, near, sunRenderer.persistentState()));
-                       }});
+    const auto slider = [&](const char* name, const SharedRenderer& with,
+                            const std::function<void(SceneState&)>& move) {
+        sliders.push_back({name, [&, with, move] {
+                               SceneState changed = sceneState;
+                               move(changed);
+                               return with->draw(test::planned(museum, changed, near, with->persistentState()));
+                           }});
+    };
+    double morph = 0, exposure = 0, elevation = 0.3;
+    slider("exhibit before the visitor: nothing moved", renderer, [](SceneState&) {});
+    slider("exhibit's slider (morph)", std::make_shared<render::gl::Renderer>(), [&](SceneState& changed) {
+        changed.values[sdf].set(table.morph, morph = morph < 0.9 ? morph + 0.05 : 0.0);
+    });
+    slider("hall's slider that develops only (exposure)", renderer, [&](SceneState& changed) {
+        changed.hall().setParameter(*changed.hall().table().find("exposure"),
+                                    exposure = exposure < 1 ? exposure + 0.1 : -1.0);
+    });
+    // Its own renderer, because a moving sun leaves nothing to cache.
+    slider("hall's slider that lights anew (sun elevation)", std::make_shared<render::gl::Renderer>(),
+           [&](SceneState& changed) {
+               changed.hall().setParameter(*changed.hall().table().find("sunElevation"),
+                                           elevation = elevation < 0.5 ? elevation + 0.01 : 0.3);
+           });
     measure(sliders, rounds);
     print("From a slider's change to the finished frame", sliders);
 
     // Separate renderers, so that the one with a static object keeps its shadow map.
-    std::vector<Row> mobile;
-    render::gl::Renderer stillRenderer;
-    render::gl::Renderer turningRenderer;
     const std::size_t rays = *museum.find("crepuscular_rays");
     SceneState turning = sceneState;
     turning.values[rays].setParameter(*turning.values[rays].table().find("animate"), 1.0);
-    FrameRequest later = entrance;
-    mobile.push_back({"mobile at rest", [&] {
-                          return stillRenderer.draw(
-                              test::planned(museum, sceneState, entrance, stillRenderer.persistentState()));
-                      }});
-    mobile.push_back({"mobile turning: its part of the sun's map anew in each frame", [&] {
-                          later.time += 1.0 / 30;
-                          return turningRenderer.draw(
-                              test::planned(museum, turning, later, turningRenderer.persistentState()));
-                      }});
+    std::vector<Row> mobile;
+    mobile.push_back(frame("mobile at rest", museum, sceneState, entrance, std::make_shared<render::gl::Renderer>()));
+    mobile.push_back(frame("mobile turning: its part of the sun's map anew in each frame", museum, turning, entrance,
+                           std::make_shared<render::gl::Renderer>(), 1.0 / 30));
     measure(mobile, rounds);
     print("The turning mobile", mobile);
     std::printf("\nA frame with the mobile turning takes %.2f times as long as one with it at rest.\n",
                 median(mobile[1].cpu) / median(mobile[0].cpu));
 
     std::vector<Row> variants;
+    const auto aloneRenderer = std::make_shared<render::gl::Renderer>();
     const auto variant = [&](const char* name, const std::function<void(ParameterValues&)>& change) {
         SceneState changed = sceneState;
         change(changed.values[sdf]);
-        variants.push_back({name, [&museum, &aloneRenderer, alone, changed] {
-                                return aloneRenderer.draw(
-                                    test::planned(museum, changed, alone, aloneRenderer.persistentState()));
-                            }});
+        variants.push_back(frame(name, museum, changed, alone, aloneRenderer));
     };
     variant("as it stands", [](ParameterValues&) {});
     variant("without cone pre-pass", [&](ParameterValues& v) { v.set(table.conePrepass, false); });

@@ -9,9 +9,9 @@
 #include "exhibits/printing/print_file.h"
 #include "exhibits/printing/view_weights.h"
 #include "render/image/srgb.h"
+#include "render/measure/clock.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <functional>
@@ -58,9 +58,9 @@ double report(const char* name, double pixels, const std::function<void()>& work
 {
     std::vector<double> times;
     for (int i = 0; i < repetitions; ++i) {
-        const auto start = std::chrono::steady_clock::now();
+        const double start = render::wallSeconds();
         work();
-        times.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+        times.push_back(render::wallSeconds() - start);
     }
     std::sort(times.begin(), times.end());
     const double best = times.front();
@@ -125,14 +125,11 @@ bool interlacing(const Options& options)
 {
     runs = options.runsOr(runs);
     const ViewSet views = noisyViews();
-    const PrintLayout area = layoutFor(Method::area);
-    const PrintLayout nearest = layoutFor(Method::nearest);
-    const PrintLayout compensated = layoutFor(Method::area, true);
-    const PrintLayout dithered = layoutFor(Method::area, false, true);
+    const PrintLayout area = layoutFor(Method::area), nearest = layoutFor(Method::nearest),
+                      compensated = layoutFor(Method::area, true), dithered = layoutFor(Method::area, false, true);
     const std::size_t bytes = static_cast<std::size_t>(area.width() * area.height()) * 3;
     const auto pixels = static_cast<double>(area.width() * area.height());
-    std::vector<std::uint8_t> out(bytes);
-    std::vector<std::uint8_t> copy(bytes);
+    std::vector<std::uint8_t> out(bytes), copy(bytes);
     std::printf(
         "%d views of 1200 x 800 into %lld x %lld, 8 bits, %.2f pixels per lens; the columns are prepared once.\n",
         viewCount, static_cast<long long>(area.width()), static_cast<long long>(area.height()), area.pixelsPerLens());
@@ -142,28 +139,18 @@ bool interlacing(const Options& options)
                 "memcpys");
     const auto copying = [&] { std::memcpy(copy.data(), out.data(), bytes); };
     for (int i = 0; i < runs; ++i) {
-        const auto start = std::chrono::steady_clock::now();
+        const double start = render::wallSeconds();
         copying();
-        copyTime = std::min(copyTime, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+        copyTime = std::min(copyTime, render::wallSeconds() - start);
     }
     report("memcpy of the print's bytes", pixels, copying);
-    const Interlacer nearestMaker(nearest, views);
-    const Interlacer areaMaker(area, views);
-    const Interlacer compensatedMaker(compensated, views);
-    const Interlacer ditheredMaker(dithered, views);
+    const Interlacer nearestMaker(nearest, views), areaMaker(area, views), compensatedMaker(compensated, views),
+        ditheredMaker(dithered, views);
     const Region whole{0, 0, area.width(), area.height()};
-    double nearestRate = 0;
-    double areaRate = 0;
-    for (const int threads : {1, 2}) {
-        const std::string suffix = threads == 1 ? ", 1 thread" : ", 2 threads";
-        const double near =
-            report(("nearest" + suffix).c_str(), pixels, [&] { nearestMaker.fill(whole, out.data(), threads); });
-        const double mixed = report(("area, linear light" + suffix).c_str(), pixels,
-                                    [&] { areaMaker.fill(whole, out.data(), threads); });
-        if (threads > 1) continue;
-        nearestRate = pixels / near / 1e6;
-        areaRate = pixels / mixed / 1e6;
-    }
+    const double near = report("nearest, 1 thread", pixels, [&] { nearestMaker.fill(whole, out.data(), 1); });
+    const double mixed = report("area, linear light, 1 thread", pixels, [&] { areaMaker.fill(whole, out.data(), 1); });
+    report("nearest, 2 threads", pixels, [&] { nearestMaker.fill(whole, out.data(), 2); });
+    report("area, linear light, 2 threads", pixels, [&] { areaMaker.fill(whole, out.data(), 2); });
     report("area, cross-talk compensated, 1 thread", pixels, [&] { compensatedMaker.fill(whole, out.data(), 1); });
     report("area, dithered, 1 thread", pixels, [&] { ditheredMaker.fill(whole, out.data(), 1); });
     report("preparing the columns (area)", pixels, [&] { const Interlacer again(area, views); });
@@ -172,7 +159,7 @@ bool interlacing(const Options& options)
     toFiles(views, areaMaker, area, out);
     std::printf("\nOne thread interlaces %.0f MPixel/s with the nearest view (goal: 1000) and %.0f with areas in "
                 "linear light (goal: 500).\n",
-                nearestRate, areaRate);
+                pixels / near / 1e6, pixels / mixed / 1e6);
     return true;
 }
 

@@ -15,9 +15,7 @@
 namespace vitrine::bench {
 namespace {
 
-constexpr int viewCount = 24;
-constexpr int viewWidth = 1600;
-constexpr int viewHeight = 1440;
+constexpr int viewCount = 24, viewWidth = 1600, viewHeight = 1440;
 
 /// Writes pictures without large uniform areas; each view is different.
 void writeViews(const std::string& folder)

@@ -195,12 +195,8 @@ void printRun(const std::string& name, const std::vector<std::string>& arguments
         return;
     }
     Run run = runProgram(arguments, {}, seconds);
-    char result[64];
-    if (run.code == -1)
-        std::snprintf(result, sizeof result, "ended after its %.0f s", seconds);
-    else
-        std::snprintf(result, sizeof result, "exit code %d", run.code);
-    std::printf("| %s | %s | %.1f | %.0f |\n", name.c_str(), result, run.wallSeconds, run.peakMegabytes);
+    const std::string result = run.code == -1 ? "ended after its time" : "exit code " + std::to_string(run.code);
+    std::printf("| %s | %s | %.1f | %.0f |\n", name.c_str(), result.c_str(), run.wallSeconds, run.peakMegabytes);
     std::fflush(stdout);
     if (out) *out = std::move(run.out);
 }

@@ -15,6 +15,7 @@ interlacing cpu $bench interlacing
 large_print cpu $bench large_print
 hall_costs gl $bench hall_costs
 window_start gl xvfb-run -a $bench window_start
+your_shader gl $bench your_shader
 portable gl xvfb-run -a $bench portable
 window_latency gl xvfb-run -a -s -screen\ 0\ 1600x1000x24 $bench window_latency
 web_hall gl sh tests/bench/web_hall/run.sh

@@ -93,8 +93,7 @@ Found measure(const View& view, double morph, const std::vector<bool>& truth, co
         return gpu::sdfTorusMug(p, shape);
     }};
     const auto bounds = gpu::torusMugBox(shape);
-    const glm::vec3 low = bounds.center - bounds.halfSize;
-    const glm::vec3 high = bounds.center + bounds.halfSize;
+    const glm::vec3 low = bounds.center - bounds.halfSize, high = bounds.center + bounds.halfSize;
     const glm::vec3 eye(view.eye);
 
     auto settings = tracer.marchSettings(0, farthest, variant.absoluteTolerance > 0 ? 0.0F : float(pixelCone));
@@ -103,10 +102,8 @@ Found measure(const View& view, double morph, const std::vector<bool>& truth, co
     settings.relaxation = variant.relaxation;
     settings.omega = float(variant.omega);
 
-    std::int64_t inCones = 0;
-    std::int64_t counted = 0;
-    int missed = 0;
-    int extra = 0;
+    std::int64_t inCones = 0, counted = 0;
+    int missed = 0, extra = 0;
     for (int by = 0; by < height; by += block) {
         for (int bx = 0; bx < width; bx += block) {
             glm::vec2 blockSpan(0, farthest);
@@ -156,13 +153,10 @@ void shadows(const View& view, double morph)
     const double tanRadius = 0.06;
     struct Row {
         const char* name;
-        double squares = 0;
-        double penumbraSquares = 0;
-        double evaluations = 0;
+        double squares = 0, penumbraSquares = 0, evaluations = 0;
     };
     std::vector<Row> rows{{"hard"}, {"classic"}, {"Aaltonen"}, {"signed (default)"}, {"area 4"}, {"area 16"}};
-    int points = 0;
-    int penumbra = 0;
+    int points = 0, penumbra = 0;
     for (int y = 0; y < height; y += 3) {
         for (int x = 0; x < width; x += 3) {
             const glm::dvec3 ray = view.ray(x + 0.5, y + 0.5);
@@ -172,9 +166,8 @@ void shadows(const View& view, double morph)
             const glm::dvec3 normal = tracer.fieldNormal(at, 3e-4, tracer.NORMAL_CENTRAL, -ray);
             if (glm::dot(normal, toLight) <= 0.1) continue;
             const glm::dvec3 p = at + normal * 0.004;
-            const double start = 0.004;
-            const double end = 4;
-            const int limit = 256;
+            constexpr double start = 0.004, end = 4;
+            constexpr int limit = 256;
             const double truth = tracer.shadowArea(p, toLight, tanRadius, start, end, limit, 400, 0).visibility;
             const double rotation = exact::unitFromBits(exact::pcg(std::uint32_t(y * width + x))) * 6.283185307;
             const decltype(tracer.shadowHard(p, toLight, start, end, limit)) found[] = {

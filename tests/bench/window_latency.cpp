@@ -74,13 +74,15 @@ public:
         button(true);
         button(false);
     }
-    void key(KeySym symbol, std::vector<KeySym> held = {}) const
+    /// Presses and releases a key, and waits some seconds.
+    void key(KeySym symbol, std::vector<KeySym> held = {}, double then = 0) const
     {
         for (const KeySym each : held) key_(display_, XKeysymToKeycode(display_, each), True, 0);
         key_(display_, XKeysymToKeycode(display_, symbol), True, 0);
         key_(display_, XKeysymToKeycode(display_, symbol), False, 0);
         for (const KeySym each : held) key_(display_, XKeysymToKeycode(display_, each), False, 0);
         XFlush(display_);
+        wait(then);
     }
     void type(const char* letters) const
     {
@@ -189,8 +191,7 @@ public:
 private:
     [[nodiscard]] std::optional<Window> largest() const
     {
-        Window root = 0;
-        Window parent = 0;
+        Window root = 0, parent = 0;
         Window* children = nullptr;
         unsigned count = 0;
         std::optional<Window> found;
@@ -242,8 +243,7 @@ void showExposure(const Hands& hands)
 {
     clickOn(hands, otherTab);
     wait(1);
-    hands.key(XK_f, {XK_Control_L});
-    wait(1);
+    hands.key(XK_f, {XK_Control_L}, 1);
     hands.key(XK_a, {XK_Control_L});
     hands.type("exposure");
     wait(2);
@@ -252,8 +252,7 @@ void showExposure(const Hands& hands)
 /// Moves the slider's handle to and fro and releases it, so that refinement starts again.
 double drag(const Hands& hands, int step)
 {
-    const int y = slider.y + slider.height / 2;
-    const int middle = slider.x + slider.width / 2;
+    const int middle = slider.x + slider.width / 2, y = slider.y + slider.height / 2;
     hands.move(middle, y);
     hands.button(true);
     wait(0.3);
@@ -276,14 +275,11 @@ Answers probe(const Hands& hands, const Program& program, int runs, const std::f
         wait(0.3);
         (void)hands.answer(menuArea, [&] { hands.key(XK_Escape); });
         again();
-        hands.key(XK_f, {XK_Control_L});
-        wait(0.5 + 0.041 * run);
-        hands.key(XK_End);
-        wait(0.3);
+        hands.key(XK_f, {XK_Control_L}, 0.5 + 0.041 * run);
+        hands.key(XK_End, {}, 0.3);
         answers.key.push_back(hands.answer(typed, [&] { hands.key(XK_w); }));
         wait(0.3);
-        hands.key(XK_BackSpace);
-        wait(0.7);
+        hands.key(XK_BackSpace, {}, 0.7);
         answers.number.push_back(drag(hands, run % 2 == 0 ? 9 : -9));
         wait(0.3);
     }
@@ -292,12 +288,10 @@ Answers probe(const Hands& hands, const Program& program, int runs, const std::f
 
 void command(const Hands& hands, const char* name)
 {
-    hands.key(XK_p, {XK_Control_L, XK_Shift_L});
-    wait(1.5);
+    hands.key(XK_p, {XK_Control_L, XK_Shift_L}, 1.5);
     hands.type(name);
     wait(1);
-    hands.key(XK_Return);
-    wait(2);
+    hands.key(XK_Return, {}, 2);
 }
 
 void printRow(const std::string& program, const char* state, const Answers& answers)
@@ -312,8 +306,7 @@ bool openAtTheMug(const Hands& hands, const Program& program)
 {
     if (!program.open()) return false;
     wait(3);
-    hands.key(XK_1, {XK_Alt_L});
-    wait(3);
+    hands.key(XK_1, {XK_Alt_L}, 3);
     showExposure(hands);
     return true;
 }
@@ -331,38 +324,27 @@ bool measureAnswers(const Hands& hands, const std::string& name, const std::stri
         std::function<void(const Program&)> enter;
         std::function<void()> again;
     };
+    const auto move = [&](const Program&) {
+        hands.key(XK_2, {XK_Alt_L}, 2);
+        showExposure(hands);
+    };
+    const auto study = [&](const Program& p) {
+        command(hands, "Study");
+        p.focus();
+        clickOn(hands, measure);
+        wait(2);
+    };
+    const auto exporting = [&](const Program&) {
+        hands.key(XK_e, {XK_Control_L, XK_Shift_L}, 2);
+        hands.key(XK_Return, {}, 1);
+    };
     const std::vector<State> states{
         {"still", [](const Program& p) { p.rest(90); }, nothing},
-        {"moving",
-         [&](const Program&) {
-             hands.key(XK_2, {XK_Alt_L});
-             wait(2);
-             showExposure(hands);
-         },
-         nothing},
+        {"moving", move, nothing},
         {"refining", [](const Program&) {}, afresh},
-        {"studying",
-         [&](const Program& p) {
-             command(hands, "Study");
-             p.focus();
-             clickOn(hands, measure);
-             wait(2);
-         },
-         nothing},
-        {"exporting a picture",
-         [&](const Program&) {
-             hands.key(XK_e, {XK_Control_L, XK_Shift_L});
-             wait(2);
-             hands.key(XK_Return);
-             wait(1);
-         },
-         nothing},
-        {"rendering a print's views",
-         [&](const Program&) {
-             hands.key(XK_p, {XK_Control_L});
-             wait(4);
-         },
-         nothing},
+        {"studying", study, nothing},
+        {"exporting a picture", exporting, nothing},
+        {"rendering a print's views", [&](const Program&) { hands.key(XK_p, {XK_Control_L}, 4); }, nothing},
     };
     for (const State& state : states) {
         const Program program(hands, path, cache);

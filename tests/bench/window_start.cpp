@@ -51,13 +51,10 @@ double row(const char* name, const std::vector<Start>& starts)
         wall.push_back(start.seconds);
         cpu.push_back(start.cpuSeconds);
     }
-    std::sort(wall.begin(), wall.end());
-    std::sort(all.begin(), all.end());
-    std::sort(cpu.begin(), cpu.end());
-    const double median = wall[wall.size() / 2];
-    std::printf("| %s | %.0f | %.0f to %.0f | %.0f | %.0f | %zu |\n", name, 1e3 * median, 1e3 * wall.front(),
-                1e3 * wall.back(), 1e3 * all[all.size() / 2], 1e3 * cpu[cpu.size() / 2], starts.size());
-    return median;
+    const auto [low, high] = std::minmax_element(wall.begin(), wall.end());
+    std::printf("| %s | %.0f | %.0f to %.0f | %.0f | %.0f | %zu |\n", name, 1e3 * median(wall), 1e3 * *low, 1e3 * *high,
+                1e3 * median(all), 1e3 * median(cpu), starts.size());
+    return median(wall);
 }
 
 }  // namespace
