@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <list>
 #include <mutex>
 #include <numbers>
@@ -47,7 +48,7 @@ std::shared_ptr<const SkyView> made(const SkySource& source)
     view->sun = colorOf(sky.sunlight()) * source.sun;
     view->sunOnClouds = colorOf(sky.sunlight(cirrus)) * source.sun;
     auto table = std::make_shared<render::Texture>();
-    table->name = "sky";
+    table->name = skyTableName;
     table->width = table->height = side;
     table->channels = 3;
     table->repeat = table->mipmaps = false;
@@ -73,8 +74,44 @@ std::shared_ptr<const SkyView> made(const SkySource& source)
     return view;
 }
 
+/// Returns a color in 32 bits: three mantissas of nine bits, and an exponent of five that they share (the format
+/// RGB9_E5 of OpenGL).
+std::uint32_t sharedExponent(const glm::vec3& color)
+{
+    const float most = std::max({color.x, color.y, color.z, 1e-9F});
+    const int exponent = std::clamp(static_cast<int>(std::floor(std::log2(most))) + 1, -15, 16);
+    const auto mantissa = [exponent](float x) {
+        return static_cast<std::uint32_t>(std::clamp(std::lround(std::ldexp(x, 9 - exponent)), 0L, 511L));
+    };
+    return mantissa(color.x) | mantissa(color.y) << 9U | mantissa(color.z) << 18U |
+           static_cast<std::uint32_t>(exponent + 15) << 27U;
+}
+
 }  // namespace
 }  // namespace sky_view
+
+std::string skyArrayGlsl(const render::Texture& table)
+{
+    const std::string side = std::to_string(table.width), last = std::to_string(table.width - 1);
+    std::string text = "// The clear sky as a table over direction: mantissas of nine bits, and an exponent.\n"
+                       "#include \"lib/sky_view_place.glsl\"\n\nconst uint skyTable[" +
+                       side + " * " + side + "] = uint[" + side + " * " + side + "](";
+    for (std::size_t i = 0; 3 * i < table.floats.size(); ++i) {
+        text += (i == 0 ? "\n    " : i % 8 == 0 ? ",\n    " : ", ");
+        text += std::to_string(
+                    sky_view::sharedExponent({table.floats[3 * i], table.floats[3 * i + 1], table.floats[3 * i + 2]})) +
+                'u';
+    }
+    return text +
+           ");\n\nvec3 skyTexel(int i)\n{\n    uint bits = skyTable[i];\n"
+           "    return vec3(float(bits & 511u), float((bits >> 9u) & 511u), float((bits >> 18u) & 511u)) * "
+           "exp2(float(bits >> 27u) - 24.0);\n}\n\n"
+           "vec3 skyViewRadiance(vec3 d, vec3 sunDirection)\n{\n    vec2 at = skyViewPlace(d, sunDirection) * " +
+           last + ".0;\n    ivec2 texel = ivec2(min(floor(at), " + last +
+           ".0 - 1.0));\n    vec2 share = at - vec2(texel);\n" + "    int i = texel.y * " + side +
+           " + texel.x;\n    return mix(mix(skyTexel(i), skyTexel(i + 1), share.x), " + "mix(skyTexel(i + " + side +
+           "), skyTexel(i + " + side + " + 1), share.x), share.y);\n}\n";
+}
 
 std::shared_ptr<const SkyView> skyView(const SkySource& source)
 {

@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 
 #include <memory>
+#include <string>
 
 namespace vitrine {
 
@@ -30,5 +31,11 @@ struct SkyView {
 
 /// Returns the sky under this light. Thread-safe. The last few are kept; a new one takes some milliseconds.
 [[nodiscard]] std::shared_ptr<const SkyView> skyView(const SkySource&);
+
+/// Name of the texture `SkyView::radiance`.
+inline constexpr const char* skyTableName = "sky";
+/// Returns shaders/lib/sky_view.glsl with a constant array in place of the texture, for shaders without textures. Each
+/// channel is off by at most a thousandth of the brightest one.
+[[nodiscard]] std::string skyArrayGlsl(const render::Texture& table);
 
 }  // namespace vitrine

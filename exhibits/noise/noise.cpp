@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -86,6 +87,22 @@ WorkShader shaderOf(NoiseWork work)
     return {"noise/clouds", "noise/clouds.frag"};
 }
 
+/// Returns the parameter by which the work uses baked noise; nullopt if it uses none.
+std::optional<Choice<NoiseLookup>> bakedBy(const NoiseTable& t, const ParameterValues& values)
+{
+    if (values[t.look] != NoiseLook::physical || values[t.work] == NoiseWork::sea) return std::nullopt;
+    const bool clouds = values[t.work] == NoiseWork::clouds;
+    if (!clouds && values[t.march] != NoiseMarch::bounded) return std::nullopt;
+    const Choice<NoiseLookup> lookup = clouds ? t.cloudNoise : t.fieldNoise;
+    return values[lookup] == NoiseLookup::baked ? std::optional(lookup) : std::nullopt;
+}
+
+/// Returns whether steps through clouds are shifted by blue noise.
+bool isJittered(const NoiseTable& t, const ParameterValues& values)
+{
+    return values[t.work] == NoiseWork::clouds && values[t.look] == NoiseLook::physical && values[t.jitter];
+}
+
 /// Adds the defines that save the shader decisions at every step.
 void addPermutation(const NoiseTable& t, const ParameterValues& values, render::Pass& pass)
 {
@@ -96,6 +113,7 @@ void addPermutation(const NoiseTable& t, const ParameterValues& values, render::
     const bool halved = physical && values[t.march] == NoiseMarch::halved;
     if (halved && work == NoiseWork::sea) define("HEIGHT_STEPS");
     if (halved && work == NoiseWork::clouds) define("EVEN_STEPS");
+    if (isJittered(t, values)) define("JITTER");
     if (work != NoiseWork::field && work != NoiseWork::fractal) return;
     const bool fractal = work == NoiseWork::fractal;
     define(kindDefine(t, values));
@@ -151,6 +169,20 @@ std::vector<Chart> Noise::charts(const ParameterValues& values) const
     return noiseCharts(table_, values);
 }
 
+ParameterValues Noise::standAloneValues(const ParameterValues& values) const
+{
+    if (const auto lookup = bakedBy(table_, values))
+        refuseToStandAlone(title(), values.rows()[lookup->row], static_cast<double>(NoiseLookup::baked),
+                           static_cast<double>(NoiseLookup::evaluated));
+    if (isJittered(table_, values)) refuseToStandAlone(title(), values.rows()[table_.jitter.row], 1, 0);
+    return values;
+}
+
+StandAloneNumbers Noise::standAloneNumbers(const ParameterValues& values) const
+{
+    return {.assignments = noiseMotionGlsl(table_, values), .assigned = {"work.amplitudes"}};
+}
+
 void Noise::plan(const PlanContext& context, render::FramePlan& plan) const
 {
     const Table& t = table_;
@@ -159,12 +191,8 @@ void Noise::plan(const PlanContext& context, render::FramePlan& plan) const
     for (const NoiseWork other : {NoiseWork::field, NoiseWork::fractal, NoiseWork::sea, NoiseWork::clouds})
         if (other != work) plan.skip(shaderOf(other).name, "another work is shown");
     const bool clouds = work == NoiseWork::clouds;
-    const bool field = work == NoiseWork::field || work == NoiseWork::fractal;
     // Noise is baked only for parameters that have an effect, so that no unused volume is kept.
-    const bool baked =
-        values[t.look] == NoiseLook::physical &&
-        (clouds ? values[t.cloudNoise] == NoiseLookup::baked
-                : field && values[t.march] == NoiseMarch::bounded && values[t.fieldNoise] == NoiseLookup::baked);
+    const bool baked = bakedBy(t, values).has_value();
     const WorkShader shader = shaderOf(work);
     render::Pass pass = portalPass(shader.name, "in view", values, shader.fragment, noisePortal(t, values), context);
     const glm::dvec3 towardsSun = towardsSunOf(t, context);
@@ -174,7 +202,7 @@ void Noise::plan(const PlanContext& context, render::FramePlan& plan) const
     pass.blocks[BLOCK_EXHIBIT] = render::std140Bytes(block);
     pass.inputs.push_back({UNIT_ENVIRONMENT, sky->radiance});
     addPermutation(t, values, pass);
-    if (clouds) pass.inputs.push_back({UNIT_EXHIBIT_B, blueNoise()});
+    if (isJittered(t, values)) pass.inputs.push_back({UNIT_EXHIBIT_B, blueNoise()});
     if (baked) {
         pass.shader.defines.emplace_back("BAKED");
         pass.inputs.push_back(

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "exhibits/framework/scene/exhibit.h"
+#include "exhibits/framework/scene/stands_alone.h"
 #include "exhibits/noise/noise_table.h"
 
 namespace vitrine {
@@ -8,7 +9,7 @@ namespace vitrine {
 /// Four works made of noise behind a deep frame: a field, a sum of octaves, a sea and a sky of clouds. Start reading
 /// with the parameters, then noise_scene.h (motion and its periods) and the shaders of the works. The noise itself is
 /// in shaders/lib/noise.glsl and its neighbors.
-class Noise final : public Exhibit, public HasButton, public HasSurroundings, public HasCharts {
+class Noise final : public Exhibit, public HasButton, public HasSurroundings, public HasCharts, public StandsAlone {
 public:
     using Table = NoiseTable;
 
@@ -36,6 +37,8 @@ public:
     [[nodiscard]] std::vector<Chart> charts(const ParameterValues&) const override;
     [[nodiscard]] bool castsShadow() const override { return false; }
     void plan(const PlanContext&, render::FramePlan&) const override;
+    [[nodiscard]] ParameterValues standAloneValues(const ParameterValues&) const override;
+    [[nodiscard]] StandAloneNumbers standAloneNumbers(const ParameterValues&) const override;
 
 private:
     Table table_;

@@ -1,6 +1,7 @@
 #include "exhibits/noise/noise_scene.h"
 
 #include "exhibits/noise/sea_waves.h"
+#include "render/files/number_text.h"
 #include "render/glsl/cpu.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -180,6 +181,54 @@ NoiseBlock noiseBlock(const NoiseTable& t, const ParameterValues& values, double
     setFoam(t, values, block);
     setClouds(t, values, seconds, block);
     return block;
+}
+
+std::string noiseMotionGlsl(const NoiseTable& t, const ParameterValues& values)
+{
+    const auto number = [](double x) {
+        const std::string text = render::shortestNumber(static_cast<float>(x));
+        return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+    };
+    const auto vector = [&](const glm::dvec3& v) {
+        return "vec3(" + number(v.x) + ", " + number(v.y) + ", " + number(v.z) + ")";
+    };
+    const NoiseWork work = values[t.work];
+    const bool physical = values[t.look] == NoiseLook::physical;
+    if (work == NoiseWork::field || work == NoiseWork::fractal) {
+        // As setField does.
+        const std::string octaves = std::to_string(work == NoiseWork::field ? 1 : values[t.octaves]);
+        const std::string loop = "    for (int i = 0; i < " + octaves + "; ++i) { ";
+        std::string text = "    work.amplitudes = 0.0;\n    float amplitude = 1.0;\n" + loop +
+                           "work.amplitudes += amplitude; amplitude *= parameters.gain; }\n";
+        text += "    mat3 lattice = mat3(parameters.frequency);\n    vec3 drifted = vec3(0.0, 0.0, " +
+                number(-values[t.drift]) + " * TIME);\n";
+        text += loop +
+                "vec3 place = work.places[i].xyz + lattice * drifted; work.places[i].xyz = fract(place); "
+                "work.cells[i].xyz = (work.cells[i].xyz + ivec3(floor(place))) & ivec3(" +
+                std::to_string(FIELD_REPEAT - 1) +
+                "); lattice = noiseRotation(parameters.octaveRotation) * parameters.lacunarity * lattice; }\n";
+        const std::string last = std::to_string(NOISE_OCTAVES - 1);
+        if (physical && work == NoiseWork::fractal && values[t.warp] > 0)
+            text += "    vec3 warped = work.places[" + last +
+                    "].xyz + 0.5 * parameters.frequency * drifted;\n    work.places[" + last +
+                    "].xyz = fract(warped);\n    work.cells[" + last + "].xyz += ivec3(floor(warped));\n";
+        return physical ? text : text + "    work.time = mod(work.time + TIME, 3600.0);\n";
+    }
+    if (!physical) return "    work.time = mod(work.time + TIME, 3600.0);\n";
+    if (work == NoiseWork::sea)
+        return "    for (int i = 0; i < work.waves; ++i) work.wave[i].w = mod(work.wave[i].w + sqrt(9.81 * "
+               "length(work.wave[i].xy)) * TIME, 6.2831853);\n"
+               "    work.foamTime = mod(work.foamTime + 0.25 * TIME, " +
+               number(NOISE_PERIOD) + ");\n    work.skyTime = mod(work.skyTime + 0.004 * TIME, " +
+               number(NOISE_PERIOD) + ");\n";
+    const double angle = values[t.windDirection];
+    const glm::dvec3 way = -values[t.windSpeed] * glm::dvec3(std::sin(angle), 0, -std::cos(angle));
+    const auto shift = [&](const std::string& name, double factor, double repeat) {
+        return "    work." + name + " = mod(work." + name + " + TIME * " + vector(factor * way) + ", " +
+               number(repeat) + ");\n";
+    };
+    return shift("cloudShift", 1, CLOUD_REPEAT) + shift("fineShift", 1.2, CLOUD_FINE_REPEAT) +
+           shift("weatherShift", WEATHER_SCALE, CLOUD_REPEAT);
 }
 
 std::shared_ptr<const SkyView> noiseSky(const NoiseTable& t, const ParameterValues& values,

@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 
 #include <memory>
+#include <string>
 
 namespace vitrine {
 
@@ -23,6 +24,10 @@ namespace vitrine {
 /// is the number of the supersample.
 [[nodiscard]] NoiseBlock noiseBlock(const NoiseTable&, const ParameterValues&, double seconds,
                                     const glm::dvec3& towardsSun, int sample);
+
+/// Returns GLSL statements that move the block on by TIME seconds, and compute what follows from parameters that the
+/// shader reads. They use only members that the shader of the shown work reads.
+[[nodiscard]] std::string noiseMotionGlsl(const NoiseTable&, const ParameterValues&);
 
 /// Returns the clear sky of the works, for a sun of irradiance 1 above the air.
 [[nodiscard]] std::shared_ptr<const SkyView> noiseSky(const NoiseTable&, const ParameterValues&,

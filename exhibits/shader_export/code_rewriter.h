@@ -18,6 +18,13 @@ inline constexpr const char* exportedColor = "pictureColor";
 /// Name of the visitor's `main` or `mainImage` in the new form.
 inline constexpr const char* exportedMain = "pictureMain";
 
+/// Gives global names of the code that are those two another name, which ends with `ending`.
+inline void freeExportedNames(const std::set<std::string>& names, Renaming& renaming, const std::string& ending = {})
+{
+    for (const std::string name : {exportedColor, exportedMain})
+        if (names.contains(name)) renaming[name] = name + "Before" + ending;
+}
+
 /// Returns the code without what the new form writes anew: the JSON head, declarations of inputs and outputs, and
 /// preprocessor lines of the old form. Words are renamed, except members behind a dot.
 [[nodiscard]] std::string rewritten(const Shader&, const Code&, const Renaming&);

@@ -242,6 +242,7 @@ private:
             for (const std::string& name : globalNames(pass.code))
                 if (!isShared(name, pass)) renaming[name] = name + ending;
         renaming[shader_.form == Form::shadertoy ? "mainImage" : "main"] = exportedMain + ending;
+        freeExportedNames(globalNames(pass.code), renaming, ending);
         renaming["gl_FragColor"] = exportedColor;
         renaming["gl_FragData"] = std::string(exportedColor) + 's';
         return renaming;

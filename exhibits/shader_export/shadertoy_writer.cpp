@@ -209,6 +209,7 @@ private:
                 message("Shadertoy's code has no buffers, and the picture of this shader is one; export ISF or a "
                         "web page."));
         Renaming renaming{{"main", exportedMain}, {"gl_FragColor", exportedColor}};
+        freeExportedNames(globalNames(pass.code), renaming);
         std::vector<BridgedVariable> variables = bridgedVariables(exported_, pass, shadertoyWords());
         for (BridgedVariable& each : variables)
             if (each.name.starts_with('i') && each.name != "isf_FragNormCoord") renaming[each.name] = each.name += '_';

@@ -2,6 +2,7 @@
 
 #include "exhibits/framework/scene/stands_alone.h"
 #include "exhibits/framework/table/acting.h"
+#include "exhibits/kit/sky_view.h"
 #include "exhibits/shader_export/block_layout.h"
 #include "exhibits/shader_export/code_rewriter.h"
 #include "exhibits/shader_export/glsl_items.h"
@@ -34,13 +35,40 @@ constexpr const char* tonePass = "tone";
 
 /// An exhibit with the passes that draw it alone, from which the text of the ISF is generated.
 struct AlonePicture {
-    const SceneObject& exhibit;
-    const ParameterValues& values;
+    const Museum& museum;
+    SceneState state;
+    std::size_t subject = 0;
     render::FramePlan plan;
     const render::Pass* pass = nullptr;
     const render::Pass* tone = nullptr;
-    StandAloneNumbers numbers;
+    StandAloneNumbers numbers = {};
+
+    [[nodiscard]] const SceneObject& exhibit() const { return museum.subject(subject); }
+    [[nodiscard]] const ParameterValues& values() const { return state.values[subject]; }
 };
+AlonePicture alonePicture(const Museum&, SceneState, std::size_t subject);
+
+/// Returns the shader files that replace textures of a pass: tables of the sky become arrays.
+std::map<std::string, std::string> textsForPictures(const render::Pass& pass)
+{
+    std::map<std::string, std::string> texts;
+    for (const render::SampledTexture& input : pass.inputs)
+        if (const auto* picture = std::get_if<std::shared_ptr<const render::Texture>>(&input.source))
+            if (*picture && (*picture)->name == skyTableName) texts["lib/sky_view.glsl"] = skyArrayGlsl(**picture);
+    return texts;
+}
+
+/// Returns a legal value other than the present one.
+Value otherValue(const ParameterInfo& info, const Value& present)
+{
+    if (const auto* color = std::get_if<glm::dvec3>(&present)) return 0.5 * *color + 0.25;
+    const double number = std::get<double>(present);
+    if (info.kind == Kind::toggle) return number != 0 ? 0.0 : 1.0;
+    if (info.kind == Kind::choice) return number > 0 ? number - 1 : number + 1;
+    if (info.kind == Kind::count) return number < info.range.high ? number + 1 : number - 1;
+    const double low = info.range.softLow, high = info.range.softHigh;
+    return number < 0.5 * (low + high) ? number + 0.3 * (high - number) : number - 0.3 * (number - low);
+}
 
 FrameRequest requestOf(const Museum& museum, const SceneState& state, std::size_t subject)
 {
@@ -77,7 +105,9 @@ const render::Pass& drawingPass(const render::FramePlan& plan, const SceneObject
 /// Generates the text of the ISF.
 class AloneWriter {
 public:
-    AloneWriter(const AlonePicture& picture, std::vector<Message>& notes) : picture_(picture), notes_(notes)
+    /// `isTrial`: only whether it can be written matters, so that parameters need not be tried one by one.
+    AloneWriter(const AlonePicture& picture, std::vector<Message>& notes, bool isTrial = false)
+        : picture_(picture), notes_(notes), isTrial_(isTrial)
     {
         load();
         readStructs();
@@ -88,9 +118,11 @@ public:
         std::string body;
         for (const GlslItem& item : items_) body += textOf(item);
         chooseNames();
-        const std::string set = blockLines() + frameLines() + parameterLines() + numberLines();
+        const std::string set = blockLines(*picture_.pass) + frameLines() + parameterLines() + numberLines();
+        if (anyFixed_)
+            notes_.push_back(message("Parameters from which further numbers are computed stay as they are now."));
         Json head{{"ISFVSN", "2"}};
-        head["DESCRIPTION"] = std::string(picture_.exhibit.title()) + ", as Vitrine draws it.";
+        head["DESCRIPTION"] = std::string(picture_.exhibit().title()) + ", as Vitrine draws it.";
         head["CATEGORIES"] = {"Generator"};
         head["INPUTS"] = inputs_;
         std::string json = render::writeJson(head);
@@ -107,11 +139,12 @@ private:
     [[nodiscard]] std::string textOf(const GlslItem&);
     [[nodiscard]] std::string blockText(const GlslItem&);
     void chooseNames();
-    [[nodiscard]] std::string blockLines() const;
+    [[nodiscard]] std::string blockLines(const render::Pass&) const;
+    [[nodiscard]] bool isRead(std::size_t row) const;
+    [[nodiscard]] bool changesOthers(std::size_t row) const;
     [[nodiscard]] std::string frameLines();
     [[nodiscard]] std::string parameterLines();
     [[nodiscard]] std::string numberLines();
-    [[nodiscard]] bool isInput(std::size_t row) const;
     [[nodiscard]] std::string rowInput(std::size_t row);
     Json& newInput(const std::string& name, const char* type, std::string_view label);
     void numberInput(const std::string& name, std::string_view label, Unit, double initial, double low, double high,
@@ -128,6 +161,7 @@ private:
 
     const AlonePicture& picture_;
     std::vector<Message>& notes_;
+    bool isTrial_;
     GlslMacros macros_;
     std::vector<GlslItem> items_;
     std::set<std::string> members_;     ///< Words behind a dot in the needed items.
@@ -144,6 +178,7 @@ private:
     Json inputs_ = Json::array();
     std::map<std::string, std::string> numberNames_;
     bool convertsColors_ = false;
+    bool anyFixed_ = false;
 };
 
 void AloneWriter::load()
@@ -152,6 +187,7 @@ void AloneWriter::load()
     const render::ShaderKey& key = picture_.pass->shader;
     std::map<std::string, std::string> texts;
     if (key.sources) texts = key.sources->textByPath();
+    for (const auto& [path, text] : textsForPictures(*picture_.pass)) texts[path] = text;
     if (picture_.numbers.sources)
         for (const auto& [path, text] : picture_.numbers.sources->textByPath()) texts[path] = text;
     texts[rootFile] = "#include \"" + key.fragment + "\"\n#include \"your_shader/export.glsl\"\n";
@@ -200,7 +236,7 @@ std::string AloneWriter::textOf(const GlslItem& item)
                                   item.names.contains("BLOCK_ARRAY");
         return isBlockMacro ? "" : item.text + '\n';
     }
-    const Message title = Message::ofTable(picture_.exhibit.title());
+    const Message title = Message::ofTable(picture_.exhibit().title());
     if (item.words.contains("BLOCK_STRUCT")) {
         const std::string& name = *item.names.begin();
         return structText(name, structs_[name], members_);
@@ -224,7 +260,7 @@ std::string AloneWriter::textOf(const GlslItem& item)
 /// Returns a block as variables. Throws Failure for pictures and buffers.
 std::string AloneWriter::blockText(const GlslItem& item)
 {
-    const Message title = Message::ofTable(picture_.exhibit.title());
+    const Message title = Message::ofTable(picture_.exhibit().title());
     if (item.words.contains("buffer"))
         refuseExhibit(message(
             "{1} cannot stand alone: it reads a buffer of numbers, which web pages and ISF do not have.", title));
@@ -274,7 +310,7 @@ void AloneWriter::chooseNames()
     }
 }
 
-std::string AloneWriter::blockLines() const
+std::string AloneWriter::blockLines(const render::Pass& pass) const
 {
     std::set<std::string> used = members_;
     for (const Block& block : blocks_)
@@ -287,8 +323,8 @@ std::string AloneWriter::blockLines() const
         if (block.binding == BLOCK_FRAME || block.binding == BLOCK_PARAMETERS) continue;
         const render::Bytes* bytes = nullptr;
         if (block.binding == BLOCK_OBJECT)
-            bytes = &picture_.pass->draws.front().object;
-        else if (const auto found = picture_.pass->blocks.find(block.binding); found != picture_.pass->blocks.end())
+            bytes = &pass.draws.front().object;
+        else if (const auto found = pass.blocks.find(block.binding); found != pass.blocks.end())
             bytes = &found->second;
         if (bytes) lines += constants.lines(block.fields, *bytes, block.prefix, without);
     }
@@ -342,12 +378,30 @@ std::string AloneWriter::frameLines()
     return text;
 }
 
-bool AloneWriter::isInput(std::size_t row) const
+/// Returns whether the shader reads a parameter that has an effect.
+bool AloneWriter::isRead(std::size_t row) const
 {
-    const ParameterInfo& info = picture_.values.rows()[row];
-    if (!parameters_.contains(std::string(info.name)) || !acts(picture_.values, row)) return false;
+    const ParameterInfo& info = picture_.values().rows()[row];
+    if (!parameters_.contains(std::string(info.name)) || !acts(picture_.values(), row)) return false;
     return info.kind == Kind::real || info.kind == Kind::count || info.kind == Kind::toggle ||
            info.kind == Kind::color || info.kind == Kind::choice;
+}
+
+/// Returns whether numbers or pictures of the shader are computed from a parameter, so that it cannot be an input.
+bool AloneWriter::changesOthers(std::size_t row) const
+{
+    SceneState state = picture_.state;
+    ParameterValues& values = state.values[picture_.subject];
+    values.setParameter(row, otherValue(values.rows()[row], values.row(row)));
+    try {
+        const AlonePicture other = alonePicture(picture_.museum, state, picture_.subject);
+        return other.pass->shader.defines != picture_.pass->shader.defines ||
+               other.numbers.assignments != picture_.numbers.assignments ||
+               textsForPictures(*other.pass) != textsForPictures(*picture_.pass) ||
+               blockLines(*other.pass) != blockLines(*picture_.pass);
+    } catch (const Failure&) {
+        return true;  // With another value it cannot stand alone.
+    }
 }
 
 Json& AloneWriter::newInput(const std::string& name, const char* type, std::string_view label)
@@ -382,13 +436,13 @@ std::string factorOf(Unit unit)
 /// Adds the input of a parameter and returns its value in SI.
 std::string AloneWriter::rowInput(std::size_t row)
 {
-    const ParameterInfo& info = picture_.values.rows()[row];
+    const ParameterInfo& info = picture_.values().rows()[row];
     const std::string name = freeName(std::string(info.name)), title = label(info);
-    const double* number = std::get_if<double>(&picture_.values.row(row));
+    const double* number = std::get_if<double>(&picture_.values().row(row));
     switch (info.kind) {
     case Kind::toggle: newInput(name, "bool", title)["DEFAULT"] = *number != 0; return name;
     case Kind::color: {
-        const glm::dvec3 linear = std::get<glm::dvec3>(picture_.values.row(row));
+        const glm::dvec3 linear = std::get<glm::dvec3>(picture_.values().row(row));
         Json& json = newInput(name, "color", title);
         for (int i = 0; i < 3; ++i) json["DEFAULT"].push_back(render::srgbFromLinear(linear[i]));
         json["DEFAULT"].push_back(1.0);
@@ -426,9 +480,13 @@ std::string AloneWriter::parameterLines()
         const auto found = picture_.pass->blocks.find(BLOCK_PARAMETERS);
         std::set<std::string> inputs;
         std::string lines;
-        for (std::size_t row = 0; row < picture_.values.rows().size(); ++row) {
-            if (!isInput(row)) continue;
-            const std::string member = block.prefix + std::string(picture_.values.rows()[row].name);
+        for (std::size_t row = 0; row < picture_.values().rows().size(); ++row) {
+            if (!isRead(row)) continue;
+            if (!isTrial_ && changesOthers(row)) {
+                anyFixed_ = true;
+                continue;
+            }
+            const std::string member = block.prefix + std::string(picture_.values().rows()[row].name);
             inputs.insert(member);
             lines += "    " + member + " = " + rowInput(row) + ";\n";
         }
@@ -476,20 +534,20 @@ std::string AloneWriter::compact(const std::string& text)
 }
 
 /// Returns the picture of an exhibit alone, with what can be computed elsewhere.
-AlonePicture alonePicture(const Museum& museum, SceneState& state, std::size_t subject)
+AlonePicture alonePicture(const Museum& museum, SceneState state, std::size_t subject)
 {
     const SceneObject& exhibit = museum.subject(subject);
     if (subject == hallIndex) refuseExhibit(message("The hall is drawn by many passes; visit an exhibit first."));
     const auto* alone = capability<StandsAlone>(exhibit);
     if (alone) state.values[subject] = alone->standAloneValues(state.values[subject]);
     const FrameRequest request = requestOf(museum, state, subject);
-    AlonePicture picture{
-        exhibit, state.values[subject], museum.plan(museum.prepare(state, request), request), nullptr, nullptr, {}};
+    render::FramePlan plan = museum.plan(museum.prepare(state, request), request);
+    AlonePicture picture{museum, std::move(state), subject, std::move(plan)};
     picture.pass = &drawingPass(picture.plan, exhibit);
     picture.tone = picture.plan.find(tonePass);
     if (!picture.tone)
         refuseExhibit(message("{1} cannot stand alone: its picture is not toned.", Message::ofTable(exhibit.title())));
-    if (alone) picture.numbers = alone->standAloneNumbers(state.values[subject]);
+    if (alone) picture.numbers = alone->standAloneNumbers(picture.values());
     for (const std::string& define : picture.tone->shader.defines)
         if (define == "GLARE") picture.numbers.notes.push_back(message("Halos around bright lights are left out."));
     return picture;
@@ -500,8 +558,7 @@ AlonePicture alonePicture(const Museum& museum, SceneState& state, std::size_t s
 std::string standAloneText(const Museum& museum, const SceneState& state, std::size_t subject,
                            std::vector<Message>& notes)
 {
-    SceneState own = state;
-    const AlonePicture picture = alonePicture(museum, own, subject);
+    const AlonePicture picture = alonePicture(museum, state, subject);
     notes.insert(notes.end(), picture.numbers.notes.begin(), picture.numbers.notes.end());
     return AloneWriter(picture, notes).write();
 }
@@ -528,7 +585,7 @@ Message whyNotAlone(const Museum& museum, const SceneState& state, std::size_t s
 {
     try {
         std::vector<Message> notes;
-        static_cast<void>(standAloneText(museum, state, subject, notes));
+        static_cast<void>(AloneWriter(alonePicture(museum, state, subject), notes, true).write());
         return {};
     } catch (const Failure& failure) {
         return failure.message();

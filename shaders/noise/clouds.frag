@@ -1,5 +1,5 @@
 // Clouds: marches rays through a layer of noise, lit by the sun through the cloud itself and by the sky. Permutations:
-// BAKED; REFERENCE; EVEN_STEPS (no empty-space skipping, plain sums).
+// BAKED; JITTER; REFERENCE; EVEN_STEPS (no empty-space skipping, plain sums).
 #include "noise/work.glsl"
 #include "noise/cloud_noise.glsl"
 #include "noise/cloud_medium.glsl"
@@ -7,7 +7,9 @@
 #ifdef BAKED
 layout(binding = UNIT_EXHIBIT_A) uniform sampler3D bakedNoise;
 #endif
+#ifdef JITTER
 layout(binding = UNIT_EXHIBIT_B) uniform sampler2D blueNoise;
+#endif
 
 const float CLOUD_FARTHEST = 32000.0;
 const float CLOUD_GROUND = -1100.0;  // meters, relative to the cloud base
@@ -52,9 +54,9 @@ float cloudDensity(vec3 p, float weather, bool fine)
     d = min(d, 1.0);
     if (fine && parameters.erosion > 0.0) {
         vec3 q = p + work.fineShift;
-        float edges = noiseOfClouds(q, CLOUD_FINE_REPEAT).y;
         // The same noise at a higher frequency is added. Its period divides that of the lower frequency.
-        edges = mix(edges, noiseOfClouds(q, CLOUD_FINE_REPEAT / 4.0).y, 0.2);
+        float edges = 0.0;
+        for (int i = 0; i < 2; ++i) edges = mix(edges, noiseOfClouds(q, i == 0 ? CLOUD_FINE_REPEAT : CLOUD_FINE_REPEAT / 4.0).y, i == 0 ? 1.0 : 0.2);
         // Inverting the noise makes lumps at the top of a cloud; without it, there are wisps at the bottom.
         float eaten = mix(edges, 1.0 - edges, clamp(h * 4.0, 0.0, 1.0));
         d = clamp((d - parameters.erosion * eaten * (1.0 - 0.5 * d)) / (1.0 - 0.5 * parameters.erosion), 0.0, 1.0);
@@ -128,7 +130,11 @@ PortalSeen ourClouds(PortalRay ray)
     vec3 sum = vec3(0.0);
     float weight = 0.0;
     float distance = 0.0;
-    float shift = parameters.jitter ? fract(textureLod(blueNoise, (floor(ray.pixel) + 0.5) / 64.0, 0.0).r + work.sampleShift) : 0.5;
+#ifdef JITTER
+    float shift = fract(textureLod(blueNoise, (floor(ray.pixel) + 0.5) / 64.0, 0.0).r + work.sampleShift);
+#else
+    float shift = 0.5;
+#endif
     vec3 sun = sunLight();
     vec3 above = skyAmbient(1.0);
     vec3 below = skyAmbient(-0.6) * 0.55;

@@ -129,7 +129,7 @@ const std::map<std::string, std::vector<std::string>> roomsOfExhibits{
     {"compare", {"framework", "museum", "study"}},
     {"recording", {"framework", "museum"}},
     {"stability", {"framework", "kit", "museum"}},
-    {"shader_export", {"framework", "museum", "your_shader"}},
+    {"shader_export", {"framework", "kit", "museum", "your_shader"}},
 };
 const std::vector<std::string> roomsForExhibits{"framework", "kit", "printing"};
 

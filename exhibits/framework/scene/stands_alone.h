@@ -1,7 +1,9 @@
 #pragma once
 
 #include "exhibits/framework/scene/prepare.h"
-#include "exhibits/framework/table/units.h"
+#include "exhibits/framework/table/parameters.h"
+#include "exhibits/framework/table/value_text.h"
+#include "render/failure.h"
 #include "render/glsl/shader_key.h"
 #include "render/text/message.h"
 
@@ -9,6 +11,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace vitrine {
@@ -37,9 +40,20 @@ class StandsAlone {
 public:
     virtual ~StandsAlone() = default;
     /// Returns the values with which the exhibit is drawn by one shader without buffers, such as the evaluation of all
-    /// shapes.
+    /// shapes. Throws Failure if that would change the picture (`refuseToStandAlone`).
     [[nodiscard]] virtual ParameterValues standAloneValues(const ParameterValues&) const = 0;
     [[nodiscard]] virtual StandAloneNumbers standAloneNumbers(const ParameterValues&) const = 0;
 };
+
+/// Throws the Failure of an exhibit that cannot stand alone with the present value of a choice or toggle, but with
+/// another one.
+[[noreturn]] inline void refuseToStandAlone(std::string_view title, const ParameterInfo& parameter, double present,
+                                            double other)
+{
+    throw Failure(ErrorKind::check,
+                  message("{1} cannot stand alone while “{2}” is “{3}”; choose “{4}”.", Message::ofTable(title),
+                          Message::ofTable(label(parameter)), Message::ofTable(formatValue(parameter, present)),
+                          Message::ofTable(formatValue(parameter, other))));
+}
 
 }  // namespace vitrine
