@@ -415,6 +415,29 @@ TEST_F(YourShaderPictures, ShowAFileWithItsLowerRowBelow)
     EXPECT_THROW((void)own.shot.take(), Failure);
 }
 
+TEST_F(YourShaderPictures, OfATransitionAreMadeOfTwoFiles)
+{
+    ShaderShot own;
+    const auto plain = [&](const char* name, int channel) {
+        const std::string path = (own.folder / name).string();
+        render::writePicture(path, made(2, 2, [=](int, int, int c) { return c == channel ? 1.0F : 0.0F; }),
+                             render::PictureFormat::png8);
+        return path;
+    };
+    ASSERT_EQ(own.show(isf(R"("INPUTS": [{"NAME": "startImage", "TYPE": "image"}, {"NAME": "endImage", "TYPE": "image"},
+                           {"NAME": "progress", "TYPE": "float"}])",
+                           "gl_FragColor = mix(IMG_THIS_PIXEL(startImage), IMG_THIS_PIXEL(endImage), progress);")),
+              "");
+    own.set("startImage", plain("red.png", 0));
+    own.set("endImage", plain("blue.png", 2));
+    own.set("progress", 0.0);
+    EXPECT_EQ(own.codeAt(3, 3), (Codes{255, 0, 0}));
+    own.set("progress", 0.2);
+    EXPECT_EQ(own.codeAt(3, 3), (Codes{204, 0, 51}));
+    own.set("progress", 1.0);
+    EXPECT_EQ(own.codeAt(3, 3), (Codes{0, 0, 255}));
+}
+
 TEST_F(YourShaderPictures, OfVertexShadersInterpolateBetweenTheCornersOfThePicture)
 {
     ShaderShot own;
