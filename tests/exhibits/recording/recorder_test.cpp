@@ -3,6 +3,7 @@
 #include "exhibits/museum/render_command.h"
 #include "exhibits/recording/record.h"
 #include "render/image/image_io.h"
+#include "render/image/srgb.h"
 #include "tests/support/gallery.h"
 #include "tests/support/temporary_folder.h"
 
@@ -67,6 +68,33 @@ TEST_F(RecorderTest, AFrameIsThePictureOfItsMoment)
     EXPECT_EQ(test::largestDifference(third, film.pictureAt(motionSamplesOf(film.request, 2).front())), 0);
     EXPECT_GT(test::largestDifference(third, film.frame(1)), 0.1) << "the control: it moves";
     EXPECT_EQ(test::largestDifference(third, film.frame(2)), 0) << "whatever was drawn before";
+}
+
+TEST_F(RecorderTest, FramesOfAShaderWithFeedbackAreCountedFromTheBeginning)
+{
+    // A visitor's shader that counts its steps, 60 a second; in order, from the middle as in a part, and backwards.
+    const test::TemporaryFolder folder;
+    const std::string file = folder / "counter.fs";
+    test::writeBytes(file,
+                     R"(/*{"ISFVSN": "2", "PASSES": [{"TARGET": "count", "PERSISTENT": true, "FLOAT": true}, {}]}*/
+void main() { gl_FragColor = PASSINDEX == 0 ? IMG_THIS_PIXEL(count) + 1.0 : vec4(IMG_THIS_PIXEL(count).rrr / 255.0, 1.0); })");
+    test::Shot shot("your_shader");
+    shot.size(12, 8);
+    shot.values().setParameter(*shot.values().table().find("file"), file);
+    shot.sceneState = gallery().museum.readTables(shot.sceneState).sceneState;
+    shot.values().setParameter(*shot.values().table().find("animate"), 1.0);
+    Film film;
+    film.shot = shot;
+    film.request.picture = shot.request;
+    film.request.picture.frame.averageIn = AverageIn::display;
+    film.request.picture.frame.transparent = false;
+    film.request.picture.samples = 1;
+    film.request.camera = [at = shot.request.frame.camera](double) { return at; };
+    film.request.framesPerSecond = 20;
+    for (const int k : {0, 1, 2, 7, 6, 7, 2}) {
+        const render::Image frame = film.frame(k);
+        EXPECT_EQ(std::lround(255 * render::srgbFromLinear(frame.at(5, 4, 0))), 3 * k + 1) << k;
+    }
 }
 
 TEST_F(RecorderTest, MotionBlurIsTheMeanOfItsMoments)
