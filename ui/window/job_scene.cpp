@@ -12,7 +12,7 @@ jobs::JobScene jobSceneOf(Workbench& workbench, const jobs::Job& job)
 {
     const Museum& museum = workbench.museum();
     jobs::JobScene scene{&museum, workbench.history().sceneState(), workbench.chosen(), {}};
-    if (!job.needs().anyScene) scene.subject = museum.find(job.needs().subject).value();
+    if (const auto needed = museum.find(job.needs().subject)) scene.subject = *needed;
     scene.frame.camera = scene.state.camera;
     scene.frame.time = workbench.viewport().time();
     if (scene.subject != hallIndex) scene.frame.subject = scene.subject;

@@ -86,6 +86,18 @@ void turnAround(const ParameterValues& values, const JobScene& scene, RecordingR
                                         "show the exhibit alone.");
 }
 
+std::string refusalOf(const ParameterValues& values, const JobScene& scene, const RecordInputs& inputs)
+{
+    const RecordPath path = pathOf(values, scene);
+    if (scene.frame.alone && path != RecordPath::turntable && path != RecordPath::still)
+        return "A tour needs the hall, but the exhibit is shown alone; choose turntable or still, or show it in the "
+               "hall.";
+    if (path != RecordPath::bookmarks) return {};
+    if (!inputs.bookmarksProblem.empty()) return inputs.bookmarksProblem;
+    if (inputs.bookmarks && inputs.bookmarks->bookmarks.size() > 1) return {};
+    return "Set two bookmarks at least: one where you stand, then another elsewhere (View > Add bookmark).";
+}
+
 /// Returns the request with the motion of the camera. Finding a way around walls takes a while.
 RecordingRequest wholeRequest(const JobOrder& order)
 {
@@ -100,7 +112,9 @@ RecordingRequest wholeRequest(const JobOrder& order)
         request.closed = true;
     } else {
         const Museum& museum = *order.scene.museum;
-        const Tour tour = path == RecordPath::bookmarks ? inputs.bookmarks.value()
+        if (const std::string why = refusalOf(order.values, order.scene, inputs); !why.empty())
+            throw Failure(ErrorKind::usage, why);
+        const Tour tour = path == RecordPath::bookmarks ? *inputs.bookmarks
                           : inputs.tour                 ? *inputs.tour
                                                         : museumTour(museum, order.scene.state);
         request.closed = tour.closed;
@@ -170,18 +184,6 @@ private:
     std::unique_ptr<Recording> recording_;  ///< Declared last: destroyed before the renderer that it uses.
     JobReport report_;
 };
-
-std::string refusalOf(const ParameterValues& values, const JobScene& scene, const RecordInputs& inputs)
-{
-    const RecordPath path = pathOf(values, scene);
-    if (scene.frame.alone && path != RecordPath::turntable && path != RecordPath::still)
-        return "A tour needs the hall, but the exhibit is shown alone; choose turntable or still, or show it in the "
-               "hall.";
-    if (path != RecordPath::bookmarks) return {};
-    if (!inputs.bookmarksProblem.empty()) return inputs.bookmarksProblem;
-    if (inputs.bookmarks && inputs.bookmarks->bookmarks.size() > 1) return {};
-    return "Set two bookmarks at least: one where you stand, then another elsewhere (View > Add bookmark).";
-}
 
 }  // namespace
 

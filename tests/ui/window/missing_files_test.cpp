@@ -30,6 +30,7 @@
 #include <QImage>
 #include <QImageReader>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
@@ -40,6 +41,7 @@
 
 #include <clocale>
 #include <memory>
+#include <stdexcept>
 
 using namespace vitrine;
 using namespace vitrine::ui;
@@ -157,6 +159,21 @@ class MissingFilesTest : public QObject {
     {
         const ParameterValues& values = window_->history().sceneState().values[exhibit];
         return std::get<std::string>(values.row(*values.table().find(row)));
+    }
+    /// Opens the export dialog and returns its list of kinds.
+    [[nodiscard]] QListWidget& exportKinds()
+    {
+        window_->dialogs().openJob(*jobs::findJob("render"));
+        for (QListWidget* list : window_->findChild<ExportDialog*>()->findChildren<QListWidget*>())
+            if (list->accessibleName() == "Kind of export") return *list;
+        throw std::logic_error("the export dialog has no list of kinds");
+    }
+    /// Returns the settings of the shown page.
+    static ParameterValues settingsOf(const ExportDialog& dialog)
+    {
+        for (JobDialog* page : dialog.findChildren<JobDialog*>())
+            if (page->isVisible()) return page->setup().values();
+        return dialog.findChild<PrintDialog*>()->values();
     }
     void writeSession(const QByteArray& exhibit, const QByteArray& row, const QString& file,
                       const render::Camera& camera)
@@ -475,6 +492,26 @@ private slots:
         window_->dialogs().openPrint();
         QVERIFY(all->isVisible() && all->findChild<PrintDialog*>()->isVisible());
         all->close();
+    }
+
+    /// Also of an exhibit that is not visited, and in the hall.
+    void everyKindOfExportHasItsPage()
+    {
+        openWindow();
+        QListWidget& kinds = exportKinds();
+        const auto* dialog = window_->findChild<ExportDialog*>();
+        QStringList titles;
+        for (const std::size_t visited : {std::size_t(hallIndex), fur_}) {
+            window_->visit(visited);
+            for (int i = 0; i < kinds.count(); ++i) {
+                kinds.setCurrentRow(i);
+                QCOMPARE(dialog->shownKind(), kinds.item(i)->data(Qt::UserRole).toString());
+                QVERIFY(settingsOf(*dialog).rows().size() > 0);
+                if (visited == fur_) titles << kinds.item(i)->text();
+            }
+        }
+        for (const char* title : {"Picture", "Recording", "Lenticular print", "Sprites", "Quilt", "Shader"})
+            QVERIFY2(titles.contains(title), qPrintable(titles.join(", ")));
     }
 
 public slots:
