@@ -200,6 +200,7 @@ void JobDialog::connectParts()
         messages_->say(MessageStrip::Mood::notice, saved, {}, {}, name);
         export_->setPath(nextFreePath(path()));
         endExport(QString());
+        if (!preview_ && planned_) showFacts(run->report(), false);
     });
     connect(&full_, &JobRunner::failed, this, [this](const QString& why) {
         endExport(tr("Nothing was written."));
@@ -219,7 +220,8 @@ void JobDialog::recall()
         folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
     // A recording is named after what it shows, a sprite sheet or mesh after the job.
     const jobs::JobScene scene = scene_();
-    const std::string_view name = job_.needs().anyScene ? scene.museum->subject(scene.subject).name() : job_.name();
+    const bool chooses = job_.needs().choosesSubject();
+    const std::string_view name = chooses ? scene.museum->subject(scene.subject).name() : job_.name();
     const QString path = QDir(folder).filePath(text(name) + QLatin1Char('.') + extensionOf(job_));
     export_->setPath(QFileInfo::exists(path) ? nextFreePath(path) : path);
     setup_.recall();
@@ -261,7 +263,8 @@ std::filesystem::path JobDialog::output() const
 
 jobs::JobOrder JobDialog::order(const ParameterValues& values) const
 {
-    return {values, job_.sceneFor(values, scene_()), inputs_, {}, {}};
+    const jobs::JobScene scene = scene_();
+    return {job_.withScene(values, scene), job_.sceneFor(values, scene), inputs_, {}, {}};
 }
 
 void JobDialog::plan()
@@ -269,7 +272,7 @@ void JobDialog::plan()
     const ParameterValues values = setup_.values();
     plan_.start([this, values, inputs = inputs_, scene = scene_(),
                  &job = job_](const ProgressJob::Progress&) -> ProgressJob::Outcome {
-        const auto read = inputs ? inputs : job.read(values);
+        const auto read = inputs ? inputs : job.read(job.withScene(values, scene));
         const Planned planned{values, job.draft(values, *read), read, job.plan(values, scene, *read, {})};
         return [this, planned] { takePlan(planned); };
     });
@@ -387,12 +390,8 @@ void JobDialog::load(const QString& file)
 void JobDialog::startExport()
 {
     if (exporting() || !inputs_) return;
-    messages_->setProblems(jobExportCause(), {});
     const jobs::JobPlan plan = job_.plan(setup_.values(), scene_(), *inputs_, output());
-    if (!plan.refusal.empty()) {
-        messages_->setProblems(jobExportCause(), {translatedText(plan.refusal)});
-        return;
-    }
+    if (refuse(plan)) return;
     ifStopped_ = plan.ifStopped.empty() ? tr("Canceled; no file was written.") : translatedText(plan.ifStopped);
     QStringList beside;
     for (const jobs::PlannedFile& file : plan.files) beside << QString::fromStdString(file.path.string());
@@ -400,9 +399,18 @@ void JobDialog::startExport()
     export_->ask(beside);
 }
 
+bool JobDialog::refuse(const jobs::JobPlan& plan)
+{
+    const bool refused = !plan.refusal.empty();
+    messages_->setProblems(jobExportCause(), refused ? QStringList(translatedText(plan.refusal)) : QStringList());
+    return refused;
+}
+
 void JobDialog::begin()
 {
     if (exporting() || !inputs_) return;
+    // The scene or its files may have changed while the question about replacing a file was open.
+    if (refuse(job_.plan(setup_.values(), scene_(), *inputs_, output()))) return;
     jobs::JobOrder all = order(setup_.values());
     all.out = output();
     export_->showStatus(tr("Starting"));

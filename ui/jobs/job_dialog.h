@@ -81,6 +81,8 @@ private:
     /// Returns how long the export will take, by the time of the window's pictures; 0: unknown.
     [[nodiscard]] double secondsExpected() const;
     void chooseDocument();
+    /// Shows why the plan refuses the export, and returns whether it does.
+    bool refuse(const jobs::JobPlan&);
     void begin();
     void endExport(const QString& words);
     void complain(const QString&);

@@ -23,6 +23,8 @@
 
 #include <QFileDialog>
 
+#include <set>
+
 namespace vitrine::ui {
 namespace {
 
@@ -87,8 +89,11 @@ QDialog* WindowDialogs::makeJobPage(const jobs::Job& job, QWidget* parent)
     if (job.name() == "render") {
         connect(page, &JobDialog::exportBegun, &again_,
                 [this, page] { again_.note(page->setup().values(), page->path()); });
-        connect(&workbench_.history(), &History::changesSettled, page, &JobDialog::refresh);
     }
+    connect(&workbench_.history(), &History::changesSettled, page,
+            [page, needed = workbench_.museum().find(job.needs().subject)](const std::set<std::size_t>& changed) {
+                if (!needed || changed.count(*needed) > 0) page->refresh();
+            });
     return page;
 }
 

@@ -252,6 +252,12 @@ public:
     [[nodiscard]] virtual std::string partItems(const std::filesystem::path&) const { return {}; }
     /// Returns the scene as the job shows it with these values. Command lines and runs use this scene.
     [[nodiscard]] virtual JobScene sceneFor(const ParameterValues&, JobScene scene) const { return scene; }
+    /// Returns the values with those that the window's scene gives where none are set, such as the file that an exhibit
+    /// shows. The dialog reads, runs and writes them; a plan does the same by itself.
+    [[nodiscard]] virtual ParameterValues withScene(const ParameterValues& values, const JobScene&) const
+    {
+        return values;
+    }
     /// Returns a sentence on how a draft differs from the whole.
     [[nodiscard]] virtual std::string_view draftNote() const { return "The preview shows a part of it."; }
     /// Returns the effort of a run: the number of samples of pixels that it draws. 0: unknown.

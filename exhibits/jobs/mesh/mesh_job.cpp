@@ -1,10 +1,12 @@
 #include "exhibits/jobs/mesh/mesh_job.h"
 
+#include "exhibits/framework/scene/capabilities.h"
 #include "exhibits/framework/table/expression.h"
 #include "exhibits/framework/table/typed_number.h"
 #include "exhibits/jobs/kit/job_document.h"
 #include "exhibits/sdf_scenes/scene_mesh.h"
 #include "exhibits/sdf_scenes/scene_reader.h"
+#include "exhibits/sdf_scenes/sdf_scenes.h"
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
 #include "render/files/number_text.h"
@@ -24,7 +26,10 @@ constexpr double endless = std::numeric_limits<double>::infinity();
 
 struct MeshTable final : Parameters {
     Group sceneGroup = group("Scene");
-    File file = Parameters::file("scene", "Scene file.", extensions("json"), positional(), mustBeGiven());
+    File file = Parameters::file("scene",
+                                 "Scene file. Empty in the window: the scene that SDF Scenes shows, with its present "
+                                 "values and time.",
+                                 extensions("json"), positional(), mustBeGiven());
     Text set = text("set", "Value of one of the scene's parameters, name=value. Numbers are in SI units.", several());
     Real time = real("time", 0, second, Range{-1e9, 1e9}.soft(0, 60), "Time at which a moving scene is meshed.");
 
@@ -73,6 +78,35 @@ std::optional<glm::dvec3> cornerOf(const ParameterValues& values, const std::arr
     const glm::dvec3 corner{values[rows[0]], values[rows[1]], values[rows[2]]};
     if (!std::isfinite(corner.x) || !std::isfinite(corner.y) || !std::isfinite(corner.z)) return std::nullopt;
     return corner;
+}
+
+/// Scene that an exhibit shows in the window.
+struct ShownInWindow {
+    std::string path;
+    std::vector<std::string> values = {};  ///< Parameters that are not initial, each as "name=value".
+    double seconds = 0;                    ///< Time of a moving scene.
+    bool isEdited = false;                 ///< Whether its edits are not in the file yet.
+};
+
+/// Returns the scene that the exhibit of scenes shows; nullopt if there is no such exhibit.
+std::optional<ShownInWindow> shownInWindow(const JobScene& scene)
+{
+    const auto subject = scene.museum ? scene.museum->find("sdf_scenes") : std::nullopt;
+    const auto* exhibit = subject ? capability<SdfScenes>(scene.museum->subject(*subject)) : nullptr;
+    if (!exhibit) return std::nullopt;
+    const ParameterValues& values = scene.state.values[*subject];
+    const auto& table = static_cast<const SdfScenesTable&>(values.table());
+    ShownInWindow shown{exhibit->document(values).path};
+    shown.isEdited = !exhibit->unsavedText(values).empty();
+    if (!table.shown) return shown;
+    const scenes::Scene& read = *table.shown->scene;
+    for (std::size_t i = 0; i < table.ofScene.size(); ++i)
+        if (const double value = values[table.ofScene[i]]; value != read.parameters()[i].initial)
+            shown.values.push_back(read.parameters()[i].name + '=' + render::shortestNumber(value));
+    if (read.animated())
+        shown.seconds =
+            values[table.moment] + (values[table.animate] && std::isfinite(scene.frame.time) ? scene.frame.time : 0);
+    return shown;
 }
 
 /// Returns the box between --low and --high; nullopt if neither is given. Throws Failure (ErrorKind::usage) if the
@@ -250,11 +284,27 @@ const Parameters& MeshJob::parameters() const
 
 JobNeeds MeshJob::needs() const
 {
-    return {.extensions = {scenes::meshEndings.begin(), scenes::meshEndings.end()}};
+    return {.extensions = {scenes::meshEndings.begin(), scenes::meshEndings.end()}, .inWindow = true};
+}
+
+ParameterValues MeshJob::withScene(const ParameterValues& values, const JobScene& scene) const
+{
+    const MeshTable& t = meshTable();
+    if (!values[t.file].empty()) return values;
+    const std::optional<ShownInWindow> shown = shownInWindow(scene);
+    if (!shown) return values;
+    ParameterValues whole = values;
+    whole.set(t.file, shown->path);
+    std::vector<std::string> lines = shown->values;
+    for (const std::string& typed : linesOf(values[t.set])) lines.push_back(typed);  // The last value counts.
+    whole.set(t.set, joined(lines, "\n"));
+    if (values.isInitial(t.time.row)) whole.set(t.time, shown->seconds);
+    return whole;
 }
 
 std::shared_ptr<const JobInputs> MeshJob::read(const ParameterValues& values) const
 {
+    if (values[meshTable().file].empty()) throw Failure(ErrorKind::usage, "No scene file is given; choose one.");
     scenes::ReadScene read = scenes::readSceneFile(values[meshTable().file]);
     if (!read.fileRead) throw Failure(ErrorKind::file, read.findings.front().sentence);
     if (!read.scene) {
@@ -269,16 +319,19 @@ std::shared_ptr<const JobInputs> MeshJob::read(const ParameterValues& values) co
     return inputs;
 }
 
-JobPlan MeshJob::plan(const ParameterValues& values, const JobScene&, const JobInputs& inputs,
+JobPlan MeshJob::plan(const ParameterValues& given, const JobScene& window, const JobInputs& inputs,
                       const std::filesystem::path& out) const
 {
     const scenes::Scene& scene = *static_cast<const MeshInputs&>(inputs).scene;
+    const ParameterValues values = withScene(given, window);
     JobPlan plan;
     for (const scenes::Finding& shape : scene.leftOut)
         plan.warnings.push_back(shape.text().english() + " This shape is left out.");
     const auto refuse = [&](const std::string& why) {
         if (plan.refusal.empty()) plan.refusal = why;
     };
+    if (const auto shown = shownInWindow(window); shown && shown->isEdited && given[meshTable().file].empty())
+        refuse("The scene has changes that are not in its file yet; save it first (File > Save).");
     if (!scene.animated() && values[meshTable().time] != 0)
         refuse("--time has no effect on a scene in which nothing moves; leave it out.");
     try {

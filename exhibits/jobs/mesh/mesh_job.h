@@ -9,6 +9,7 @@ class MeshJob final : public Job {
 public:
     [[nodiscard]] std::string_view name() const override { return "mesh"; }
     [[nodiscard]] std::string_view title() const override { return "Export mesh"; }
+    [[nodiscard]] std::string_view product() const override { return "Mesh"; }
     [[nodiscard]] std::string_view summary() const override
     {
         return "Make a closed mesh of a scene's surface, for other programs and 3D printers";
@@ -19,6 +20,10 @@ public:
     [[nodiscard]] JobPlan plan(const ParameterValues&, const JobScene&, const JobInputs&,
                                const std::filesystem::path& out) const override;
     [[nodiscard]] std::unique_ptr<JobRun> start(JobOrder) const override;
+    /// Returns the values with the scene that SDF Scenes shows, unless a file is given.
+    [[nodiscard]] ParameterValues withScene(const ParameterValues&, const JobScene&) const override;
+    /// Returns no scene: a mesh depends on its file alone.
+    [[nodiscard]] JobScene sceneFor(const ParameterValues&, JobScene) const override { return {}; }
 };
 
 }  // namespace vitrine::jobs

@@ -29,10 +29,12 @@
 #include <QDropEvent>
 #include <QImage>
 #include <QImageReader>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QProcess>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTemporaryDir>
@@ -167,6 +169,12 @@ class MissingFilesTest : public QObject {
         for (QListWidget* list : window_->findChild<ExportDialog*>()->findChildren<QListWidget*>())
             if (list->accessibleName() == "Kind of export") return *list;
         throw std::logic_error("the export dialog has no list of kinds");
+    }
+    static QPushButton* buttonOf(const QWidget& parent, const QString& text)
+    {
+        for (QPushButton* each : parent.findChildren<QPushButton*>())
+            if (each->text() == text && each->isVisible()) return each;
+        return nullptr;
     }
     /// Returns the settings of the shown page.
     static ParameterValues settingsOf(const ExportDialog& dialog)
@@ -510,8 +518,53 @@ private slots:
                 if (visited == fur_) titles << kinds.item(i)->text();
             }
         }
-        for (const char* title : {"Picture", "Recording", "Lenticular print", "Sprites", "Quilt", "Shader"})
+        for (const char* title : {"Picture", "Recording", "Lenticular print", "Sprites", "Mesh", "Quilt", "Shader"})
             QVERIFY2(titles.contains(title), qPrintable(titles.join(", ")));
+    }
+
+    void aMeshIsThatOfTheSceneOnShowWithItsValues()
+    {
+        write("ball.json", json("{'format':'vitrine-scene','version':1,'parameters':{'size':{'value':0.2,'unit':'m',"
+                                "'range':[0.1,0.4],'help':'Radius.'}},'root':{'kind':'sphere','radius':'size'}}"));
+        openWindow();
+        const std::size_t scenes = museum_->find("sdf_scenes").value();
+        window_->visit(scenes);
+        drop(path("ball.json"));
+        const auto values = [&]() -> const ParameterValues& { return window_->history().sceneState().values[scenes]; };
+        QTRY_VERIFY(values().table().find("size").has_value());
+        window_->history().set(scenes, *values().table().find("size"), 0.3, newGesture());
+        QListWidget& kinds = exportKinds();
+        kinds.setCurrentItem(kinds.findItems("Mesh", Qt::MatchExactly).front());
+        const auto* dialog = window_->findChild<ExportDialog*>();
+        JobDialog* page = nullptr;
+        for (JobDialog* each : dialog->findChildren<JobDialog*>())
+            if (each->job().name() == "mesh") page = each;
+        QVERIFY(page);
+        ParameterValues settings = page->setup().values();
+        settings.setParameter(settings.table().find("cell").value(), 0.05);
+        page->setup().change("Change", settings);
+        QTRY_VERIFY_WITH_TIMEOUT(page->settled() && buttonOf(*page, "Export")->isEnabled(), test::patience);
+        page->setPath(path("window.stl"));
+        buttonOf(*page, "Export")->click();
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path("window.stl")), test::patience);
+        QProcess program;
+        program.start(QStringLiteral(VITRINE_PROGRAM),
+                      {"mesh", path("ball.json"), "--cell", "5cm", "--set", "size=0.3", "--out", path("program.stl")});
+        QVERIFY(program.waitForFinished(vitrine::test::patience));
+        QVERIFY2(program.exitCode() == 0, program.readAllStandardError().constData());
+        QVERIFY(contentOf(path("window.stl")).size() > 1000);
+        QCOMPARE(contentOf(path("window.stl")), contentOf(path("program.stl")));
+        QVERIFY2(page->commandLine().contains(path("ball.json")), qPrintable(page->commandLine()));
+        // Edits that are not saved are in no file.
+        const auto document = values().table().find("document").value();
+        window_->history().set(scenes, document,
+                               json("{'format':'vitrine-scene','version':1,'root':{'kind':'sphere'}}").toStdString(),
+                               newGesture());
+        QTRY_VERIFY_WITH_TIMEOUT(page->settled() && !buttonOf(*page, "Export")->isEnabled(), test::patience);
+        bool found = false;
+        for (const QLabel* label : page->findChildren<QLabel*>())
+            found = found || label->text().contains("save it first");
+        QVERIFY(found);
     }
 
 public slots:
