@@ -2,6 +2,7 @@
 
 #include "exhibits/framework/files/state_folder.h"
 #include "ui/kit/ini_file.h"
+#include "ui/kit/message_strip.h"
 #include "ui/kit/type_size.h"
 #include "ui/kit/window_place.h"
 
@@ -9,6 +10,7 @@
 #include <QListWidget>
 #include <QSettings>
 #include <QStackedWidget>
+#include <QVBoxLayout>
 
 #include <algorithm>
 #include <utility>
@@ -27,13 +29,12 @@ QSettings exportPlaces()
 }  // namespace
 
 ExportDialog::ExportDialog(std::vector<ExportKind> kinds, QWidget* parent)
-    : QDialog(parent), kinds_(std::move(kinds)), list_(new QListWidget(this)), stack_(new QStackedWidget(this))
+    : QDialog(parent), kinds_(std::move(kinds)), list_(new QListWidget(this)), stack_(new QStackedWidget(this)),
+      presets_(new ExportPresetList(this)), messages_(new MessageStrip(this))
 {
     setWindowTitle(tr("Export"));
     setWindowFlag(Qt::WindowMaximizeButtonHint);
     list_->setAccessibleName(tr("Kind of export"));
-    growMinimumWidth(*list_, kindsWidth);
-    list_->setMaximumWidth(list_->minimumWidth());
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list_->setFrameShape(QFrame::NoFrame);
     list_->setSpacing(4);
@@ -46,13 +47,31 @@ ExportDialog::ExportDialog(std::vector<ExportKind> kinds, QWidget* parent)
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    layout->addWidget(list_);
+    layout->addWidget(buildColumn());
     layout->addWidget(stack_, 1);
+    messages_->lieOver(stack_);
     connect(list_, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
         if (item) showKind(item->data(idRole).toString());
     });
     resize(1150, 680);  // With a title bar it fits 1280 x 720.
     restorePlace(*this, exportPlaces().value(QStringLiteral("export/geometry")).toByteArray());
+}
+
+QWidget* ExportDialog::buildColumn()
+{
+    auto* column = new QWidget(this);
+    growWidth(*column, kindsWidth);
+    auto* layout = new QVBoxLayout(column);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(list_, 1);
+    layout->addWidget(presets_);
+    connect(presets_, &ExportPresetList::failed, this, [this](const QString& why) {
+        messages_->setProblems(QStringLiteral("presets"), why.isEmpty() ? QStringList() : QStringList(why));
+    });
+    connect(presets_, &ExportPresetList::noted, this,
+            [this](const QString& note) { messages_->say(MessageStrip::Mood::notice, note); });
+    return column;
 }
 
 QDialog* ExportDialog::page(const ExportKind& kind)
@@ -70,10 +89,14 @@ QDialog* ExportDialog::page(const ExportKind& kind)
 QDialog* ExportDialog::showKind(const QString& id)
 {
     const auto kind = std::find_if(kinds_.begin(), kinds_.end(), [&](const ExportKind& each) { return each.id == id; });
-    if (kind == kinds_.end()) return nullptr;
+    if (kind == kinds_.end() || !kind->unavailable.isEmpty()) return nullptr;
     QDialog* shown = page(*kind);
     stack_->setCurrentWidget(shown);
     shown->show();
+    if (kind->settings)
+        presets_->show(kind->settings(*shown));
+    else
+        presets_->clear();
     const QSignalBlocker quiet(list_);
     list_->setCurrentRow(static_cast<int>(kind - kinds_.begin()));
     return shown;
@@ -94,6 +117,7 @@ bool ExportDialog::isExporting(const QString& id) const
 
 void ExportDialog::endPage(const QString& id)
 {
+    presets_->clear();
     pages_.erase(id);  // A finished page deletes itself.
     QDialog::reject();
     exportPlaces().setValue(QStringLiteral("export/geometry"), saveGeometry());

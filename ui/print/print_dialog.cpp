@@ -268,6 +268,14 @@ void PrintDialog::setValues(const ParameterValues& values)
     setup_.change(tr("Change settings"), values);
 }
 
+void PrintDialog::change(const QString& undoText, const ParameterValues& values)
+{
+    if (exporting_)
+        say(MessageStrip::Mood::notice, tr("The settings of a print cannot change while it is written."));
+    else
+        setup_.change(undoText, values);
+}
+
 bool PrintDialog::fromWindow() const
 {
     return values()[printing::printTable().origin] == printing::ViewOrigin::shown;

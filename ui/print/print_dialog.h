@@ -36,6 +36,8 @@ public:
 
     [[nodiscard]] const ParameterValues& values() const { return setup_.values(); }
     void setValues(const ParameterValues&);
+    /// Sets the values in one undo step with this name. While a print is written, shows a message instead.
+    void change(const QString& undoText, const ParameterValues&);
     [[nodiscard]] QStringList files() const { return setup_.pictures(); }
     /// Opens views, or loads the settings of a print or its JSON. Used for drops on the dialog.
     void open(const QStringList& paths);

@@ -36,6 +36,19 @@ void bringUp(QWidget& dialog)
     dialog.activateWindow();
 }
 
+/// Returns the settings of a page for its presets.
+ExportSettings settingsOf(JobDialog& page)
+{
+    return {&page.job(), [&page] { return page.setup().values(); },
+            [&page](const QString& undoText, const ParameterValues& values) { page.setup().change(undoText, values); }};
+}
+
+ExportSettings settingsOf(PrintDialog& page)
+{
+    return {jobs::findJob("print"), [&page] { return page.values(); },
+            [&page](const QString& undoText, const ParameterValues& values) { page.change(undoText, values); }};
+}
+
 }  // namespace
 
 WindowDialogs::WindowDialogs(Workbench& workbench, QWidget& window, Bookmarks& bookmarks, LessonController& lessons,
@@ -65,13 +78,15 @@ std::vector<ExportKind> WindowDialogs::exportKinds()
             {text(job.name()), translatedText(std::string(job.product())),
              [this, &job](QWidget* parent) { return makeJobPage(job, parent); },
              [](const QDialog& page) { return static_cast<const JobDialog&>(page).exporting(); },
-             subject.empty() || workbench_.museum().find(subject) ? QString() : tr("This museum lacks its exhibit.")});
+             subject.empty() || workbench_.museum().find(subject) ? QString() : tr("This museum lacks its exhibit."),
+             [](QDialog& page) { return settingsOf(static_cast<JobDialog&>(page)); }});
     }
     const auto print = [this](QWidget* parent) {
         return new PrintDialog(new ShownViews(workbench_, &window_), parent);
     };
     kinds.push_back({QStringLiteral("print"), tr("Lenticular print"), print,
-                     [](const QDialog& page) { return static_cast<const PrintDialog&>(page).exporting(); }});
+                     [](const QDialog& page) { return static_cast<const PrintDialog&>(page).exporting(); }, QString(),
+                     [](QDialog& page) { return settingsOf(static_cast<PrintDialog&>(page)); }});
     return kinds;
 }
 

@@ -8,11 +8,14 @@
 #include "render/plan/frame_plan.h"
 #include "tests/ui/few_samples.h"
 #include "ui/export/export_dialog.h"
+#include "ui/export/export_presets.h"
 #include "ui/export/picture_export.h"
 #include "ui/jobs/export_again.h"
 #include "ui/jobs/job_dialog.h"
 #include "ui/jobs/picture_preview.h"
+#include "ui/kit/inline_dialog.h"
 #include "ui/kit/message_strip.h"
+#include "ui/kit/name_dialog.h"
 #include "ui/kit/theme.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/parameters/parameter_row.h"
@@ -182,6 +185,24 @@ class MissingFilesTest : public QObject {
         for (JobDialog* page : dialog.findChildren<JobDialog*>())
             if (page->isVisible()) return page->setup().values();
         return dialog.findChild<PrintDialog*>()->values();
+    }
+    static void changeSettings(const ExportDialog& dialog, const ParameterValues& values)
+    {
+        for (JobDialog* page : dialog.findChildren<JobDialog*>())
+            if (page->isVisible()) return page->setup().change("Change", values);
+        dialog.findChild<PrintDialog*>()->setValues(values);
+    }
+    /// Returns the values with another value of the first number.
+    static ParameterValues withAnotherNumber(ParameterValues values)
+    {
+        for (std::size_t i = 0; i < values.rows().size(); ++i) {
+            const ParameterInfo& row = values.rows()[i];
+            if (!row.isNumeric()) continue;
+            const bool isHigh = std::get<double>(values.row(i)) == row.range.softHigh;
+            values.setParameter(i, nearestLegal(row, isHigh ? row.range.softLow : row.range.softHigh).value());
+            return values;
+        }
+        return values;
     }
     void writeSession(const QByteArray& exhibit, const QByteArray& row, const QString& file,
                       const render::Camera& camera)
@@ -565,6 +586,87 @@ private slots:
         for (const QLabel* label : page->findChildren<QLabel*>())
             found = found || label->text().contains("save it first");
         QVERIFY(found);
+    }
+
+    void settingsOfEveryKindOfExportAreSavedUnderANameAndChosen()
+    {
+        openWindow();
+        QListWidget& kinds = exportKinds();
+        auto* dialog = window_->findChild<ExportDialog*>();
+        auto* presets = dialog->findChild<ExportPresetList*>();
+        auto* list = presets->findChild<QListWidget*>();
+        const auto choose = [&](int row) {
+            list->setCurrentRow(row);
+            QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(row)).center());
+        };
+        for (int i = 0; i < kinds.count(); ++i) {
+            kinds.setCurrentRow(i);
+            const QByteArray kind = dialog->shownKind().toUtf8();
+            QVERIFY2(presets->names().isEmpty(), kind);
+            buttonOf(*presets, "Reset")->click();
+            const ParameterValues initial = settingsOf(*dialog), other = withAnotherNumber(initial);
+            QVERIFY2(!(initial == other), kind);
+            changeSettings(*dialog, other);
+            buttonOf(*presets, "Save…")->click();
+            auto* asks = presets->findChild<NameDialog*>();
+            QVERIFY(asks);
+            asks->findChild<QLineEdit*>()->setText("My 1/2 %");
+            buttonOf(*asks, "Save")->click();
+            QTRY_VERIFY(!presets->findChild<NameDialog*>());
+            QCOMPARE(presets->names(), QStringList("My 1/2 %"));
+            buttonOf(*presets, "Reset")->click();
+            QVERIFY2(settingsOf(*dialog) == initial, kind);
+            choose(0);
+            QVERIFY2(settingsOf(*dialog) == other, kind);
+            buttonOf(*presets, "Delete")->click();
+            buttonOf(*presets->findChild<InlineDialog*>(), "Delete")->click();
+            QTRY_VERIFY(!presets->findChild<InlineDialog*>());
+            QVERIFY2(presets->names().isEmpty(), kind);
+        }
+    }
+
+    void aBrokenPresetOfAnExportIsNamedWithItsKeyAndChangesNothing()
+    {
+        openWindow();
+        const jobs::Job& job = *jobs::findJob("record");
+        const ExportPresets files(job);
+        ParameterValues values = job.parameters().initial();
+        values.setParameter(values.table().find("seconds").value(), 2.0);
+        for (const char* name : {"Cut", "Unknown", "Whole"}) files.save(name, values);
+        const auto fileOf = [&](const char* name) { return QString::fromStdString(files.file(name).string()); };
+        const QByteArray whole = contentOf(fileOf("Whole"));
+        const auto replace = [&](const char* name, const QByteArray& text) {
+            QFile file(fileOf(name));
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write(text);
+        };
+        replace("Cut", whole.left(whole.size() / 2));
+        replace("Unknown", QByteArray(whole).replace("\"seconds\"", "\"secnds\""));
+        window_->dialogs().openJob(job);
+        auto* dialog = window_->findChild<ExportDialog*>();
+        auto* presets = dialog->findChild<ExportPresetList*>();
+        auto* list = presets->findChild<QListWidget*>();
+        const auto problems = [&] {
+            QStringList all;
+            for (const MessageStrip* strip : dialog->findChildren<MessageStrip*>()) all += strip->texts();
+            return all;
+        };
+        const auto choose = [&](int row) {
+            list->setCurrentRow(row);
+            QTest::keyClick(list, Qt::Key_Return);
+        };
+        QCOMPARE(presets->names(), QStringList({"Cut", "Unknown", "Whole"}));
+        choose(0);
+        QCOMPARE(problems().size(), 1);
+        QVERIFY2(problems().front().contains("Cut.vitrine-job.json"), qPrintable(problems().front()));
+        choose(1);
+        QCOMPARE(problems().size(), 1);
+        QVERIFY2(problems().front().contains("Unknown.vitrine-job.json") && problems().front().contains("secnds"),
+                 qPrintable(problems().front()));
+        QVERIFY(settingsOf(*dialog) == job.parameters().initial());
+        choose(2);
+        QVERIFY(problems().isEmpty());
+        QVERIFY(settingsOf(*dialog) == values);
     }
 
 public slots:
