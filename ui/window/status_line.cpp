@@ -10,23 +10,23 @@
 
 namespace vitrine::ui {
 
-StatusLine::StatusLine(QWidget* parent) : QWidget(parent), graph_(new FrameGraph(this))
+StatusLine::StatusLine(QWidget* parent)
+    : QWidget(parent), words_(new QLabel(this)), time_(new QLabel(this)), graph_(new FrameGraph(this))
 {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 0, 8, 0);
     layout->setSpacing(24);
-    const std::array<QString, 4> names{tr("What is drawn and why"), tr("Resolution"), tr("Time of the frame"),
-                                       tr("Passes")};
-    for (std::size_t i = 0; i < labels_.size(); ++i) {
-        labels_[i] = new QLabel(this);
-        labels_[i]->setTextFormat(Qt::PlainText);
-        labels_[i]->setAccessibleName(names[i]);
-        labels_[i]->setToolTip(names[i]);
-        if (i == 2) layout->addWidget(graph_);
-        layout->addWidget(labels_[i], i == 0 ? 1 : 0);
+    words_->setAccessibleName(tr("What is drawn and why"));
+    time_->setAccessibleName(tr("Time of the frame"));
+    for (QLabel* label : {words_, time_}) {
+        label->setTextFormat(Qt::PlainText);
+        label->setToolTip(label->accessibleName());
     }
-    growMinimumWidth(*labels_[0], 80);
-    labels_[0]->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    layout->addWidget(words_, 1);
+    layout->addWidget(graph_);
+    layout->addWidget(time_);
+    growMinimumWidth(*words_, 80);
+    words_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     growHeight(*this, 24);
     timer_.setSingleShot(true);
     timer_.setInterval(500);
@@ -50,10 +50,12 @@ void StatusLine::renew()
 {
     shownReason_ = reason_;
     showWords();
-    labels_[1]->setText(tr("%1 × %2").arg(pixels_.width()).arg(pixels_.height()));
-    labels_[2]->setText(tr("%1 ms").arg(numberLocale().toString(milliseconds_, 'f', 1)));
-    labels_[2]->setToolTip(tr("Time of the frame, by %1").arg(clock_));
-    labels_[3]->setText(tr("%1 passes ran, %2 skipped").arg(ran_).arg(skipped_));
+    time_->setText(tr("%1 ms").arg(numberLocale().toString(milliseconds_, 'f', 1)));
+    const QStringList details{tr("%1 × %2").arg(pixels_.width()).arg(pixels_.height()),
+                              tr("%1 passes ran, %2 skipped").arg(ran_).arg(skipped_),
+                              tr("Time of the frame, by %1").arg(clock_)};
+    time_->setToolTip(details.join(QLatin1Char('\n')));
+    time_->setAccessibleDescription(details.join(QStringLiteral(", ")));
 }
 
 void StatusLine::showHelp(const QString& help)
@@ -65,15 +67,13 @@ void StatusLine::showHelp(const QString& help)
 void StatusLine::showWords()
 {
     const QString& words = help_.isEmpty() ? shownReason_ : help_;
-    labels_[0]->setText(labels_[0]->fontMetrics().elidedText(words, Qt::ElideRight, labels_[0]->width()));
-    labels_[0]->setToolTip(words);
+    words_->setText(words_->fontMetrics().elidedText(words, Qt::ElideRight, words_->width()));
+    words_->setToolTip(words);
 }
 
 QString StatusLine::text() const
 {
-    QStringList all{shownReason_};
-    for (std::size_t i = 1; i < labels_.size(); ++i) all << labels_[i]->text();
-    return all.join(QStringLiteral(" | "));
+    return QStringList{shownReason_, time_->text(), time_->accessibleDescription()}.join(QStringLiteral(" | "));
 }
 
 }  // namespace vitrine::ui

@@ -6,16 +6,15 @@
 #include <QTimer>
 #include <QWidget>
 
-#include <array>
-
 class QLabel;
 
 namespace vitrine::ui {
 
 class FrameGraph;
 
-/// Status line, left to right: the reason of the last drawing, resolution, times of the last frames, time of the last
-/// one and its clock, passes run and skipped. Updated at most twice a second, and only after a drawing.
+/// Status line, left to right: the reason of the last drawing, times of the last frames, time of the last one. The
+/// tooltip of the time has its clock, the resolution, and the number of passes. Updated at most twice a second, and
+/// only after a drawing.
 class StatusLine final : public QWidget {
     Q_OBJECT
 
@@ -31,7 +30,7 @@ public:
 private:
     void renew();
 
-    std::array<QLabel*, 4> labels_{};
+    QLabel *words_, *time_;
     FrameGraph* graph_;
     void showWords();
 

@@ -195,8 +195,10 @@ private slots:
         auto* line = window_->findChild<StatusLine*>();
         QTRY_VERIFY(line->text().contains("passes ran"));
         QStringList names;
-        for (QLabel* label : line->findChildren<QLabel*>()) names << of(label)->text(QAccessible::Name);
-        QVERIFY2(names.join('|').contains("Passes: 2 passes ran"), qPrintable(names.join('|')));
+        for (QLabel* label : line->findChildren<QLabel*>())
+            names << of(label)->text(QAccessible::Name) + ", " + of(label)->text(QAccessible::Description);
+        QVERIFY2(names.join('|').contains("Time of the frame: ") && names.join('|').contains("2 passes ran"),
+                 qPrintable(names.join('|')));
         window_->say(MessageStrip::Mood::problem, "Something went wrong.");
         QStringList said;
         auto* strip = window_->findChild<MessageStrip*>();
