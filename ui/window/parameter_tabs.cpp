@@ -8,6 +8,7 @@
 #include "ui/parameters/parameter_row.h"
 
 #include <QAction>
+#include <QEvent>
 #include <QTabBar>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -17,24 +18,19 @@
 namespace vitrine::ui {
 
 ParameterTabs::ParameterTabs(Subjects subjects, History& history, QWidget* parent)
-    : QWidget(parent), subjects_(subjects), tabs_(new QTabBar), search_(new QToolButton),
+    : QWidget(parent), subjects_(subjects), heading_(new QWidget), tabs_(new QTabBar), search_(new QToolButton),
       panel_(new ParameterPanel(history, this))
 {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(panel_);
-    auto* heading = new QWidget;
-    auto* line = new QHBoxLayout(heading);
+    auto* line = new QHBoxLayout(heading_);
     line->setContentsMargins(0, 0, 0, 0);
     line->addWidget(tabs_, 1);
     line->addWidget(search_);
-    panel_->setHeading(heading);
-    // Beside large buttons there is no room for whole titles.
-    followType(*this, [this, line] {
-        constexpr int largest = 130;  // Percent of the usual font size up to which one line is enough.
-        line->setDirection(grown(100, *this) > largest ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
-    });
+    heading_->installEventFilter(this);
+    panel_->setHeading(heading_);
     tabs_->setDrawBase(false);
     tabs_->setExpanding(false);
     tabs_->setAccessibleName(tr("Parameters of"));
@@ -43,7 +39,30 @@ ParameterTabs::ParameterTabs(Subjects subjects, History& history, QWidget* paren
         emit turned();
     });
     growHeight(*search_, 26);
+    followType(*this, [this] { arrange(); });
     search_->setFocusPolicy(Qt::StrongFocus);
+}
+
+void ParameterTabs::arrange()
+{
+    auto* beside = static_cast<QHBoxLayout*>(heading_->layout());
+    const int needed = tabs_->sizeHint().width() + beside->spacing() + search_->sizeHint().width();
+    const bool fits = needed <= heading_->width();
+    if (fits != areAbove_) return;
+    areAbove_ = !fits;
+    if (fits) {
+        delete beside->takeAt(0);
+        beside->insertWidget(0, tabs_, 1);
+    } else {
+        beside->insertStretch(0, 1);
+        static_cast<QVBoxLayout*>(layout())->insertWidget(0, tabs_);
+    }
+}
+
+bool ParameterTabs::eventFilter(QObject* of, QEvent* event)
+{
+    if (of == heading_ && event->type() == QEvent::Resize) arrange();
+    return QWidget::eventFilter(of, event);
 }
 
 void ParameterTabs::setSearch(QAction* search)
@@ -75,6 +94,7 @@ void ParameterTabs::choose(std::size_t subject)
         }
         tabs_->updateGeometry();  // A hidden tab bar does not tell its layout that its size hint changed.
     }
+    arrange();
     show();
 }
 

@@ -38,10 +38,17 @@ signals:
     /// Emitted when the visitor changed the tab.
     void turned();
 
+protected:
+    bool eventFilter(QObject*, QEvent*) override;
+
 private:
     void show();
+    /// Puts the tabs on a line of their own if there is no room for them beside the buttons.
+    void arrange();
 
     Subjects subjects_;
+    QWidget* heading_;       ///< Tabs, if they fit, and the button for the search.
+    bool areAbove_ = false;  ///< Whether the tabs have a line of their own.
     QTabBar* tabs_;
     QToolButton* search_;
     ParameterPanel* panel_;

@@ -52,8 +52,9 @@ WindowDocks::WindowDocks(QMainWindow& window, Workbench& workbench)
     addStudy();
     addFrameReportAndLog();
     window_.resizeDocks({docks_[0], docks_[1]}, {400, 300}, Qt::Vertical);
-    // Wide enough for the longest label, up to 30 % of the window.
-    const int labels = std::clamp(parameters_->widthForLabels(), 360, std::max(360, window_.width() * 3 / 10));
+    // Wide enough for the longest label, up to 30 % of the window, or 42 % with a large font.
+    const int most = window_.width() * std::clamp(3 * grown(10, window_), 30, 42) / 100;
+    const int labels = std::clamp(parameters_->widthForLabels(), 360, std::max(360, most));
     // Titles of exhibits and presets stay whole with a large font, up to 26 % of the window.
     const int lists = std::clamp(grown(240, window_), 240, std::max(240, window_.width() * 26 / 100));
     window_.resizeDocks({docks_[0], parametersDock_}, {lists, labels}, Qt::Horizontal);
