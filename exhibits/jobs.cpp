@@ -9,6 +9,7 @@
 #include "exhibits/jobs/shader/shader_job.h"
 #include "exhibits/jobs/sprite/sprite_job.h"
 #include "exhibits/jobs/study/study_job.h"
+#include "exhibits/jobs/table/table_job.h"
 
 #include <algorithm>
 
@@ -27,6 +28,7 @@ const std::vector<std::unique_ptr<const Job>>& allJobs()
         all.push_back(std::make_unique<SpriteJob>());
         all.push_back(std::make_unique<MeshJob>());
         all.push_back(std::make_unique<ShaderJob>());
+        all.push_back(std::make_unique<TableJob>());
         return all;
     }();
     return jobs;

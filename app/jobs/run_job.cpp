@@ -142,9 +142,10 @@ int runPartOf(const jobs::Job& job, jobs::JobOrder order, const jobs::JobPlan& p
 
 }  // namespace
 
-std::unique_ptr<render::RenderBackend> headlessBackend(render::gl::ContextInfo* info)
+std::unique_ptr<render::RenderBackend> headlessBackend(render::gl::ContextInfo* info, bool timesPasses)
 {
     const auto made = std::make_shared<HeadlessRenderer>();
+    made->renderer.timeSteps(timesPasses);
     if (info) *info = made->context.info();
     return sharedBackend({made, &made->renderer});
 }
@@ -162,7 +163,7 @@ int runJob(const jobs::Job& job, jobs::JobOrder order, const jobs::JobPlan& plan
     const std::filesystem::path out = order.out;
     const std::string items = job.partItems(out);
     render::gl::ContextInfo drawn;
-    order.backend = [&drawn] { return headlessBackend(&drawn); };
+    order.backend = [&drawn, times = job.needs().timesPasses] { return headlessBackend(&drawn, times); };
     order.machine = [&drawn] { return render::gl::machineJson(drawn); };
     std::shared_ptr<HeadlessRenderer> renderer;  // Measures the report after the picture is drawn.
     if (!order.reportFile.empty()) {

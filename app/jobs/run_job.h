@@ -11,8 +11,10 @@ struct ContextInfo;
 
 namespace vitrine::app {
 
-/// Creates a backend that draws without a window, and stores what draws in `info`. Throws Failure (ErrorKind::openGl).
-[[nodiscard]] std::unique_ptr<render::RenderBackend> headlessBackend(render::gl::ContextInfo* info = nullptr);
+/// Creates a backend that draws without a window, and stores what draws in `info`. `timesPasses`: it times each pass.
+/// Throws Failure (ErrorKind::openGl).
+[[nodiscard]] std::unique_ptr<render::RenderBackend> headlessBackend(render::gl::ContextInfo* info = nullptr,
+                                                                     bool timesPasses = false);
 /// Creates a backend that draws with this renderer.
 [[nodiscard]] std::unique_ptr<render::RenderBackend> sharedBackend(std::shared_ptr<render::gl::Renderer>);
 

@@ -431,7 +431,12 @@ Json Service::runJob(const jobs::Job& job, const Json& params, const Watch& watc
         answer = planJson(job, ordered.plan);
     } else {
         if (!ordered.plan.refusal.empty()) throw Failure(ErrorKind::usage, ordered.plan.refusal);
-        ordered.order.backend = [this] { return sharedBackend({std::shared_ptr<void>(), &renderer_}); };
+        ordered.order.backend = [this, times = job.needs().timesPasses]() -> std::unique_ptr<render::RenderBackend> {
+            if (!times) return sharedBackend({std::shared_ptr<void>(), &renderer_});
+            std::unique_ptr<render::gl::Renderer> timing = renderer_.sibling();
+            timing->timeSteps(true);
+            return timing;
+        };
         ordered.order.machine = [this] { return machineJson(gl_); };
         const std::unique_ptr<jobs::JobRun> run = job.start(std::move(ordered.order));
         const auto show = [&] { watch(run->progress(), std::string(run->doing())); };

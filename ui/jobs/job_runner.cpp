@@ -27,7 +27,7 @@ void JobRunner::start(const jobs::Job& job, jobs::JobOrder order)
     cancel();
     publishes_ = !order.out.empty();
     order.largestTile = RenderThread::taskTile;
-    order.backend = [&renderers = renderers_] { return renderers.makeBackend(false); };
+    order.backend = [&renderers = renderers_, times = job.needs().timesPasses] { return renderers.makeBackend(times); };
     running_ = true;
     elapsed_.start();
     try {

@@ -20,7 +20,6 @@
 #include "ui/presets/preset_list.h"
 #include "ui/record/bookmarks.h"
 #include "ui/record/bookmarks_dialog.h"
-#include "ui/study/table_export.h"
 #include "ui/tree/tree_dock.h"
 #include "ui/tree/tree_editor.h"
 #include "ui/viewport/viewport.h"
@@ -273,7 +272,7 @@ void WindowActions::addFileMenu(Maker& make, MainWindow& window)
         make.add(QStringLiteral("export-table"), tr("Export measuremen&ts…"), {},
                  tr("Runs the measurements of the visited exhibit, such as the methods of the pixel art, and saves "
                     "them as CSV."),
-                 [&window] { TableExport::ask(window, &window); }),
+                 [&window] { window.dialogs().openJob(*jobs::findJob("table")); }),
         [&window] { return capability<MeasuresTable>(window.museum().subject(window.chosen())) != nullptr; },
         tr("The visited exhibit has no table of measurements; the Study panel measures its parameters."));
     make.separator();

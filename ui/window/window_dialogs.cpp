@@ -16,7 +16,6 @@
 #include "ui/print/print_dialog.h"
 #include "ui/print/shown_views.h"
 #include "ui/record/bookmarks.h"
-#include "ui/study/table_export.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/about_dialog.h"
 #include "ui/window/job_scene.h"
@@ -168,7 +167,6 @@ void WindowDialogs::closeAll()
     qDeleteAll(window_.findChildren<PreferencesDialog*>());
     qDeleteAll(window_.findChildren<ExportDialog*>());
     again_.stop();
-    qDeleteAll(window_.findChildren<TableExport*>());
     qDeleteAll(window_.findChildren<PictureExport*>());
 }
 

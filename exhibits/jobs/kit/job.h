@@ -73,7 +73,8 @@ struct JobNeeds {
     std::string_view report = {};
     /// Whether the output itself carries the settings, so that no document lies beside it.
     bool carriesSettings = false;
-    bool answers = false;  ///< Whether the service answers what was made (`JobRun::answer`) in place of writing it.
+    bool answers = false;      ///< Whether the service answers what was made (`JobRun::answer`) in place of writing it.
+    bool timesPasses = false;  ///< Whether its backend must time each pass, which makes it slower.
 
     [[nodiscard]] bool hasScene() const { return anyScene || anySettings || !subject.empty(); }
     /// Whether it works on an exhibit that people choose.

@@ -5,12 +5,11 @@
 
 #include "exhibits/framework/scene/dragged_parameters.h"
 #include "exhibits/framework/table/measured_table.h"
-#include "ui/study/table_export.h"
+#include "ui/export/export_dialog.h"
+#include "ui/jobs/job_dialog.h"
+#include "ui/kit/message_strip.h"
 
 #include <QFile>
-#include <QFileDialog>
-#include <QProgressDialog>
-#include <QPushButton>
 
 using namespace vitrine;
 using namespace vitrine::ui;
@@ -28,7 +27,8 @@ public:
     bool step(render::RenderBackend&) override
     {
         while (wait) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        csv_ += std::to_string(++count_) + "\n";
+        ++count_;
+        csv_ += std::to_string(count_) + ",\"" + std::string(static_cast<std::size_t>(count_), 'I') + ", a;\"\n";
         return count_ < 4;
     }
     [[nodiscard]] double progress() const override { return count_ / 4.0; }
@@ -38,7 +38,7 @@ public:
 
 private:
     int count_ = 0;
-    std::string csv_ = "number\n";
+    std::string csv_ = "number,Roman\n";
 };
 
 /// Exhibit with a square of two meters, divided by an upright line.
@@ -89,6 +89,12 @@ class DraggedParametersTest : public test::OpenWindow {
             view.clipFromWorld * gallery_->museum().worldFromExhibit(divided) * glm::dvec4(x, y, 0, 1);
         const QSize size = window_->viewport().size();
         return {(0.5 + 0.5 * clip.x / clip.w) * size.width(), (0.5 - 0.5 * clip.y / clip.w) * size.height()};
+    }
+    /// Opens the table's page of the export dialog by the menu.
+    [[nodiscard]] JobDialog* openTable()
+    {
+        action("Export measurements…")->trigger();
+        return window_->findChild<ExportDialog*>()->findChild<JobDialog*>();
     }
     void dragBy(const QPoint& from, int pixels)
     {
@@ -169,33 +175,42 @@ private slots:
 
     void theTableIsMeasuredAndSaved()
     {
-        const QString path = home_->filePath("numbers.csv");
-        new TableExport(*window_, dynamic_cast<const MeasuresTable&>(gallery_->museum().subject(divided)), path,
-                        window_.get());
-        QTRY_VERIFY(QFile::exists(path));
-        QFile file(path);
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        QCOMPARE(file.readAll(), QByteArray("number\n1\n2\n3\n4\n"));
-        QTRY_VERIFY(!window_->findChild<TableExport*>());
-        QVERIFY(said().contains("numbers.csv"));
+        JobDialog* page = openTable();
+        const auto saved = [&](int separator) {
+            ParameterValues values = page->setup().values();
+            values.setParameter(values.table().find("separator").value(), static_cast<double>(separator));
+            page->setup().change("Change", values);
+            QTRY_VERIFY(page->settled());
+            const QString path = home_->filePath(QStringLiteral("numbers%1.csv").arg(separator));
+            page->setPath(path);
+            page->startExport();
+            QTRY_VERIFY(QFile::exists(path));
+            QTRY_VERIFY(!page->exporting());
+            QFile file(path);
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            content_ = file.readAll();
+        };
+        saved(0);
+        QCOMPARE(content_, QByteArray("number,Roman\n1,\"I, a;\"\n2,\"II, a;\"\n3,\"III, a;\"\n4,\"IIII, a;\"\n"));
+        saved(1);
+        QCOMPARE(content_, QByteArray("number;Roman\n1;\"I, a;\"\n2;\"II, a;\"\n3;\"III, a;\"\n4;\"IIII, a;\"\n"));
+        QVERIFY(page->findChild<MessageStrip*>()->texts().join(' ').contains("numbers1.csv"));
     }
 
-    void itIsAskedForInTheMenuAndCanBeCanceled()
+    void aTableThatIsCanceledWritesNothing()
     {
         Counted::wait = true;
-        action("Export measurements…")->trigger();
-        auto* dialog = window_->findChild<QFileDialog*>();
-        QVERIFY(dialog);
+        JobDialog* page = openTable();
+        QTRY_VERIFY(page->settled());
         const QString path = home_->filePath("canceled.csv");
-        emit dialog->fileSelected(path);
-        dialog->close();
-        QTRY_VERIFY(window_->findChild<QProgressDialog*>());
-        window_->findChild<QProgressDialog*>()->findChild<QPushButton*>()->click();
-        QTRY_VERIFY(!window_->findChild<TableExport*>());
+        page->setPath(path);
+        page->startExport();
+        QTRY_VERIFY(page->exporting());
+        page->reject();
+        QVERIFY(!page->exporting());
         Counted::wait = false;
         QTest::qWait(100);
         QVERIFY(!QFile::exists(path));
-        QVERIFY(said().contains("no table was written"));
     }
 
     void whoHasNoTableSaysSo()
@@ -203,8 +218,11 @@ private slots:
         window_->visit(1);
         QVERIFY(!action("Export measurements…")->isEnabled());
         QVERIFY(action("Export measurements…")->toolTip().contains("has no table"));
-        QVERIFY(!window_->findChild<QFileDialog*>());
+        QVERIFY(!window_->findChild<ExportDialog*>());
     }
+
+private:
+    QByteArray content_;
 };
 
 VITRINE_WINDOW_TEST(DraggedParametersTest)

@@ -192,7 +192,7 @@ class MissingFilesTest : public QObject {
             if (page->isVisible()) return page->setup().change("Change", values);
         dialog.findChild<PrintDialog*>()->setValues(values);
     }
-    /// Returns the values with another value of the first number.
+    /// Returns the values with another value of the first number, or of the first choice where there is no number.
     static ParameterValues withAnotherNumber(ParameterValues values)
     {
         for (std::size_t i = 0; i < values.rows().size(); ++i) {
@@ -202,6 +202,11 @@ class MissingFilesTest : public QObject {
             values.setParameter(i, nearestLegal(row, isHigh ? row.range.softLow : row.range.softHigh).value());
             return values;
         }
+        for (std::size_t i = 0; i < values.rows().size(); ++i)
+            if (values.rows()[i].kind == Kind::choice) {
+                values.setParameter(i, 1.0);
+                return values;
+            }
         return values;
     }
     void writeSession(const QByteArray& exhibit, const QByteArray& row, const QString& file,
@@ -539,7 +544,8 @@ private slots:
                 if (visited == fur_) titles << kinds.item(i)->text();
             }
         }
-        for (const char* title : {"Picture", "Recording", "Lenticular print", "Sprites", "Mesh", "Quilt", "Shader"})
+        for (const char* title :
+             {"Picture", "Recording", "Lenticular print", "Sprites", "Mesh", "Quilt", "Shader", "Table"})
             QVERIFY2(titles.contains(title), qPrintable(titles.join(", ")));
     }
 
@@ -567,7 +573,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(page->settled() && buttonOf(*page, "Export")->isEnabled(), test::patience);
         page->setPath(path("window.stl"));
         buttonOf(*page, "Export")->click();
-        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path("window.stl")), test::patience);
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path("window.stl")) && !page->exporting(), test::patience);
         QProcess program;
         program.start(QStringLiteral(VITRINE_PROGRAM),
                       {"mesh", path("ball.json"), "--cell", "5cm", "--set", "size=0.3", "--out", path("program.stl")});
