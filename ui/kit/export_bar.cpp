@@ -10,6 +10,7 @@
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QShortcut>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -43,6 +44,10 @@ ExportBar::ExportBar(Words words, QWidget* parent)
     connect(browse_, &QToolButton::clicked, this, &ExportBar::browse);
     connect(go_, &QPushButton::clicked, this, &ExportBar::goAsked);
     connect(stop_, &QPushButton::clicked, this, &ExportBar::stopAsked);
+    // No shortcut of the button itself: it would be lost with each change of its text.
+    const QKeySequence key(Qt::CTRL | Qt::Key_Return);
+    connect(new QShortcut(key, this), &QShortcut::activated, go_, [this] { go_->click(); });
+    go_->setToolTip(tr("Starts the export (%1).").arg(key.toString(QKeySequence::NativeText)));
 }
 
 QPushButton* ExportBar::makeButton(const QString& text)
