@@ -4,6 +4,7 @@
 #include "exhibits/study/study_text.h"
 #include "render/failure.h"
 #include "render/measure/memory.h"
+#include "ui/kit/flow_layout.h"
 #include "ui/kit/language.h"
 #include "ui/kit/message_of.h"
 #include "ui/kit/text.h"
@@ -105,10 +106,9 @@ void StudyDock::layOutMeasuring()
 
 QLayout* StudyDock::choosing()
 {
-    auto* choose = new QHBoxLayout;
+    auto* choose = new FlowLayout;
     choose->setSpacing(8);
-    choose->addWidget(finder_);
-    choose->addStretch(1);
+    for (QWidget* sentence : finder_->sentences()) choose->addWidget(sentence);
     auto* set = new QToolButton(this);
     set->setText(tr("Settings"));
     set->setCheckable(true);

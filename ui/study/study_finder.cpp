@@ -24,23 +24,22 @@ QLineEdit* numberField(const QString& name, const QString& start, QWidget* paren
 }  // namespace
 
 StudyFinder::StudyFinder(QWidget* parent)
-    : QWidget(parent), error_(numberField(tr("Largest error"), QStringLiteral("0.02"), this)),
-      milliseconds_(numberField(tr("Longest time in milliseconds"), QStringLiteral("10"), this))
+    : QObject(parent), byError_(new QWidget(parent)), byTime_(new QWidget(parent)),
+      error_(numberField(tr("Largest error"), QStringLiteral("0.02"), byError_)),
+      milliseconds_(numberField(tr("Longest time in milliseconds"), QStringLiteral("10"), byTime_))
 {
-    auto* cheapest = new QPushButton(tr("Find the cheapest setting"), this);
+    auto* cheapest = new QPushButton(tr("Find the cheapest setting"), byError_);
     cheapest->setAccessibleName(tr("Find the cheapest setting within the error"));
-    auto* best = new QPushButton(tr("Find the best setting"), this);
+    auto* best = new QPushButton(tr("Find the best setting"), byTime_);
     best->setAccessibleName(tr("Find the best setting within the time"));
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(8);
-    for (QWidget* w :
-         std::initializer_list<QWidget*>{cheapest, new QLabel(tr("with an error of at most"), this), error_})
-        row->addWidget(w);
-    row->addSpacing(16);
-    for (QWidget* w : std::initializer_list<QWidget*>{best, new QLabel(tr("within"), this), milliseconds_,
-                                                      new QLabel(tr("ms"), this)})
-        row->addWidget(w);
+    const auto layOut = [](QWidget* part, std::initializer_list<QWidget*> words) {
+        auto* line = new QHBoxLayout(part);
+        line->setContentsMargins(0, 0, 8, 0);
+        line->setSpacing(8);
+        for (QWidget* each : words) line->addWidget(each);
+    };
+    layOut(byError_, {cheapest, new QLabel(tr("with an error of at most"), byError_), error_});
+    layOut(byTime_, {best, new QLabel(tr("within"), byTime_), milliseconds_, new QLabel(tr("ms"), byTime_)});
     connect(cheapest, &QPushButton::clicked, this, [this] { ask(StudyFind::cheapest); });
     connect(best, &QPushButton::clicked, this, [this] { ask(StudyFind::best); });
     connect(error_, &QLineEdit::returnPressed, this, [this] { ask(StudyFind::cheapest); });
