@@ -30,6 +30,7 @@ ExportPresetList::ExportPresetList(QWidget* parent)
     delete_->setToolTip(tr("Deletes the selected preset."));
     reset_->setToolTip(tr("Sets all settings of this kind of export to their initial values. Can be undone."));
     auto* buttons = new FlowLayout;
+    buttons->setSpacing(4);
     for (QPushButton* button : {save_, delete_, reset_}) {
         button->setAutoDefault(false);
         buttons->addWidget(button);

@@ -7,6 +7,8 @@
 
 #include <QHBoxLayout>
 
+#include <algorithm>
+
 namespace vitrine::ui {
 
 NumberEditor::NumberEditor(const ValueRef& value, QWidget* parent)
@@ -15,7 +17,13 @@ NumberEditor::NumberEditor(const ValueRef& value, QWidget* parent)
     const QString name = translatedText(label(row()));
     slider_->setAccessibleName(tr("%1, slider").arg(name));
     field_->setAccessibleName(name);
-    growWidth(*field_, NumberField::usualWidth);
+    followType(*field_, [this] {
+        int width = grown(NumberField::usualWidth, *field_);
+        for (const Word& word : row().words)  // "automatisch" is wider than a number.
+            width = std::max(width,
+                             field_->fontMetrics().horizontalAdvance(translatedText(word.text)) + grown(16, *field_));
+        field_->setFixedWidth(width);
+    });
 
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
