@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <chrono>
 #include <exception>
 #include <map>
 #include <mutex>
@@ -20,6 +21,11 @@ constexpr std::size_t mostEntries = 32;
 std::int64_t nanoseconds(const timespec& time)
 {
     return static_cast<std::int64_t>(time.tv_sec) * 1'000'000'000 + time.tv_nsec;
+}
+
+double secondsNow()
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 }  // namespace
@@ -64,6 +70,7 @@ struct AssetStore::Entry {
     std::weak_ptr<const void> held{};     ///< ... which this pointer then refers to.
     std::uint64_t bytes = 0;
     Message failure{};
+    double lastUse = secondsNow();
 
     Entry(const Request& r, const FileState& ofTheFile, const FileState& ofItsFolder)
         : use(r.use), key(r.key), variant(r.variant), type(r.type), ofFile(r.ofFile), source(r.source),
@@ -111,7 +118,10 @@ struct AssetStore::Shared {
     /// Returns value or failure of an entry; neither if it must be made. Call it with the mutex locked.
     [[nodiscard]] static Asset<void> answer(const Entry&);
     [[nodiscard]] Asset<void> build(Entry&, const std::function<Anything()>& make);
-    void trim();
+    /// Returns whether an entry is too much beside so many bytes and entries that were used later.
+    using TooMuch = std::function<bool(const Entry&, std::uint64_t bytes, std::size_t count)>;
+    /// Frees entries that are too much, except the last one of each use. Call it with the mutex locked.
+    void trim(const TooMuch&);
 };
 
 AssetStore::AssetStore(std::uint64_t mostBytes) : shared_(std::make_shared<Shared>(mostBytes)) {}
@@ -163,6 +173,7 @@ std::shared_ptr<AssetStore::Entry> AssetStore::Shared::entryOf(const Request& re
         const bool fresh = entry.file == file && (entry.failure.empty() || entry.folder == folder);
         if (fresh && !entry.lost()) {
             if (!entry.value) entry.value = entry.held.lock();
+            entry.lastUse = secondsNow();
             std::rotate(same, same + 1, entries.end());
             return entries.back();
         }
@@ -195,9 +206,19 @@ Asset<void> AssetStore::Shared::build(Entry& entry, const std::function<Anything
     entry.failure = failure;
     entry.made = true;
     ++builds[entry.use];
-    trim();
+    trim([this](const Entry& each, std::uint64_t bytes, std::size_t count) {
+        return (each.bytes > 0 && bytes + each.bytes > mostBytes) || count >= mostEntries;
+    });
     const std::uint64_t id = made.value ? entry.id() : 0;
     return {std::move(made.value), std::move(failure), id};
+}
+
+void AssetStore::dropUnused(double seconds) const
+{
+    const std::lock_guard lock(shared_->mutex);
+    if (shared_->entries.empty()) return;
+    const double oldest = shared_->entries.back()->lastUse - seconds;
+    shared_->trim([oldest](const Entry& entry, std::uint64_t, std::size_t) { return entry.lastUse < oldest; });
 }
 
 std::uint64_t AssetStore::bytes() const
@@ -224,8 +245,7 @@ std::int64_t AssetStore::builds(std::string_view use) const
     return sum;
 }
 
-/// Frees old entries. Call it with the mutex locked.
-void AssetStore::Shared::trim()
+void AssetStore::Shared::trim(const TooMuch& isTooMuch)
 {
     std::set<std::string> uses;
     std::uint64_t kept = 0;
@@ -235,9 +255,7 @@ void AssetStore::Shared::trim()
         Entry& entry = **e;
         if (entry.lost()) continue;
         const bool last = uses.insert(entry.use).second;
-        const bool tooMuch =
-            !last && entry.made && ((entry.bytes > 0 && kept + entry.bytes > mostBytes) || count >= mostEntries);
-        if (tooMuch) {
+        if (!last && entry.made && isTooMuch(entry, kept, count)) {
             entry.value.reset();
             if (entry.held.expired()) continue;
         } else {

@@ -95,6 +95,10 @@ public:
                           [&] { return Anything(make()); }));
     }
 
+    /// Frees entries that were not used in these seconds before the latest use of any entry, except the last one of
+    /// each use.
+    void dropUnused(double seconds) const;
+
     /// Total memory of all entries, in bytes.
     [[nodiscard]] std::uint64_t bytes() const;
     [[nodiscard]] std::size_t entries() const;

@@ -286,11 +286,11 @@ struct Renderer::State {
 
     [[nodiscard]] bool abandoned() const
     {
-        if (!isCanceled) return false;
         // A software renderer draws only when it is waited for. Without the wait, all work would still be pending at
-        // the last check.
+        // the last check. llvmpipe also keeps each pending pass with its textures, deleted ones included, in one of up
+        // to 64 scenes, and clears a scene only when it needs it again: of two passes, it needs the same one.
         if (info.software) glFinish();
-        return isCanceled();
+        return isCanceled && isCanceled();
     }
 
     void remember(const Pass& pass, const FramePlan& plan, const std::set<std::string>& lost)
@@ -508,6 +508,11 @@ void Renderer::buildBetter(const FramePlan& plan)
 {
     for (const Pass& pass : plan.passes())
         if (pass.shader.specialized) (void)state_->programs.useSpecialized(pass.shader);
+}
+
+void Renderer::sweep()
+{
+    state_->uploads.sweep();
 }
 
 void Renderer::timeSteps(bool on)

@@ -70,6 +70,8 @@ public:
     /// Times each pass, too. If no timer query can be trusted, that needs a glFinish after each pass. It is slower, so
     /// use it only while the frame report is shown.
     void timeSteps(bool on);
+    /// Deletes textures, meshes and buffers whose sources no longer exist. Each `draw` does so at its beginning.
+    void sweep();
 
     /// Builds programs of families on a thread with this context, while their last good programs are used; null: no
     /// longer. Applies to siblings, too.

@@ -2,6 +2,7 @@
 
 #include "exhibits/framework/scene/glare.h"
 #include "render/gl/machine_json.h"
+#include "ui/viewport/render_thread.h"
 
 #include <cassert>
 
@@ -10,6 +11,7 @@ namespace {
 
 constexpr int regionApron = 8;  ///< Pixels drawn around a region, for effects that read neighboring pixels.
 constexpr double longestStrangersFrame = 4;  ///< Seconds.
+constexpr double oldAsset = 10;              ///< Seconds without use, before the last picture.
 
 QImage imageOf(const render::gl::ScreenPixels& pixels)
 {
@@ -21,6 +23,14 @@ QImage screenImageOf(render::gl::Renderer& renderer, const QSize& screen)
 {
     const glm::ivec2 size(screen.width(), screen.height());
     return imageOf(renderer.screenPixels("frame", size, glm::ivec2(0), size));
+}
+
+/// Returns another renderer on the same context for a task, which stops between two passes when it is canceled.
+std::unique_ptr<render::gl::Renderer> taskRendererOf(const render::gl::Renderer& renderer)
+{
+    std::unique_ptr<render::gl::Renderer> sibling = renderer.sibling();
+    sibling->abandonWhen(&RenderThread::isTaskCanceled);
+    return sibling;
 }
 
 /// Returns another renderer on the same context, under the same limit.
@@ -115,6 +125,14 @@ QImage MuseumRenderers::drawRegion(const SceneState& sceneState, const FrameRequ
     return drawn.copy(within.x, frame.raster.tile.y - within.y - region.size.y, region.size.x, region.size.y);
 }
 
+void MuseumRenderers::releaseUnused()
+{
+    regions_.reset();
+    halos_ = nullptr;
+    museum_.assets().dropUnused(oldAsset);
+    if (renderer_) renderer_->sweep();
+}
+
 render::Image MuseumRenderers::shownPicture()
 {
     render::Image picture = renderer_->read("frame");
@@ -152,7 +170,7 @@ std::vector<render::gl::ShaderProblem> MuseumRenderers::problems() const
 PictureJob MuseumRenderers::makePicture(const SceneState& sceneState, const PictureRequest& request)
 {
     PictureJob job;
-    job.renderer = renderer_->sibling();
+    job.renderer = taskRendererOf(*renderer_);
     nextPicture(job, sceneState, request);
     return job;
 }
@@ -165,7 +183,7 @@ void MuseumRenderers::nextPicture(PictureJob& job, const SceneState& sceneState,
 StudyJob MuseumRenderers::makeStudy(const StudyRequest& request)
 {
     StudyJob job;
-    job.backend = renderer_->sibling();
+    job.backend = taskRendererOf(*renderer_);
     job.study = std::make_unique<Study>(museum_, *job.backend, request);
     job.machine = render::gl::machineJson(context_->info());
     return job;
@@ -173,7 +191,7 @@ StudyJob MuseumRenderers::makeStudy(const StudyRequest& request)
 
 std::unique_ptr<render::RenderBackend> MuseumRenderers::makeBackend(bool timesSteps)
 {
-    std::unique_ptr<render::gl::Renderer> made = renderer_->sibling();
+    std::unique_ptr<render::gl::Renderer> made = taskRendererOf(*renderer_);
     made->timeSteps(timesSteps);
     return made;
 }

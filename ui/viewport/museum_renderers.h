@@ -24,6 +24,7 @@ public:
     void forgetOther() override { other_.reset(); }
     [[nodiscard]] QImage drawSmall(const SceneState&, const FrameRequest&, const QSize& screen) override;
     void forgetSmall() override { small_.reset(); }
+    void releaseUnused() override;
     [[nodiscard]] render::Image shownPicture() override;
     void buildBetter(const SceneState&, const FrameRequest&) override;
     void timeSteps(bool on) override;

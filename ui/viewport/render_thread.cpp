@@ -14,6 +14,9 @@
 namespace vitrine::ui {
 namespace {
 
+/// Cancellation of the task whose step the render thread runs now; null between steps.
+thread_local const std::atomic<bool>* canceledNow = nullptr;
+
 constexpr int nicer = 5;  ///< Niceness of the render thread, relative to the window's.
 
 /// Lowers the priority of the calling thread. On Linux each thread has its own, and threads that it starts inherit it.
@@ -98,6 +101,11 @@ void RenderThread::run()
     tasks_.clear();
     posted_.clear();
     if (open_) renderers_.close();
+}
+
+bool RenderThread::isTaskCanceled()
+{
+    return canceledNow && *canceledNow;
 }
 
 bool RenderThread::pictureFirst() const
@@ -185,12 +193,15 @@ void RenderThread::step()
     const double start = render::wallSeconds();
     QString failure;
     bool more = false;
+    canceledNow = task->canceled.get();
     try {
         if (!open_) throw Failure(ErrorKind::openGl, "Nothing can be drawn: there is no graphics context.");
         more = task->step(notify);
+    } catch (const render::gl::Abandoned&) {  // The task was canceled; nobody waits for its end.
     } catch (const std::exception& thrown) {
         failure = messageOf(thrown);
     }
+    canceledNow = nullptr;
     if (!more) {
         task->step = {};  // Destroys the step's captures before its end is reported.
         notify([ended = task->ended, failure] { ended(failure); });

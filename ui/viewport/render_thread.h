@@ -80,7 +80,7 @@ public:
         Task(const Task&) = delete;
         Task& operator=(const Task&) = delete;
 
-        /// Cancels the task: no further step or callback follows. A step that has begun is finished.
+        /// Cancels the task: no further step or callback follows. A step that has begun ends after the present pass.
         void cancel()
         {
             if (canceled_) *canceled_ = true;
@@ -103,6 +103,9 @@ public:
     /// Abandons the last order: drawing ends after the present pass.
     void abandon() { unwanted_ = true; }
     [[nodiscard]] Task start(Step, Ended);
+    /// Returns whether the task whose step runs on the calling thread was canceled. Renderers of tasks poll it between
+    /// passes.
+    [[nodiscard]] static bool isTaskCanceled();
     /// Calls `work` once on the render thread, before anything else, and then its result in the window's thread.
     void post(std::function<std::function<void()>()> work);
 

@@ -84,6 +84,9 @@ public:
         return {};
     }
     virtual void forgetSmall() {}
+    /// Frees what the last picture does not need, and what would be made again when it is needed. For times when
+    /// nothing is drawn.
+    virtual void releaseUnused() {}
 };
 
 }  // namespace vitrine::ui

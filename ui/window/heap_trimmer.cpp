@@ -1,26 +1,39 @@
 #include "ui/window/heap_trimmer.h"
 
 #include "render/measure/memory.h"
+#include "ui/viewport/renderers.h"
 #include "ui/viewport/viewport.h"
 
 namespace vitrine::ui {
 namespace {
 
-constexpr int restBeforeTrimming = 5000;  // Milliseconds after the last picture.
+// Milliseconds after the last picture.
+constexpr int restBeforeTrimming = 5000;
+constexpr int restBeforeReleasing = 30000;
 
 }  // namespace
 
-HeapTrimmer::HeapTrimmer(Viewport& viewport, QObject* parent) : QObject(parent)
+HeapTrimmer::HeapTrimmer(Viewport& viewport, Renderers& renderers, QObject* parent) : QObject(parent)
 {
-    rest_.setSingleShot(true);
     rest_.setInterval(restBeforeTrimming);
+    longRest_.setInterval(restBeforeReleasing);
     connect(&rest_, &QTimer::timeout, this, [&viewport] {
         viewport.renderThread().post([] {
             render::trimHeap();
             return std::function<void()>();
         });
     });
-    connect(&viewport, &Viewport::drawn, &rest_, qOverload<>(&QTimer::start));
+    connect(&longRest_, &QTimer::timeout, this, [&viewport, &renderers] {
+        viewport.renderThread().post([&renderers] {
+            renderers.releaseUnused();
+            render::trimHeap();
+            return std::function<void()>();
+        });
+    });
+    for (QTimer* timer : {&rest_, &longRest_}) {
+        timer->setSingleShot(true);
+        connect(&viewport, &Viewport::drawn, timer, qOverload<>(&QTimer::start));
+    }
 }
 
 }  // namespace vitrine::ui

@@ -5,19 +5,21 @@
 
 namespace vitrine::ui {
 
+class Renderers;
 class Viewport;
 
-/// Returns free heap pages to the system some seconds after the last picture, on the render thread. Released pictures,
-/// files and programs leave such pages, which the allocator would keep.
+/// Returns memory to the system after the last picture, on the render thread. After some seconds: free heap pages,
+/// which released pictures, files and programs leave and the allocator would keep. After half a minute: also what is
+/// kept only because it may be needed again.
 class HeapTrimmer final : public QObject {
     Q_OBJECT
 
 public:
-    /// The viewport must outlive this object.
-    HeapTrimmer(Viewport&, QObject* parent);
+    /// Both must outlive this object.
+    HeapTrimmer(Viewport&, Renderers&, QObject* parent);
 
 private:
-    QTimer rest_;
+    QTimer rest_, longRest_;
 };
 
 }  // namespace vitrine::ui

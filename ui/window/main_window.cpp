@@ -212,7 +212,7 @@ void MainWindow::connectViewport()
         if (viewport_->schedule().still())
             QMetaObject::invokeMethod(presetController_, &PresetController::keepMissingThumbnail, Qt::QueuedConnection);
     });
-    new HeapTrimmer(*viewport_, this);
+    new HeapTrimmer(*viewport_, renderers(), this);
 }
 
 void MainWindow::say(MessageStrip::Mood mood, const QString& words, const QString& several, const QString& what,

@@ -143,6 +143,28 @@ TEST(AssetStore, HoldsNoMoreThanItsLimitButTheLastOfEachUse)
     EXPECT_LE(reader.store.entries(), 33U) << "failures are counted, too";
 }
 
+TEST(AssetStore, DropsWhatWasNotUsedForAWhileBeforeTheLatestUse)
+{
+    const TemporaryFolder folder;
+    Reader reader;
+    for (const char* name : {"a", "b", "c", "d"}) writeBytes(folder / name, name);
+    (void)reader.get(folder / "d", "test.other");
+    (void)reader.get(folder / "a");
+    std::this_thread::sleep_for(std::chrono::milliseconds(600));
+    (void)reader.get(folder / "b");
+    (void)reader.get(folder / "c");
+    std::this_thread::sleep_for(std::chrono::milliseconds(600));
+    reader.store.dropUnused(0.5);
+    EXPECT_EQ(reader.store.entries(), 3U);
+    const int before = reader.reads;
+    (void)reader.get(folder / "b");
+    (void)reader.get(folder / "c");
+    (void)reader.get(folder / "d", "test.other");
+    EXPECT_EQ(reader.reads, before) << "the last picture needs two, and the last one of each use stays";
+    (void)reader.get(folder / "a");
+    EXPECT_EQ(reader.reads, before + 1);
+}
+
 AssetStore::Made<std::string> text(std::string value)
 {
     const std::uint64_t bytes = value.size();
