@@ -8,13 +8,12 @@ program=build/release/vitrine
 card="--count 16 --lpi 40 --dpi 720 --width-mm 600 --height-mm 400"
 picture="--view-size 480x320 --samples ${SAMPLES:-25}"
 
-# A mug of orange glaze in the evening sun, turning its handle to the front.
+# A mug of orange glaze in a dark studio, turning its handle to the front.
 rm -f assets/frames/turning_mug/view_*
-$program print --exhibit sdf_morph --preset assets/presets/sdf_morph/porcelain-mug.json \
-    --set baseColor=0.42,0.05,0.012 --set roughness=0.1 --set shadowMethod=area \
-    --set hall.exposure=-0.3 --set hall.skyStrength=3 \
-    --eye=-1.1,1.98,-1.2 --target 0.04,1.375,-0.035 --fov 32.5 \
-    --rotate 0,-150,0 --turn 160 \
+$program print --exhibit sdf_morph --preset assets/presets/sdf_morph/porcelain-mug.json --alone \
+    --set baseColor=0.42,0.045,0.012 --set roughness=0.1 --set hall.exposure=-0.35 \
+    --eye=-1.1,0.53,-1.2 --target 0,-0.09,-0.035 --fov 35 \
+    --rotate 0,-150,0 --turn 110 \
     $card $picture --save-views assets/frames/turning_mug
 
 # A ring of blue glass before the window, melting into a mug as it turns.

@@ -1,5 +1,5 @@
 // Shades the lenticular card in the hall: the print through its lenses under a glossy surface; transparent edges, a
-// white back. Permutations: those of print.glsl, ANAGLYPH, WRITE_NORMAL, COUNT (writes the number of rays traced
+// labeled back. Permutations: those of print.glsl, ANAGLYPH, WRITE_NORMAL, COUNT (writes the number of rays traced
 // instead of light).
 #include "lib/frame.glsl"
 #include "lenticular/card.glsl"
@@ -35,14 +35,45 @@ Patch patchOf(vec3 eye)
     return p;
 }
 
-// Shades edges and back: a slab of plastic with white paper behind it.
+// Share of a pixel that lies within a rectangle: `p` from its middle, `halfSize` and the pixel's width in meters.
+float within(vec2 p, vec2 halfSize, float pixel)
+{
+    vec2 inside = clamp((halfSize - abs(p)) / pixel + 0.5, 0.0, 1.0);
+    return inside.x * inside.y;
+}
+
+// Color of the back at a place of it: hardboard with a wooden strip along its edge, and a paper label with lines of
+// writing. `pixel` is the width of a pixel there, in meters; what is finer fades to its mean.
+vec3 backColor(vec2 p, float pixel)
+{
+    float seen = 1.0 - smoothStep(0.0006, 0.003, pixel);
+    float grain = latticeNoise(p * vec2(90.0, 900.0), 3u).x + latticeNoise(p * vec2(31.0, 310.0), 4u).x;
+    vec3 board = vec3(0.20, 0.118, 0.062) * (1.0 + 0.16 * seen * grain);
+    vec2 edge = object.halfSize.xy - vec2(0.022);
+    vec3 strip = vec3(0.36, 0.235, 0.125) * (1.0 + 0.1 * seen * grain);
+    vec3 color = mix(strip, board, within(p, edge, pixel));
+    color *= 1.0 - 0.45 * within(p, edge + 0.003, pixel) * (1.0 - within(p, edge, pixel));
+    vec2 label = p - vec2(0.0, 0.03);
+    color = mix(color, vec3(0.70, 0.67, 0.58), within(label, vec2(0.085, 0.05), pixel));
+    float ink = within(label - vec2(0.0, 0.03), vec2(0.055, 0.0055), pixel);
+    for (int i = 0; i < 4; ++i) {
+        float length = i == 3 ? 0.038 : 0.068 - 0.004 * float(i & 1);
+        vec2 line = label + vec2(0.07 - length, 0.0145 * float(i) - 0.008);
+        // Writing is a row of words: three quarters of its line are ink, its letters half of that.
+        ink = max(ink, 0.55 * within(line, vec2(length, 0.0025), pixel));
+    }
+    return mix(color, vec3(0.05, 0.045, 0.04), ink);
+}
+
+// Shades edges and back: a slab of plastic, mounted on a board.
 vec3 slabColor(vec3 world, vec3 normal, vec3 worldToEye)
 {
     Surface s;
     s.position = world;
     s.normal = normal;
     bool back = cardNormal.z < -0.5;
-    s.baseColor = back ? vec3(0.80, 0.79, 0.77) : vec3(0.62, 0.66, 0.65);
+    float pixel = 2.0 * frame.tanHalfFov.y * frame.inverseSize.y * length(frame.eye - world);
+    s.baseColor = back ? backColor(cardPosition.xy, pixel) : vec3(0.62, 0.66, 0.65);
     s.metalness = 0.0;
     s.roughness = back ? 0.6 : 0.16;
     s.specular = parameters.specular;
