@@ -140,8 +140,8 @@ struct HallTable final : Parameters {
                                     "eight degrees, always, or never.");
     Real spotStrength =
         real("spotStrength", 1.0, none, Range{0, 1000}.soft(0, 4),
-             "Strength of the spotlights on the exhibits, which shine with the lamps: 0 leaves the even light of the "
-             "vault, high makes pools of light.",
+             "Strength of the spotlights on the exhibits: 0 leaves the even light of the vault, high makes pools of "
+             "light. Those above frames shine all day, the others with the lamps.",
              when(lamps, {LampsLit::on, LampsLit::automatic}));
     Real lampStrength =
         real("lampStrength", 1.0, none, Range{0, 1000}.soft(0, 6),

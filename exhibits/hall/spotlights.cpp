@@ -15,8 +15,12 @@ namespace {
 constexpr double spotTemperature = 3400;
 /// Irradiance on what a spotlight of strength 1 points at, in the hall's units.
 constexpr double irradianceOfSpot = 0.55;
+/// Strength of picture lights while the sun is high, when eyes are adapted to a brighter hall.
+constexpr double pictureLightByDay = 1.7;
 
-render::LocalLight spotAt(const glm::dvec3& position, const glm::dvec3& target, const glm::dvec2& coneDegrees)
+/// Returns a spotlight whose irradiance on its target is 1, ignoring its range: `reach` times the target's distance.
+render::LocalLight spotAt(const glm::dvec3& position, const glm::dvec3& target, const glm::dvec2& coneDegrees,
+                          double reach)
 {
     const glm::dvec3 away = target - position;
     render::LocalLight light;
@@ -25,9 +29,15 @@ render::LocalLight spotAt(const glm::dvec3& position, const glm::dvec3& target, 
     light.axis = glm::normalize(away);
     light.coneInner = glm::radians(coneDegrees.x);
     light.coneOuter = glm::radians(coneDegrees.y);
-    light.range = 2.5 * glm::length(away);
+    light.range = reach * glm::length(away);
     light.nearest = 0.5 * glm::length(away);
     return light;
+}
+
+/// Returns whether the place is a frame in a side wall.
+bool inWall(const Place& place)
+{
+    return std::abs(place.worldFromPlace[3].x) > 5.5;
 }
 
 /// Returns the light of a place whose irradiance on its target is 1.
@@ -36,11 +46,10 @@ render::LocalLight spotOf(const Place& place)
     const glm::dvec3 origin(place.worldFromPlace[3]);
     const auto world = [&](const glm::dvec3& p) { return glm::dvec3(place.worldFromPlace * glm::dvec4(p, 1)); };
     // Frames in the walls face along z: a picture light hangs in front of them and reaches the plaque.
-    const bool inWall = std::abs(origin.x) > 5.5;
-    if (inWall) return spotAt(world({0, 2.1, 1.5}), world({0, -0.2, 0}), {22, 58});
+    if (inWall(place)) return spotAt(world({0, 2.1, 1.5}), world({0, -0.2, 0}), {20, 50}, 1.8);
     // The other spotlights hang in the vault, on the entrance's side of their exhibit.
     const glm::dvec3 target(origin.x, 0.4 * std::max(origin.y, 0.0), origin.z);
-    return spotAt({0.7 * origin.x, 6.6, origin.z + 1.6}, target, {11, 27});
+    return spotAt({0.7 * origin.x, 6.6, origin.z + 1.6}, target, {11, 27}, 2.5);
 }
 
 }  // namespace
@@ -49,14 +58,18 @@ std::vector<render::LocalLight> spotlights(const HallModel& model, const std::ve
                                            const HallTable& table, const ParameterValues& values)
 {
     const VaultLamps lamps = vaultLampsOf(table, values);
-    const double strength = irradianceOfSpot * lamps.share * values[table.spotStrength];
-    if (!(strength > 0)) return {};
+    const double strength = irradianceOfSpot * values[table.spotStrength];
+    if (!(strength > 0) || values[table.lamps] == LampsLit::off) return {};
+    // Picture lights shine all day, as in any gallery; the other spotlights shine with the lamps.
+    const double pictures = glm::mix(pictureLightByDay, 1.0, lamps.share);
     std::vector<render::LocalLight> lights;
     for (const ExhibitSlot& slot : slots) {
         const Place* place = model.place(slot.place);
         if (!place) continue;
+        const double share = inWall(*place) ? pictures : lamps.share;
+        if (!(share > 0)) continue;
         render::LocalLight light = spotOf(*place);
-        light.intensity *= blackBodyColor(spotTemperature) * strength;
+        light.intensity *= blackBodyColor(spotTemperature) * (strength * share);
         lights.push_back(light);
     }
     return lights;

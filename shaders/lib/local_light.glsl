@@ -31,6 +31,16 @@ float localReach(LocalLightEntry light, vec3 place)
     return localWindow(distance, light.range) * localCone(light, away / distance);
 }
 
+// Whether that product is above 0. It costs a fraction.
+bool localReaches(LocalLightEntry light, vec3 place)
+{
+    vec3 away = place - light.position;
+    float squared = dot(away, away);
+    float ahead = light.coneScale * dot(light.axis, away);
+    bool inCone = safeSqrt(squared) * (light.coneScale * light.coneCosine - 1.0) < ahead;
+    return inCone && (light.range <= 0.0 || squared < light.range * light.range);
+}
+
 // Form factor of a sphere seen from a surface: irradiance over pi times its radiance, 0 to 1. `cosine` is between the
 // normal and the direction to its center, `distance` to its center. Part of the sphere may lie below the surface's
 // horizon. Snyder 1996, "Area Light Sources for Real-Time Graphics", in the form of Quilez, "Sphere - Occlusion". 1

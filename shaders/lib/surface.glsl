@@ -83,7 +83,7 @@ vec3 localLightsReflected(Surface s, vec3 toEye)
     vec3 sum = vec3(0.0);
     int i = 0;
     while (true) {
-        while (i < count && localReach(localLights.lights[i], s.position) <= 0.0) ++i;
+        while (i < count && !localReaches(localLights.lights[i], s.position)) ++i;
         if (i >= count) break;
         sum += localLightReflected(s, toEye, localLights.lights[i]);
         ++i;

@@ -232,6 +232,7 @@ TEST_F(BoundsOfEffects, RaysAddNoMoreThanTheMaskTimesTheirStrength)
         // Bounds use the brightest point of lamps, which is not in this picture.
         ParameterValues& lanterns = valuesOf(shot, "paper_lanterns");
         lanterns.setParameter(lanterns.table().find("hallGlow").value(), 0.0);
+        shot.hall().set(hallTable().spotStrength, 0.0);
     };
     expectHeld({"crepuscular_rays", "crepuscular_rays/composite", rays(RayTechnique::screen), true, plain}, 6);
     // Uniform, thin, isotropic air: the light that random dust absorbs of its own is not part of the bound.

@@ -78,7 +78,8 @@ TEST(BoundsOfPlans, AHallWithoutLightHasNoProbeAndNoShadow)
     scene.hall().set(hallTable().sunStrength, 0.0);
     EXPECT_TRUE(test::runs(scene.plan(), "probe/")) << "the sky still shines";
     scene.hall().set(hallTable().skyStrength, 0.0);
-    EXPECT_TRUE(test::runs(scene.plan(), "probe/")) << "the exhibits' lamps still do";
+    EXPECT_TRUE(test::runs(scene.plan(), "probe/")) << "the lamps of exhibits and pictures still do";
+    scene.hall().set(hallTable().spotStrength, 0.0);
     for (const auto& [exhibit, row] :
          {std::pair("paper_lanterns", "hallGlow"), {"fur", "lamp"}, {"lenticular", "lamp"}}) {
         ParameterValues& values = scene.sceneState.values[test::museum().find(exhibit).value()];
