@@ -107,13 +107,14 @@ TEST_F(LampsTest, CostNothingWhereThereIsNone)
 {
     test::Shot shot;
     shot.inHall();
-    // The lamps are the glow of the lanterns' frame, and those above the pit and in front of the card.
+    // The lamps are the glow of the lanterns' frame, those above the pit and in front of the card, and picture lights.
     EXPECT_FALSE(test::planned(test::gallery().museum, shot.sceneState, shot.request.frame).findSkipped("lamps"));
     for (const auto& [exhibit, row] :
          {std::pair("paper_lanterns", "hallGlow"), {"fur", "lamp"}, {"lenticular", "lamp"}}) {
         ParameterValues& values = shot.sceneState.values[test::gallery().museum.find(exhibit).value()];
         values.setParameter(values.table().find(row).value(), 0.0);
     }
+    shot.hall().setParameter(shot.hall().table().find("spotStrength").value(), 0.0);
     const render::FramePlan plan = test::planned(test::gallery().museum, shot.sceneState, shot.request.frame);
     EXPECT_TRUE(lampPasses(plan).empty());
     ASSERT_TRUE(plan.findSkipped("lamps"));
