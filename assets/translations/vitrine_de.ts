@@ -313,11 +313,6 @@
         <translation>%1 Frames: %2 bis %3 ms, die Hälfte davon bis %4 ms</translation>
     </message>
     <message>
-        <location filename="ui/study/table_export.cpp"/>
-        <source>%1 has no table of measurements; the Study panel measures its parameters.</source>
-        <translation>%1 hat keine Messtabelle; das Bedienfeld „Studie“ misst seine Parameter.</translation>
-    </message>
-    <message>
         <location filename="ui/study/study_chart.cpp"/>
         <source>%1 in all views</source>
         <translation>%1 in allen Ansichten</translation>
@@ -4014,7 +4009,6 @@ Zeiten nach: %2.</translation>
         <location filename="ui/kit/export_bar.cpp"/>
         <location filename="ui/kit/inline_dialog.cpp"/>
         <location filename="ui/study/study_dock.cpp"/>
-        <location filename="ui/study/table_export.cpp"/>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
@@ -4023,11 +4017,6 @@ Zeiten nach: %2.</translation>
         <location filename="ui/print/print_dialog.cpp"/>
         <source>Canceled; no file was written.</source>
         <translation>Abgebrochen; keine Datei wurde geschrieben.</translation>
-    </message>
-    <message>
-        <location filename="ui/study/table_export.cpp"/>
-        <source>Canceled; no table was written.</source>
-        <translation>Abgebrochen; keine Tabelle wurde geschrieben.</translation>
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
@@ -4689,6 +4678,11 @@ Zeiten nach: %2.</translation>
         <translation>{1} kann nicht neben die Ausgabe kopiert werden: {2} ist ein anderes Bild; wählen Sie einen anderen Ordner.</translation>
     </message>
     <message>
+        <location filename="ui/export/export_presets.cpp"/>
+        <source>Cannot delete {1}: {2}; allow writing in that folder.</source>
+        <translation>{1} lässt sich nicht löschen: {2}; erlauben Sie das Schreiben in diesem Ordner.</translation>
+    </message>
+    <message>
         <location filename="render/files/read_file.cpp"/>
         <source>Cannot follow the reference &quot;{1}&quot; inside {2}: {3}; use a plain relative path.</source>
         <translation>Dem Verweis „{=1}“ in {=2} kann nicht gefolgt werden: {3}; verwenden Sie einen einfachen relativen Pfad.</translation>
@@ -5032,6 +5026,11 @@ Zeiten nach: %2.</translation>
         <location filename="exhibits/jobs/picture/picture_table.h"/>
         <source>Channels of an OpenEXR file, separated by commas: color, depth, normal, evaluations, position, object (which exhibit, as Cryptomatte). Empty: those of the picture whose settings are used, else color only.</source>
         <translation>Kanäle einer OpenEXR-Datei, durch Kommas getrennt: color, depth, normal, evaluations, position, object (welches Exponat, als Cryptomatte). Leer: die des Bildes, dessen Einstellungen verwendet werden, sonst nur die Farbe.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/table/measurements_table.h"/>
+        <source>Character between two columns. Spreadsheets of countries with a decimal comma expect a semicolon.</source>
+        <translation>Zeichen zwischen zwei Spalten. Tabellenprogramme in Ländern mit Dezimalkomma erwarten ein Semikolon.</translation>
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
@@ -5716,6 +5715,11 @@ Zeiten nach: %2.</translation>
         <translation>Näher an das Exponat heran, oder zurück</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/table/measurements_table.h"/>
+        <source>comma</source>
+        <translation>Komma</translation>
+    </message>
+    <message>
         <location filename="ui/preferences/keys_page.cpp"/>
         <source>Command</source>
         <translation>Befehl</translation>
@@ -6247,11 +6251,6 @@ Zeiten nach: %2.</translation>
         <translation>Belegung</translation>
     </message>
     <message>
-        <location filename="ui/study/table_export.cpp"/>
-        <source>CSV (*.csv)</source>
-        <translation>CSV (*.csv)</translation>
-    </message>
-    <message>
         <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Ctrl and arrows</source>
         <translation>Strg und Pfeiltasten</translation>
@@ -6408,6 +6407,7 @@ Zeiten nach: %2.</translation>
         <translation>Grad im Uhrzeigersinn um die Mitte.</translation>
     </message>
     <message>
+        <location filename="ui/export/export_preset_list.cpp"/>
         <location filename="ui/print/sheet_bar.cpp"/>
         <location filename="ui/study/kept_studies.cpp"/>
         <location filename="ui/tree/tree_dock.cpp"/>
@@ -6431,6 +6431,11 @@ Zeiten nach: %2.</translation>
         <translation>Folie löschen</translation>
     </message>
     <message>
+        <location filename="ui/export/export_preset_list.cpp"/>
+        <source>Delete the preset “%1”?</source>
+        <translation>Das Preset „%1“ löschen?</translation>
+    </message>
+    <message>
         <location filename="ui/study/kept_studies.cpp"/>
         <source>Delete the study %1</source>
         <translation>Die Studie %1 löschen</translation>
@@ -6449,6 +6454,11 @@ Zeiten nach: %2.</translation>
         <location filename="ui/record/bookmarks_dialog.cpp"/>
         <source>Deletes the selected bookmark.</source>
         <translation>Löscht das gewählte Lesezeichen.</translation>
+    </message>
+    <message>
+        <location filename="ui/export/export_preset_list.cpp"/>
+        <source>Deletes the selected preset.</source>
+        <translation>Löscht das gewählte Preset.</translation>
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
@@ -7681,6 +7691,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Messwer&amp;te exportieren…</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/table/table_job.h"/>
+        <source>Export measurements</source>
+        <translation>Messwerte exportieren</translation>
+    </message>
+    <message>
         <location filename="exhibits/jobs/mesh/mesh_job.h"/>
         <source>Export mesh</source>
         <translation>Netz exportieren</translation>
@@ -7911,6 +7926,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <location filename="ui/kit/export_bar.cpp"/>
         <location filename="ui/print/print_numbers.cpp"/>
         <location filename="exhibits/jobs/picture/picture_table.h"/>
+        <location filename="exhibits/jobs/table/measurements_table.h"/>
         <location filename="exhibits/your_shader/your_shader_table.h"/>
         <source>File</source>
         <extracomment>tables</extracomment>
@@ -10600,7 +10616,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
         <source>Largest amount of memory for meshing, in megabytes. Auto: half of the machine's.</source>
-        <translation>Größter Speicherbedarf der Vernetzung, in Megabyte. Auto: die Hälfte des Arbeitsspeichers.</translation>
+        <translation>Größter Speicherbedarf beim Vernetzen, in Megabyte. Automatisch: die Hälfte des Speichers der Maschine.</translation>
     </message>
     <message>
         <location filename="exhibits/fur/fur_table.h"/>
@@ -10633,7 +10649,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
         <source>Largest estimated distance between the simplified and the original surface. None: any distance, until the number of triangles is reached.</source>
-        <translation>Größter Abstand, um den die vereinfachte Fläche abweichen darf, soweit er geschätzt wird. Keiner: beliebig, bis die Zahl der Dreiecke erreicht ist.</translation>
+        <translation>Größter geschätzter Abstand zwischen der vereinfachten und der ursprünglichen Oberfläche. Keiner: beliebiger Abstand, bis die Zahl der Dreiecke erreicht ist.</translation>
     </message>
     <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
@@ -11138,7 +11154,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <source>Lines</source>
         <extracomment>tables</extracomment>
-        <translation>Linien</translation>
+        <translation>Zeilen</translation>
     </message>
     <message>
         <location filename="render/scene/gltf_convert.cpp"/>
@@ -11290,7 +11306,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
         <source>Lower corner of the box that is meshed; the mesh is cut at its sides. Inf: the whole scene.</source>
-        <translation>Untere Ecke des Quaders, der vernetzt wird; das Netz wird an dessen Seiten abgeschnitten. Inf: die ganze Szene.</translation>
+        <translation>Untere Ecke des Quaders, der vernetzt wird; das Netz ist an seinen Seiten abgeschnitten. Inf: die ganze Szene.</translation>
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
@@ -11711,6 +11727,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Mercury</source>
         <translation>Quecksilber</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/mesh/mesh_job.h"/>
+        <source>Mesh</source>
+        <translation>Netz</translation>
     </message>
     <message>
         <source>mesh</source>
@@ -12507,6 +12528,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>es werden keine gespiegelten Strahlen verfolgt</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
+        <source>No scene file is given; choose one.</source>
+        <translation>Es ist keine Szenendatei angegeben; wählen Sie eine.</translation>
+    </message>
+    <message>
         <location filename="exhibits/study/study_text.cpp"/>
         <source>No setting that was measured stays within {1}</source>
         <translation>Keine gemessene Einstellung bleibt innerhalb von {1}</translation>
@@ -12799,8 +12825,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/jobs/study/study_job.cpp"/>
+        <location filename="exhibits/jobs/table/table_job.cpp"/>
         <location filename="ui/study/study_dock.cpp"/>
-        <location filename="ui/study/table_export.cpp"/>
         <source>Nothing can be measured: there is no graphics context.</source>
         <translation>Es kann nichts gemessen werden: Es gibt keinen Grafikkontext.</translation>
     </message>
@@ -14027,6 +14053,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Parameter</translation>
     </message>
     <message>
+        <location filename="exhibits/shader_export/stand_alone.cpp"/>
+        <source>Parameters from which further numbers are computed stay as they are now.</source>
+        <translation>Parameter, aus denen weitere Zahlen berechnet werden, bleiben, wie sie jetzt sind.</translation>
+    </message>
+    <message>
         <location filename="ui/window/parameter_tabs.cpp"/>
         <source>Parameters of</source>
         <translation>Parameter von</translation>
@@ -14081,7 +14112,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Pass {1}</translation>
     </message>
     <message>
-        <location filename="ui/window/status_line.cpp"/>
         <location filename="ui/window/window_docks.cpp"/>
         <source>Passes</source>
         <translation>Passes</translation>
@@ -14796,11 +14826,17 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Jetzt: %1, Fehler %2, Kosten %3.</translation>
     </message>
     <message>
+        <location filename="ui/export/export_preset_list.cpp"/>
+        <source>Preset %1</source>
+        <translation>Preset %1</translation>
+    </message>
+    <message>
         <location filename="ui/window/search_entries.cpp"/>
         <source>Preset of %1</source>
         <translation>Preset von %1</translation>
     </message>
     <message>
+        <location filename="ui/export/export_preset_list.cpp"/>
         <location filename="ui/presets/preset_list.cpp"/>
         <location filename="ui/window/window_docks.cpp"/>
         <source>Presets</source>
@@ -14810,6 +14846,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="ui/presets/preset_controller.cpp"/>
         <source>Presets (*.json)</source>
         <translation>Presets (*.json)</translation>
+    </message>
+    <message>
+        <location filename="ui/export/export_preset_list.cpp"/>
+        <source>Presets of the settings</source>
+        <translation>Presets der Einstellungen</translation>
     </message>
     <message>
         <location filename="ui/presets/tag_chips.cpp"/>
@@ -15910,6 +15951,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Wiederholung</translation>
     </message>
     <message>
+        <location filename="ui/export/export_preset_list.cpp"/>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
         <location filename="ui/kit/replace_question.cpp"/>
         <source>Replace it</source>
         <translation>Ersetzen</translation>
@@ -15918,6 +15964,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="ui/kit/replace_question.cpp"/>
         <source>Replace the file?</source>
         <translation>Die Datei ersetzen?</translation>
+    </message>
+    <message>
+        <location filename="ui/export/export_preset_list.cpp"/>
+        <source>Replace the preset “%1”?</source>
+        <translation>Das Preset „%1“ ersetzen?</translation>
     </message>
     <message>
         <location filename="ui/tree/tree_dock.cpp"/>
@@ -15931,6 +15982,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Darstellung des Objekts: das Distanzfeld, mit Strahlen abgeschritten, oder ein rasterisiertes Netz davon.</translation>
     </message>
     <message>
+        <location filename="ui/export/export_preset_list.cpp"/>
         <location filename="ui/preferences/keys_page.cpp"/>
         <location filename="ui/print/place_bar.cpp"/>
         <source>Reset</source>
@@ -15952,6 +16004,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="ui/preferences/keys_page.cpp"/>
         <source>Reset all</source>
         <translation>Alle zurücksetzen</translation>
+    </message>
+    <message>
+        <location filename="ui/export/export_preset_list.cpp"/>
+        <source>Reset settings</source>
+        <translation>Einstellungen zurücksetzen</translation>
     </message>
     <message>
         <location filename="ui/parameters/parameter_menus.cpp"/>
@@ -15979,7 +16036,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Umformen</translation>
     </message>
     <message>
-        <location filename="ui/window/status_line.cpp"/>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <source>Resolution</source>
@@ -16537,6 +16593,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Alles ausführen</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/table/table_job.h"/>
+        <source>Run the measurements of an exhibit, such as the methods of the pixel art, and write them as CSV</source>
+        <translation>Messungen eines Exponats ausführen, etwa der Methoden der Pixelkunst, und als CSV schreiben</translation>
+    </message>
+    <message>
         <location filename="exhibits/study/study.cpp"/>
         <source>run {1} of {2}</source>
         <translation>Durchlauf {1} von {2}</translation>
@@ -16715,6 +16776,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Messwerte speichern</translation>
     </message>
     <message>
+        <location filename="ui/export/export_preset_list.cpp"/>
+        <source>Save the settings as a preset</source>
+        <translation>Einstellungen als Preset speichern</translation>
+    </message>
+    <message>
         <location filename="ui/study/kept_studies.cpp"/>
         <source>Save the ticked…</source>
         <translation>Die angehakten speichern…</translation>
@@ -16772,6 +16838,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Gespeicherte Ansichten</translation>
     </message>
     <message>
+        <location filename="ui/export/export_preset_list.cpp"/>
+        <source>Saves all settings of this kind of export under a name.</source>
+        <translation>Speichert alle Einstellungen dieser Art von Export unter einem Namen.</translation>
+    </message>
+    <message>
         <location filename="ui/window/window_actions.cpp"/>
         <source>Saves everything in one file: all exhibits, the hall and where you stand.</source>
         <translation>Speichert alles in einer Datei: alle Exponate, die Halle und wo Sie stehen.</translation>
@@ -16822,6 +16893,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Speichert Ihre Änderungen an der Szene oder am Shader in der Datei; ohne solche die Werte im Bedienfeld im verwendeten Preset.</translation>
     </message>
     <message>
+        <location filename="ui/export/export_preset_list.cpp"/>
         <location filename="ui/print/sheet_bar.cpp"/>
         <location filename="ui/study/comparison_dialog.cpp"/>
         <location filename="ui/study/study_dock.cpp"/>
@@ -16873,8 +16945,8 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
-        <source>Scene file.</source>
-        <translation>Szenendatei.</translation>
+        <source>Scene file. Empty in the window: the scene that SDF Scenes shows, with its present values and time.</source>
+        <translation>Szenendatei. Leer im Fenster: die Szene, die SDF-Szenen zeigt, mit ihren jetzigen Werten und ihrer Zeit.</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.cpp"/>
@@ -17064,6 +17136,16 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>semi-implizit</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/table/measurements_table.h"/>
+        <source>semicolon</source>
+        <translation>Semikolon</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/table/measurements_table.h"/>
+        <source>Separator</source>
+        <translation>Trennzeichen</translation>
+    </message>
+    <message>
         <location filename="ui/parameters/way_to_act.cpp"/>
         <location filename="ui/study/study_view.cpp"/>
         <source>Set %1</source>
@@ -17099,6 +17181,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="ui/window/window_actions.cpp"/>
         <source>Sets all parameters in the panel to random values within their slider ranges, except files, accuracy and excluded parameters (see their menus). Can be undone.</source>
         <translation>Gibt allen Parametern im Bedienfeld zufällige Werte aus dem Bereich ihrer Regler, außer Dateien, Genauigkeit und ausgenommenen Parametern (siehe deren Menüs). Lässt sich rückgängig machen.</translation>
+    </message>
+    <message>
+        <location filename="ui/export/export_preset_list.cpp"/>
+        <source>Sets all settings of this kind of export to their initial values. Can be undone.</source>
+        <translation>Setzt alle Einstellungen dieser Art von Export auf die Anfangswerte zurück. Lässt sich rückgängig machen.</translation>
     </message>
     <message>
         <location filename="ui/compare/compare_actions.cpp"/>
@@ -18501,6 +18588,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>das Starten der Filter</translation>
     </message>
     <message>
+        <location filename="ui/kit/export_bar.cpp"/>
+        <source>Starts the export (%1).</source>
+        <translation>Startet den Export (%1).</translation>
+    </message>
+    <message>
         <location filename="ui/lessons/lesson_controller.cpp"/>
         <source>Starts the step-by-step lesson about the visited exhibit.</source>
         <translation>Startet die Lektion, die Schritt für Schritt durch das besuchte Exponat führt.</translation>
@@ -18881,9 +18973,9 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <location filename="exhibits/hall/hall_table.h"/>
-        <source>Strength of the spotlights on the exhibits, which shine with the lamps: 0 leaves the even light of the vault, high makes pools of light.</source>
+        <source>Strength of the spotlights on the exhibits: 0 leaves the even light of the vault, high makes pools of light. Those above frames shine all day, the others with the lamps.</source>
         <extracomment>tables</extracomment>
-        <translation>Stärke der Strahler auf die Exponate; sie leuchten mit den Lampen: Bei 0 bleibt das gleichmäßige Licht des Gewölbes, hohe Werte machen Inseln aus Licht.</translation>
+        <translation>Stärke der Strahler auf die Exponate: Bei 0 bleibt das gleichmäßige Licht des Gewölbes, hohe Werte machen Inseln aus Licht. Die Strahler über den Rahmen leuchten den ganzen Tag, die anderen mit den Lampen.</translation>
     </message>
     <message>
         <location filename="exhibits/hall/hall_table.h"/>
@@ -19148,9 +19240,14 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>&amp;B nehmen von</translation>
     </message>
     <message>
-        <location filename="ui/study/table_export.cpp"/>
-        <source>Table saved to %1.</source>
-        <translation>Tabelle in %1 gespeichert.</translation>
+        <location filename="exhibits/jobs/table/measurements_table.h"/>
+        <source>tab</source>
+        <translation>Tabulator</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/table/table_job.h"/>
+        <source>Table</source>
+        <translation>Tabelle</translation>
     </message>
     <message>
         <location filename="ui/study/study_export.cpp"/>
@@ -20442,6 +20539,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Die Szene verlangt weniger Spiegelbilder von Spiegelbildern.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
+        <source>The scene has changes that are not in its file yet; save it first (File &gt; Save).</source>
+        <translation>Die Szene hat Änderungen, die noch nicht in ihrer Datei stehen; speichern Sie sie zuerst (Datei &gt; Speichern).</translation>
+    </message>
+    <message>
         <location filename="exhibits/sdf_scenes/stand_alone.cpp"/>
         <source>The scene has more numbers than a shader of your own can hold; export a part of it.</source>
         <translation>Die Szene hat mehr Zahlen, als ein eigener Shader fassen kann; exportieren Sie einen Teil davon.</translation>
@@ -20490,6 +20592,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/crepuscular_rays/crepuscular_rays.cpp"/>
         <source>the selected technique does not make them</source>
         <translation>die gewählte Technik erzeugt sie nicht</translation>
+    </message>
+    <message>
+        <location filename="ui/print/print_dialog.cpp"/>
+        <source>The settings of a print cannot change while it is written.</source>
+        <translation>Die Einstellungen eines Drucks lassen sich nicht ändern, während er geschrieben wird.</translation>
     </message>
     <message>
         <location filename="exhibits/your_shader/shader_check.cpp"/>
@@ -21561,6 +21668,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="ui/charts/charts_dock.cpp"/>
         <source>This exhibit has no charts.</source>
         <translation>Dieses Exponat hat keine Diagramme.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/table/table_job.cpp"/>
+        <source>This exhibit has no table of measurements; a study measures its parameters.</source>
+        <translation>Dieses Exponat hat keine Tabelle von Messwerten; eine Studie misst seine Parameter.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/picture/picture_job.cpp"/>
@@ -22887,7 +22999,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
         <source>Value of one of the scene's parameters, name=value. Numbers are in SI units.</source>
-        <translation>Wert eines Parameters der Szene, name=wert. Zahlen stehen in SI-Einheiten.</translation>
+        <translation>Wert eines Parameters der Szene, Name=Wert. Zahlen in SI-Einheiten.</translation>
     </message>
     <message>
         <location filename="exhibits/study/study_table.h"/>
@@ -24412,6 +24524,11 @@ steht in assets/SOURCES.md.</translation>
         <location filename="exhibits/jobs/print/view_folder.cpp"/>
         <source>{1} cannot be put in place ({2})</source>
         <translation>{=1} kann nicht an seinen Platz gelegt werden ({2})</translation>
+    </message>
+    <message>
+        <location filename="exhibits/framework/scene/stands_alone.h"/>
+        <source>{1} cannot stand alone while “{2}” is “{3}”; choose “{4}”.</source>
+        <translation>{1} kann nicht allein stehen, solange „{2}“ auf „{3}“ steht; wählen Sie „{4}“.</translation>
     </message>
     <message>
         <location filename="exhibits/shader_export/stand_alone.cpp"/>

@@ -72,8 +72,8 @@ void ExportPresets::remove(const QString& name) const
     std::error_code error;
     std::filesystem::remove(file(name), error);
     if (error)
-        throw Failure(ErrorKind::file, "Cannot delete " + file(name).string() + ": " + error.message() +
-                                           "; allow writing in that folder.");
+        throw Failure(ErrorKind::file, message("Cannot delete {1}: {2}; allow writing in that folder.",
+                                               file(name).string(), error.message()));
 }
 
 }  // namespace vitrine::ui

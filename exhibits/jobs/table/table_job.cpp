@@ -3,6 +3,7 @@
 #include "exhibits/framework/scene/capabilities.h"
 #include "exhibits/framework/table/measured_table.h"
 #include "exhibits/jobs/kit/job_document.h"
+#include "exhibits/jobs/table/measurements_table.h"
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
 
@@ -13,18 +14,9 @@ namespace vitrine::jobs {
 namespace table_job {
 namespace {
 
-enum class Separator : int { comma, semicolon, tabulator };
-
-struct TableTable final : Parameters {
-    Group fileGroup = group("File");
-    Choice<Separator> separator =
-        choice("separator", Separator::comma, {"comma", "semicolon", "tab"},
-               "Character between two columns. Spreadsheets of countries with a decimal comma expect a semicolon.");
-};
-
-const TableTable& tableTable()
+const MeasurementsTable& tableTable()
 {
-    static const TableTable table;
+    static const MeasurementsTable table;
     return table;
 }
 
