@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -35,18 +36,30 @@ const char* resultText(const StabilityResult& r)
     return r.passed ? "holds" : "FAILS";
 }
 
-void printTable(const render::gl::ContextInfo& gl, const std::vector<StabilityResult>& results)
+/// Called for each result as soon as it is known.
+using Tell = std::function<void(const StabilityResult&)>;
+
+/// The longest text of `what` in English, as wide as the column.
+constexpr int whatWidth = 66;
+
+void printHead(const render::gl::ContextInfo& gl)
 {
     std::printf("vitrine   %s\nrenderer  %s\nversion   %s\n\n", render::programVersion().c_str(), gl.renderer.c_str(),
                 gl.version.c_str());
-    std::size_t width = 0;
-    for (const StabilityResult& r : results) width = std::max(width, r.what.size());
-    std::printf("%-5s %-*s %-7s %10s %10s\n", "case", static_cast<int>(width), "what", "result", "value", "limit");
-    for (const StabilityResult& r : results) {
-        std::printf("%-5s %-*s %-7s %10s %10s\n", r.number.c_str(), static_cast<int>(width), r.what.c_str(),
-                    resultText(r), measured(r.value).c_str(), measured(r.limit).c_str());
-        if (!r.detail.empty()) std::printf("      %s\n", r.detail.c_str());
-    }
+    std::printf("%-5s %-*s %-7s %10s %10s\n", "case", whatWidth, "what", "result", "value", "limit");
+}
+
+/// Prints a line at once, so that a run that is ended early still tells what it tried.
+void printLine(const StabilityResult& r)
+{
+    std::printf("%-5s %-*s %-7s %10s %10s\n", r.number.c_str(), whatWidth, r.what.c_str(), resultText(r),
+                measured(r.value).c_str(), measured(r.limit).c_str());
+    if (!r.detail.empty()) std::printf("      %s\n", r.detail.c_str());
+    std::fflush(stdout);
+}
+
+void printVerdict(const std::vector<StabilityResult>& results)
+{
     const auto failed =
         std::count_if(results.begin(), results.end(), [](const StabilityResult& r) { return !r.passed; });
     const bool all = std::all_of(results.begin(), results.end(), [](const StabilityResult& r) { return r.tried; });
@@ -107,22 +120,25 @@ private:
 };
 
 /// Runs all cases. Returns whether something was left out for lack of time.
-bool runCases(const StabilityOptions& options, std::vector<StabilityResult>& results)
+bool runCases(const StabilityOptions& options, const Tell& tell, std::vector<StabilityResult>& results)
 {
+    const auto add = [&](StabilityResult r) {
+        tell(r);
+        results.push_back(std::move(r));
+    };
     const Museum museum{allExhibits()};
     render::gl::Renderer renderer;
     Budget budget(options.minutes);
     const std::size_t count = museum.subjects().size();
     constexpr double pictures = 0.25;  // Part of the progress before the random settings.
-    results = arithmeticCases(renderer);
-    for (StabilityResult& r : pictureCases(museum, renderer, budget.step(0.5, 0.02, pictures)))
-        results.push_back(std::move(r));
+    for (StabilityResult& r : arithmeticCases(renderer)) add(std::move(r));
+    for (StabilityResult& r : pictureCases(museum, renderer, budget.step(0.5, 0.02, pictures))) add(std::move(r));
     const auto partAt = [&](std::size_t i) {
         return pictures + (1 - pictures) * static_cast<double>(i) / static_cast<double>(count);
     };
     for (std::size_t i = 0; i < count; ++i)
-        results.push_back(scanExhibit(museum, renderer, i, options.firstSeed, options.presets,
-                                      budget.step(1 / static_cast<double>(count - i), partAt(i), partAt(i + 1))));
+        add(scanExhibit(museum, renderer, i, options.firstSeed, options.presets,
+                        budget.step(1 / static_cast<double>(count - i), partAt(i), partAt(i + 1))));
     return budget.limited();
 }
 
@@ -136,11 +152,12 @@ int stabilityReport(const StabilityOptions& options)
                  options.presets, options.minutes);
     const render::gl::HeadlessContext context;
     std::vector<StabilityResult> results;
-    const bool limited = runCases(options, results);
+    if (!options.asJson) printHead(context.info());
+    const bool limited = runCases(options, options.asJson ? Tell([](const StabilityResult&) {}) : printLine, results);
     if (options.asJson)
         std::fputs(render::writeJson(asJson(context.info(), options, results, limited)).c_str(), stdout);
     else
-        printTable(context.info(), results);
+        printVerdict(results);
     if (!options.asJson && limited)
         std::printf("The time of %g minutes was over before %d settings of each exhibit were tried; --minutes gives "
                     "more.\n",
