@@ -186,7 +186,10 @@ TEST(BallOnPaper, StandsBesideTheOthersAndLeavesThemAsTheyAre)
 
     test::Scene scene;  // The same museum without the ball, and the best view of another exhibit.
     shot.request.frame = scene.request;
-    const render::FramePlan with = test::planned(museum, museum.initialSceneState(), shot.request.frame);
+    SceneState state = museum.initialSceneState();
+    state.values[hallIndex].set(hallTable().spotStrength, 0.0);  // A spotlight at the ball is one light more for all.
+    scene.hall().set(hallTable().spotStrength, 0.0);
+    const render::FramePlan with = test::planned(museum, state, shot.request.frame);
     const render::FramePlan without = scene.plan();
     const auto march = [](const render::FramePlan& p) { return p.find("sdf_morph/march"); };
     ASSERT_TRUE(march(with) && march(without));

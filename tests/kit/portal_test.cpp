@@ -137,6 +137,7 @@ TEST_F(PortalTest, IsTheSameInTheLightOfNoonAndOfNight)
 {
     BallShot s = shot();
     s.inHall();
+    s.hall().set(test::hallTable().spotStrength, 0.0);
     const Picture day = s.take();
     s.hall().set(test::hallTable().sunStrength, 0.0);
     s.hall().set(test::hallTable().skyStrength, 0.1);

@@ -79,6 +79,7 @@ class ServedTest(unittest.TestCase):
             "mesh": {"scene": SCENE, "out": self.folder / "mesh.glb", **job},
             "print": {"views": [a, b], "width_mm": 10, "height_mm": 6, "lpi": 60, "out": self.folder / "p.tif", **job},
             "quilt": {"exhibit": "fur", "columns": 2, "rows": 2, "out": self.folder / "quilt.png", **job},
+            "table": {"exhibit": "pixel_art", "out": self.folder / "table.csv", **job},
             "shader": {"exhibit": "your_shader", "out": self.folder / "shader.fs", **job},
             "proof": {"print": self.print_file(), "angle": 0, "out": self.folder / "proof.png", **job},
         }
