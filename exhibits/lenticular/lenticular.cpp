@@ -207,7 +207,7 @@ render::Box Lenticular::bounds(const ParameterValues&) const
 render::Camera Lenticular::bestView(const ParameterValues&) const
 {
     // From the distance that it is printed for, the whole card shows one view.
-    return {cardMiddle() + glm::dvec3(0.2, 0.1, 1.58), cardMiddle() + glm::dvec3(0.01, -0.01, 0), 0.383972};
+    return {cardMiddle() + glm::dvec3(0.202, 0.1, 1.58), cardMiddle() + glm::dvec3(0.01, -0.01, 0), 0.383972};
 }
 
 double Lenticular::nextChange(const ParameterValues& values, double time) const
