@@ -1,9 +1,8 @@
 #include "app/kit/command.h"
 #include "app/kit/say.h"
+#include "app/kit/subject_tables.h"
 
-#include "exhibits/exhibits.h"
 #include "exhibits/framework/files/lesson.h"
-#include "exhibits/hall/hall_table.h"
 #include "render/failure.h"
 #include "render/files/read_file.h"
 #include "render/text/nearest_word.h"
@@ -16,19 +15,6 @@
 
 namespace vitrine::app {
 namespace {
-
-/// Subjects of the museum, without the building itself.
-struct Tables {
-    const HallTable hall;
-    const std::vector<std::unique_ptr<Exhibit>> exhibits = allExhibits();
-    NamedValues values{{"hall", hall.initial()}};
-
-    Tables()
-    {
-        for (const auto& exhibit : exhibits)
-            values.emplace_back(std::string(exhibit->name()), exhibit->parameters().initial());
-    }
-};
 
 /// Checks one file. Returns 0 if it is valid, the exit code of a failed check if it is not, and that of a failed read
 /// if it cannot be read.
@@ -51,7 +37,7 @@ int checkLesson(const std::string& file, const NamedValues& tables)
 
 int checkLessons(const std::vector<std::string>& files)
 {
-    const Tables tables;
+    const SubjectTables tables;
     int worst = 0;
     for (const std::string& file : files) worst = std::max(worst, checkLesson(file, tables.values));
     return worst;
@@ -60,7 +46,7 @@ int checkLessons(const std::vector<std::string>& files)
 /// Prints the lesson of each exhibit that has one: exhibit, number of steps, title.
 int listLessons()
 {
-    const Tables tables;
+    const SubjectTables tables;
     for (const auto& exhibit : tables.exhibits) {
         const std::filesystem::path path = shippedLesson(exhibit->name());
         std::error_code ignored;
@@ -74,7 +60,7 @@ int listLessons()
 /// Prints the texts of a lesson: that of an exhibit, or one in a file.
 int showLesson(const std::string& name)
 {
-    const Tables tables;
+    const SubjectTables tables;
     std::vector<std::string> names;
     for (const auto& exhibit : tables.exhibits) names.emplace_back(exhibit->name());
     const bool isExhibit = std::find(names.begin(), names.end(), name) != names.end();

@@ -75,7 +75,6 @@ int parseAndRun(int argc, char** argv)
     vitrine::app::addPresetCommand(parser, chosen);
     vitrine::app::addLessonCommand(parser, chosen);
     vitrine::app::addCompareCommand(parser, chosen);
-    vitrine::app::addCompareSettingsCommand(parser, chosen);
     vitrine::app::addCompareStudiesCommand(parser, chosen);
     vitrine::app::addShaderCommand(parser, chosen);
     vitrine::app::addJobCommands(parser, chosen);

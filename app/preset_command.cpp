@@ -1,12 +1,12 @@
 #include "app/kit/apply_preset.h"
 #include "app/kit/command.h"
 #include "app/kit/say.h"
+#include "app/kit/subject_tables.h"
 
-#include "exhibits/exhibits.h"
-#include "exhibits/framework/files/preset.h"
-#include "exhibits/hall/hall_table.h"
+#include "exhibits/framework/files/preset_schema.h"
 #include "render/failure.h"
 #include "render/files/strict_json.h"
+#include "render/text/nearest_word.h"
 
 #include <CLI/CLI.hpp>
 
@@ -59,14 +59,29 @@ int check(const std::string& file, const NamedValues& tables)
 
 int checkAll(const std::vector<std::string>& files)
 {
-    const HallTable hall;
-    const auto exhibits = allExhibits();
-    NamedValues tables{{"hall", hall.initial()}};
-    for (const auto& exhibit : exhibits)
-        tables.emplace_back(std::string(exhibit->name()), exhibit->parameters().initial());
+    const SubjectTables tables;
     int worst = 0;
-    for (const std::string& file : files) worst = std::max(worst, check(file, tables));
+    for (const std::string& file : files) worst = std::max(worst, check(file, tables.values));
     return worst;
+}
+
+/// Prints the schema of the presets of an exhibit, or that of settings of the whole museum.
+int printSchema(const std::string& exhibit)
+{
+    const SubjectTables tables;
+    if (exhibit.empty()) {
+        std::fputs(render::writeJson(exhibitionSchema(tables.values)).c_str(), stdout);
+        return 0;
+    }
+    std::vector<std::string> names;
+    for (const auto& [name, values] : tables.values) {
+        names.push_back(name);
+        if (name != exhibit) continue;
+        std::fputs(render::writeJson(presetSchema(name, values)).c_str(), stdout);
+        return 0;
+    }
+    throw Failure(ErrorKind::usage, "There is no exhibit \"" + exhibit + "\"" + didYouMean(exhibit, names) +
+                                        " `vitrine list` names them.");
 }
 
 }  // namespace
@@ -80,6 +95,12 @@ void addPresetCommand(CLI::App& parser, Action& chosen)
     auto files = std::make_shared<std::vector<std::string>>();
     checking->add_option("files", *files, "Preset or exhibition files, or pictures that carry a preset")->required();
     checking->callback([&chosen, files] { chosen = [files] { return checkAll(*files); }; });
+    CLI::App* describing = command->add_subcommand(
+        "schema", "Print the JSON Schema of preset files, with which editors complete and check them");
+    auto exhibit = std::make_shared<std::string>();
+    describing->add_option("exhibit", *exhibit,
+                           "Exhibit, or hall; without it, the schema of settings of the whole museum");
+    describing->callback([&chosen, exhibit] { chosen = [exhibit] { return printSchema(*exhibit); }; });
 }
 
 }  // namespace vitrine::app

@@ -1,5 +1,7 @@
 #include "exhibits/jobs.h"
 
+#include "exhibits/jobs/comparison/comparison_job.h"
+#include "exhibits/jobs/handout/handout_job.h"
 #include "exhibits/jobs/mesh/mesh_job.h"
 #include "exhibits/jobs/picture/picture_job.h"
 #include "exhibits/jobs/print/print_job.h"
@@ -21,6 +23,7 @@ const std::vector<std::unique_ptr<const Job>>& allJobs()
         std::vector<std::unique_ptr<const Job>> all;
         all.push_back(std::make_unique<PictureJob>());
         all.push_back(std::make_unique<StudyJob>());
+        all.push_back(std::make_unique<ComparisonJob>());
         all.push_back(std::make_unique<RecordJob>());
         all.push_back(std::make_unique<PrintJob>());
         all.push_back(std::make_unique<ProofJob>());
@@ -29,6 +32,7 @@ const std::vector<std::unique_ptr<const Job>>& allJobs()
         all.push_back(std::make_unique<MeshJob>());
         all.push_back(std::make_unique<ShaderJob>());
         all.push_back(std::make_unique<TableJob>());
+        all.push_back(std::make_unique<HandoutJob>());
         return all;
     }();
     return jobs;

@@ -1,5 +1,6 @@
 #include "app/jobs/job_arguments.h"
 
+#include "app/jobs/compared_scene.h"
 #include "app/jobs/job_folder.h"
 #include "app/kit/useless_option.h"
 #include "exhibits/jobs/kit/given_values.h"
@@ -103,6 +104,16 @@ jobs::JobScene sceneOf(const CLI::App& command, const jobs::Job& job, const JobA
     return scene;
 }
 
+/// Returns the scene of a job that compares two settings.
+jobs::JobScene comparedSceneOf(const CLI::App& command, const JobArguments& typed, const JobStart& start,
+                               const jobs::JobDocument* like, std::vector<std::string>& notes)
+{
+    const CLI::Option* with = command.get_option_no_throw("--with");
+    const bool keepsOffer = like && typed.compared[1].empty() && !like->other;
+    return comparedScene(command, start.museum(), typed.scene, typed.compared,
+                         {start.state, like, keepsOffer || (with && with->count() > 0)}, notes);
+}
+
 /// Returns the settings to start from; nullopt: the initial ones.
 std::optional<jobs::JobDocument> startingDocument(const jobs::Job& job, const JobArguments& typed,
                                                   const JobStart& start, std::vector<std::string>& notes)
@@ -129,6 +140,8 @@ void addJobArguments(CLI::App& command, const jobs::Job& job, JobArguments& type
         for (const jobs::JobOption& option : jobs::optionsOf(job.parameters()))
             if (CLI::Option* ofScene = command.get_option_no_throw(option.name)) command.remove_option(ofScene);
         if (CLI::Option* samples = command.get_option_no_throw("--samples")) command.remove_option(samples);
+    } else if (needs.twoSettings) {
+        addComparedOptions(command, typed.scene, typed.compared);
     } else if (needs.hasScene()) {
         const std::string subject(needs.anySettings ? "the exhibit" : needs.subject);
         const bool takesFile = !needs.fileOf.first.empty();
@@ -180,6 +193,8 @@ OrderedJob orderedJob(const CLI::App& command, const jobs::Job& job, const JobAr
     order.inputs = job.read(order.values);
     if (job.needs().sceneByOption && typed.scene.subject.empty()) {
         refuseSceneOptions(command);
+    } else if (job.needs().twoSettings) {
+        order.scene = comparedSceneOf(command, typed, start, like ? &*like : nullptr, ordered.notes);
     } else if (job.needs().hasScene()) {
         order.scene = sceneOf(command, job, typed, start, like ? &*like : nullptr, ordered.notes);
         const bool still = job.needs().anyScene && !job.usesCamera(order.values, order.scene);

@@ -4,6 +4,7 @@
 #include "app/kit/picture_options.h"
 #include "exhibits/jobs/kit/job.h"
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -19,6 +20,7 @@ namespace vitrine::app {
 struct JobArguments {
     TypedParameters parameters;
     PictureOptions scene;
+    std::array<std::string, 2> compared;  ///< Settings A and B, of a job that compares two.
     std::string out, like, report;
     bool dryRun = false;
 };

@@ -8,15 +8,17 @@
 
 namespace vitrine::app {
 
-/// Output of a job whose folder has pages and charts.
+/// Output of a job that writes a folder.
 struct JobFolder {
     /// Throws Failure (ErrorKind::usage) if the folder exists and holds anything else.
     void (*require)(const std::filesystem::path&);
-    /// Writes what the finished run made. Throws Failure (ErrorKind::file).
+    /// Writes what the finished run made, if its pages and charts are made by the program; null: the job writes it.
+    /// Throws Failure (ErrorKind::file).
     void (*write)(const std::filesystem::path&, const jobs::JobRun&);
     /// Prints the result, unless `quietly`, and limits that were not met. Returns the exit code.
     int (*tell)(const std::filesystem::path&, const jobs::JobRun&, bool quietly);
-    /// Returns the measures in the parts of the output. `isPart`: this process makes one part; otherwise it merges.
+    /// Returns the measures in the parts of the output; null for a job that is not made in parts. `isPart`: this
+    /// process makes one part; otherwise it merges.
     std::unique_ptr<StudyParts> (*measures)(Parts&, bool isPart);
 };
 

@@ -122,6 +122,15 @@ std::unique_ptr<jobs::JobRun> finishedRun(const jobs::Job& job, jobs::JobOrder o
     }
 }
 
+/// Creates the backend of a job that draws without a window, and stores what draws in `info`. Throws Failure
+/// (ErrorKind::openGl).
+std::unique_ptr<render::RenderBackend> headlessBackend(const jobs::Job& job, render::gl::ContextInfo& info)
+{
+    const auto made = std::make_shared<HeadlessRenderer>();
+    info = made->context.info();
+    return backendOf(job, {made, &made->renderer});
+}
+
 /// Makes one part of a job whose parts must be merged.
 int runPartOf(const jobs::Job& job, jobs::JobOrder order, const jobs::JobPlan& plan, const Shard& shard)
 {
@@ -132,7 +141,7 @@ int runPartOf(const jobs::Job& job, jobs::JobOrder order, const jobs::JobPlan& p
         order.share.measures = measures.get();
         order.share.keep = [&parts](const std::string& name, const render::Image& image) { parts.keep(name, image); };
         order.out = parts.file(job.partItems(order.out));
-        order.backend = [&drawn] { return headlessBackend(&drawn); };
+        order.backend = [&job, &drawn] { return headlessBackend(job, drawn); };
         const std::unique_ptr<jobs::JobRun> run = finishedRun(job, std::move(order), plan);
         if (!run) return std::nullopt;
         for (const auto& file : run->report().files) parts.wrote(file.filename().string());
@@ -142,16 +151,9 @@ int runPartOf(const jobs::Job& job, jobs::JobOrder order, const jobs::JobPlan& p
 
 }  // namespace
 
-std::unique_ptr<render::RenderBackend> headlessBackend(render::gl::ContextInfo* info, bool timesPasses)
+std::unique_ptr<render::RenderBackend> backendOf(const jobs::Job& job, std::shared_ptr<render::gl::Renderer> renderer)
 {
-    const auto made = std::make_shared<HeadlessRenderer>();
-    made->renderer.timeSteps(timesPasses);
-    if (info) *info = made->context.info();
-    return sharedBackend({made, &made->renderer});
-}
-
-std::unique_ptr<render::RenderBackend> sharedBackend(std::shared_ptr<render::gl::Renderer> renderer)
-{
+    renderer->timeSteps(job.needs().timesPasses);
     return std::make_unique<SharedBackend>(std::move(renderer));
 }
 
@@ -163,14 +165,14 @@ int runJob(const jobs::Job& job, jobs::JobOrder order, const jobs::JobPlan& plan
     const std::filesystem::path out = order.out;
     const std::string items = job.partItems(out);
     render::gl::ContextInfo drawn;
-    order.backend = [&drawn, times = job.needs().timesPasses] { return headlessBackend(&drawn, times); };
+    order.backend = [&job, &drawn] { return headlessBackend(job, drawn); };
     order.machine = [&drawn] { return render::gl::machineJson(drawn); };
     std::shared_ptr<HeadlessRenderer> renderer;  // Measures the report after the picture is drawn.
     if (!order.reportFile.empty()) {
-        order.backend = [&drawn, &renderer] {
+        order.backend = [&job, &drawn, &renderer] {
             renderer = std::make_shared<HeadlessRenderer>();
             drawn = renderer->context.info();
-            return sharedBackend({renderer, &renderer->renderer});
+            return backendOf(job, {renderer, &renderer->renderer});
         };
         order.frameReport = [&drawn, &renderer](const jobs::JobScene& scene, const PictureRequest& request,
                                                 const render::FrameReport& first) {
@@ -198,9 +200,10 @@ int runJob(const jobs::Job& job, jobs::JobOrder order, const jobs::JobPlan& plan
         order.share.makes = [shard](int k) { return shard.makes(static_cast<std::size_t>(k)); };
         if (!items.empty()) return runPartOf(job, std::move(order), plan, shard);
     }
-    if (folder) order.writeFolder = [&](const jobs::JobRun& run) { folder->write(out, run); };
+    if (folder && folder->write) order.writeFolder = [&](const jobs::JobRun& run) { folder->write(out, run); };
+    const bool makesFolder = job.needs().extensions.empty();
     for (const jobs::PlannedFile& file : plan.files)
-        if (!folder || file.path != out) const render::PartFile writable(file.path);
+        if (!makesFolder || file.path != out) const render::PartFile writable(file.path);
     const std::unique_ptr<jobs::JobRun> run = finishedRun(job, std::move(order), plan);
     if (!run) return StopSignal::exitCode;
     if (printed == Outcome::json)

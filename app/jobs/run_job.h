@@ -11,12 +11,8 @@ struct ContextInfo;
 
 namespace vitrine::app {
 
-/// Creates a backend that draws without a window, and stores what draws in `info`. `timesPasses`: it times each pass.
-/// Throws Failure (ErrorKind::openGl).
-[[nodiscard]] std::unique_ptr<render::RenderBackend> headlessBackend(render::gl::ContextInfo* info = nullptr,
-                                                                     bool timesPasses = false);
-/// Creates a backend that draws with this renderer.
-[[nodiscard]] std::unique_ptr<render::RenderBackend> sharedBackend(std::shared_ptr<render::gl::Renderer>);
+/// Creates the backend of a job, which draws with this renderer. It times each pass if the job needs it.
+[[nodiscard]] std::unique_ptr<render::RenderBackend> backendOf(const jobs::Job&, std::shared_ptr<render::gl::Renderer>);
 
 /// Form in which the outcome of a job is printed.
 enum class Outcome : unsigned char { text, json, nothing };

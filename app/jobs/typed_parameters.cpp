@@ -26,7 +26,8 @@ void TypedParameters::addTo(CLI::App& command, const Parameters& table)
         if (option.several)
             added->take_all()->allow_extra_args(true);
         else
-            added->expected(option.words)->multi_option_policy(CLI::MultiOptionPolicy::Throw);
+            // Otherwise, CLI11 would take the words of positional arguments that follow, too.
+            added->expected(option.words)->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::Throw);
         // A wrong value is refused while the words are parsed, so that the first wrong word is named.
         if (!option.several && option.words == 1)
             added->each([&table, option](const std::string& word) { jobs::GivenValues(table).type(option, {word}); });

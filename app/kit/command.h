@@ -24,7 +24,6 @@ void addPresetCommand(CLI::App&, Action& chosen);
 void addLessonCommand(CLI::App&, Action& chosen);
 void addDoctorCommand(CLI::App&, Action& chosen);
 void addCompareCommand(CLI::App&, Action& chosen);
-void addCompareSettingsCommand(CLI::App&, Action& chosen);
 void addCompareStudiesCommand(CLI::App&, Action& chosen);
 /// `run` runs a command line, given without the program's name, and returns its exit code.
 void addMergeCommand(CLI::App&, Action& chosen, const std::function<int(const std::vector<std::string>&)>& run);

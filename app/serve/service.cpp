@@ -100,8 +100,9 @@ std::string Service::methodsText()
         if (hasMethod(job->name())) continue;
         const std::string name(job->name());
         const bool answers = job->needs().answers;
-        add(name, (answers ? "{...} as of `vitrine " : "{out, ...} as of `vitrine ") + name + "`: " +
-                      (answers ? "what it measured" : "its files and facts") + "; with dry_run, what it would write");
+        add(name, (answers ? "{...} as of `vitrine " : "{out, ...} as of `vitrine ") + std::string(job->command()) +
+                      "`: " + (answers ? "what it measured" : "its files and facts") +
+                      "; with dry_run, what it would write");
     }
     return text;
 }
@@ -431,11 +432,10 @@ Json Service::runJob(const jobs::Job& job, const Json& params, const Watch& watc
         answer = planJson(job, ordered.plan);
     } else {
         if (!ordered.plan.refusal.empty()) throw Failure(ErrorKind::usage, ordered.plan.refusal);
-        ordered.order.backend = [this, times = job.needs().timesPasses]() -> std::unique_ptr<render::RenderBackend> {
-            if (!times) return sharedBackend({std::shared_ptr<void>(), &renderer_});
-            std::unique_ptr<render::gl::Renderer> timing = renderer_.sibling();
-            timing->timeSteps(true);
-            return timing;
+        ordered.order.backend = [this, &job] {
+            // Times of passes are for this job alone.
+            if (job.needs().timesPasses) return backendOf(job, renderer_.sibling());
+            return backendOf(job, {std::shared_ptr<void>(), &renderer_});
         };
         ordered.order.machine = [this] { return machineJson(gl_); };
         const std::unique_ptr<jobs::JobRun> run = job.start(std::move(ordered.order));

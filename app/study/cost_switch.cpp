@@ -1,6 +1,6 @@
 #include "app/study/cost_switch.h"
 
-#include "app/kit/html_text.h"
+#include "render/text/escaped.h"
 
 namespace vitrine::app {
 namespace {

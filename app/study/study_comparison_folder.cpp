@@ -1,11 +1,12 @@
 #include "app/study/study_comparison_folder.h"
 
-#include "app/kit/html_text.h"
-#include "app/kit/part_folder.h"
 #include "app/study/cost_switch.h"
 #include "app/study/offscreen_charts.h"
+#include "exhibits/jobs/kit/html_text.h"
+#include "exhibits/jobs/kit/part_folder.h"
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
+#include "render/text/escaped.h"
 #include "render/text/joined.h"
 #include "ui/kit/picture_file.h"
 #include "ui/study/comparison_chart.h"
@@ -13,6 +14,8 @@
 
 namespace vitrine::app {
 namespace {
+
+using jobs::pageHead;
 
 std::string studiesTable(const std::vector<KeptStudy>& studies, const StudyComparison& comparison)
 {
@@ -87,7 +90,7 @@ std::string comparisonPage(const std::vector<KeptStudy>& studies, const std::vec
 
 void requireStudyComparisonFolder(const std::filesystem::path& folder)
 {
-    requireFolderFor(folder, "study-comparison.json", "a comparison of studies");
+    jobs::requireFolderFor(folder, "study-comparison.json", "a comparison of studies");
 }
 
 void writeStudyComparisonFolder(const std::filesystem::path& folder, const std::vector<KeptStudy>& studies,
@@ -108,7 +111,7 @@ void writeStudyComparisonFolder(const std::filesystem::path& folder, const std::
     chart.setComparison(first);
     const QByteArray png = ui::pngOf(chart.picture(studyChartSize, studyChartScale));
     requireChart(png, folder);
-    PartFolder part(folder);
+    jobs::PartFolder part(folder);
     render::atomicWrite(part.path() / "study-comparison.json", render::writeJson(comparisonJson(studies, first)));
     render::atomicWrite(part.path() / "study-comparison.csv", comparisonCsv(first));
     render::atomicWrite(part.path() / "chart.svg", sheets.front().svg);

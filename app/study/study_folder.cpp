@@ -1,9 +1,9 @@
 #include "app/study/study_folder.h"
 
-#include "app/kit/part_folder.h"
 #include "app/kit/say.h"
 #include "app/study/offscreen_charts.h"
 #include "app/study/study_page.h"
+#include "exhibits/jobs/kit/part_folder.h"
 #include "exhibits/jobs/study/study_job.h"
 #include "exhibits/study/study_situation.h"
 #include "exhibits/study/study_text.h"
@@ -119,7 +119,7 @@ const jobs::StudyRun& studyRun(const jobs::JobRun& run)
 
 void requireStudyFolder(const fs::path& folder)
 {
-    requireFolderFor(folder, "study.json", "a study");
+    jobs::requireFolderFor(folder, "study.json", "a study");
 }
 
 void writeStudyFolder(const fs::path& folder, const jobs::JobRun& run)
@@ -130,7 +130,7 @@ void writeStudyFolder(const fs::path& folder, const jobs::JobRun& run)
     const CostAxis costs = studyRun(run).costs();
     const StudyRequest& request = study.request();
     const StudyResult& result = study.result();
-    PartFolder part(folder);
+    jobs::PartFolder part(folder);
     std::vector<StudyPagePoint> points = writePictures(part.path() / "pictures", subjects, study);
 
     prepareOffscreenCharts();

@@ -1,9 +1,10 @@
 #include "app/study/study_page.h"
 
-#include "app/kit/html_text.h"
+#include "exhibits/jobs/kit/html_text.h"
 #include "exhibits/study/study_situation.h"
 #include "exhibits/study/study_text.h"
 #include "render/files/strict_json.h"
+#include "render/text/escaped.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,10 @@
 namespace vitrine::app {
 namespace {
 
+using jobs::pageHead;
+using jobs::pageNumber;
+using jobs::scriptJson;
+using jobs::with;
 using render::Json;
 
 constexpr const char* script = R"page(<script>

@@ -113,8 +113,8 @@ def build(cloth):
     shift = Matrix.Translation
     for name, make, matrix in (
             ("stand_2", hall_props.stand, places["place_2"] @ shift((0, -1.2, 0))),
-            ("stand_4_banner", hall_cloth.banner, shift((1.6, 6.03, -6.5))),
-            ("hanging_4", hall_cloth.mobile, shift((-1.3, 5.2, -6.0)))):
+            ("stand_4_banner", hall_cloth.banner, shift((-1.6, 6.03, -6.5))),
+            ("hanging_4", hall_cloth.mobile, shift((1.3, 5.2, -6.0)))):
         part = Mesh()
         make(part)
         to_object(name, part, part.faces, matrix=matrix)

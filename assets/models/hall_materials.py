@@ -10,7 +10,7 @@ MATERIALS = {
     "plaster":    {"color": (0.72, 0.68, 0.61),   "roughness": 0.88, "metalness": 0.0, "tile": 3.0},
     "dado":       {"color": (0.175, 0.17, 0.14), "roughness": 0.55, "metalness": 0.0, "tile": 1.5},
     "coffer":     {"color": (0.70, 0.67, 0.61),   "roughness": 0.85, "metalness": 0.0},
-    "travertine": {"color": (0.56, 0.47, 0.365),  "roughness": 0.45, "metalness": 0.0, "tile": 1.1},
+    "travertine": {"color": (0.535, 0.475, 0.4),  "roughness": 0.45, "metalness": 0.0, "tile": 1.1},
     "bronze":     {"color": (0.36, 0.235, 0.125), "roughness": 0.36, "metalness": 1.0},
     "brass":      {"color": (0.78, 0.56, 0.27),   "roughness": 0.24, "metalness": 1.0},
     "oak":        {"color": (0.27, 0.155, 0.075), "roughness": 0.48, "metalness": 0.0, "tile": 1.2},

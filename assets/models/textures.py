@@ -113,7 +113,7 @@ def terrazzo(n=1024):
     save("terrazzo", color, np.zeros((n, n)), 1.0, rough, {"orm": 512})
 
 
-def plaster(n=512):
+def plaster(n=1024):
     # Trowel: overlapping arcs, each a faint ridge and a change of sheen.
     rng = np.random.default_rng(21)
     y, x = np.mgrid[0:n, 0:n] / n
@@ -129,35 +129,30 @@ def plaster(n=512):
         s = rng.uniform(-1, 1)
         height = height * (1 - 0.6 * inside) + 0.00085 * inside * (s + v / width * 0.5) + 0.00045 * ridge
         sheen = sheen * (1 - 0.6 * inside) + inside * s
+    # Baked light does not see the normals, so the color carries edges of strokes: light on ridges, dark in grooves.
+    edges = np.clip((height - blur(height, 3 * n / 512)) / 0.0002, -2, 2)
+    sand = noise(n, 340, 28, 2)
     height += 0.0016 * noise(n, 3, 22, 3) + 0.00012 * noise(n, 90, 23, 2)
-    tone = 1 + 0.016 * sheen + 0.02 * noise(n, 2, 24, 5) + 0.008 * noise(n, 100, 25, 2)
+    tone = 1 + 0.022 * sheen + 0.02 * noise(n, 2, 24, 5) + 0.03 * edges + 0.012 * noise(n, 100, 25, 2) + 0.03 * sand
     color = np.array(MATERIALS["plaster"]["color"]) * tone[..., None]
     color[..., 2] *= 1 - 0.012 * noise(n, 3, 26, 3)
-    save("plaster", color, height, 1.0, np.clip(0.86 - 0.05 * sheen + 0.02 * noise(n, 40, 27, 2), 0.7, 0.97))
+    save("plaster", color, height, 1.0, np.clip(0.86 - 0.05 * sheen + 0.02 * noise(n, 40, 27, 2), 0.7, 0.97),
+         {"normal": 512, "orm": 512})
 
 
 def travertine(n=512):
-    # Cut across the bed: fine level layers, of which few differ much, and clouds of calcite between them.
-    warp = 0.006 * noise(n, 2, 31, 2) + 0.003 * noise(n, 10, 32, 3)
-    y = (np.mgrid[0:n, 0:n][0] + 0.5) / n
-    rng = np.random.default_rng(33)
-    line = np.zeros(4096)
-    for f in range(5, 90):
-        line += rng.standard_normal() / f ** 0.35 * np.sin(2 * np.pi * (f * np.arange(4096) / 4096 + rng.random()))
-    line /= line.std()
-    band = np.take(line, ((y + warp) * 4096).astype(int) % 4096) * (0.6 + 0.4 * np.clip(noise(n, 3, 30, 2), -1, 1))
-    fine = noise(n, 9, 34, 5, stretch=(1, 4))
+    # Cut along the bed ("cross cut"): clouds of calcite without a direction, thin veins between them, and round pits in groups.
+    cloud = noise(n, 3, 34, 6, gain=0.62)
+    lobes = noise(n, 5, 31, 5, gain=0.6)
+    veins = np.exp(-np.square(lobes * 14)) * np.clip(0.6 + noise(n, 2, 30, 2), 0, 1)
     grain = noise(n, 150, 40, 2)
-    t = np.clip(0.5 + 0.13 * band + 0.14 * fine + 0.05 * grain, 0, 1)
-    color = mix((0.47, 0.385, 0.29), (0.65, 0.555, 0.44), t)
-    rust = np.clip(noise(n, 2, 35, 4, stretch=(1, 4)) - 0.9, 0, 1)
-    color = color * (1 - np.stack([0.03 * rust, 0.09 * rust, 0.15 * rust], -1))
-    # Pits: small elongated holes, in the darker layers and in groups.
-    pits = 0.8 * noise(n, 80, 36, 2, stretch=(1, 2.0)) + 0.5 * noise(n, 7, 39, 2, stretch=(1, 3))
-    holes = np.clip((pits - 1.7 + 1.5 * (0.5 - t)) * 2.4, 0, 1)
-    color *= (1 - 0.42 * holes)[..., None]
-    height = -0.0008 * blur(holes, 0.5) + 0.00006 * fine + 0.00003 * grain
-    rough = np.clip(0.42 + 0.05 * fine * 0.5 + 0.35 * holes, 0.3, 0.9)
+    t = np.clip(0.5 + 0.16 * cloud + 0.1 * np.abs(lobes) - 0.34 * veins + 0.05 * grain, 0, 1)
+    color = mix((0.42, 0.36, 0.285), (0.63, 0.575, 0.51), t)
+    pits = 0.9 * noise(n, 96, 36, 2) + 0.35 * noise(n, 6, 39, 3)
+    holes = np.clip((pits - 1.75 + 1.5 * (0.5 - t)) * 2.6, 0, 1)
+    color *= (1 - 0.3 * holes)[..., None]
+    height = -0.0007 * blur(holes, 0.5) + 0.00006 * cloud + 0.00003 * grain
+    rough = np.clip(0.42 + 0.03 * cloud + 0.35 * holes, 0.3, 0.9)
     save("travertine", color, height, 1 - 0.6 * holes, rough)
 
 

@@ -20,13 +20,13 @@ PROGRAM = os.environ.get('VITRINE_PROGRAM', 'build/release/vitrine')
 NO_TEXT = re.compile(r'[;{}]\s*\n|\bvec[234]\b|\bfloat \w|^\s*#|</?\w+>|\bvoid \w|^\w+ = |^  +\w|\bsampler|^[.:#*@]|^\{\d\}$|'
                      r'^[\w{}]+/[\w{}]|^[A-Z_]+ \{|^glb |^fs frag |^hdr exr|^tif tiff|^png jpg|^SceneStage|\buniform \w|\bconst \w+ \w+|^<|^--(?!.* .* )|&nbsp;|\\u00|^%|^[^A-Za-z{]*$')
 # Files of which nothing is shown to people in the window or as an error, or only in English by purpose.
-NOT_SHOWN = re.compile(r'/stability/|stability_|doctor_command|html_text|_page\.cpp|serve/(?!listener)|report|embed|'
+NOT_SHOWN = re.compile(r'/stability/|stability_|doctor_command|html_text|preset_schema|_page\.cpp|serve/(?!listener)|report|embed|'
                        r'image/oiio/(?!guarded|read|row|write)|shell_word|chart_font|_glsl\.cpp|'
                        r'install|framework/table/derive|museum/render_command|museum/exr_metadata|coat_mesh|card_mesh|png_chunks|table_json|passes_json|text/message\.h')
 # Rooms in which every text for people is made by message(): no sentence is looked for there, and none may be left.
 CONVERTED = ('render/files/', 'render/gl/', 'render/scene/', 'exhibits/jobs/sprite/palette_file', 'exhibits/jobs/sprite/sprite_description')
 # Strings that look like sentences but are shown to nobody: keys, names, messages of asserts.
-UNSHOWN = {'framebuffers made', 'constant buffers', 'the picture was abandoned', 'unknown error',
+UNSHOWN = {'framebuffers made', 'icc icm', 'mp4 webm mov mkv avi apng', 'lesson export', 'constant buffers', 'the picture was abandoned', 'unknown error',
            '{1} (specialized)', 'expressionPower({1}, {2}', '(TIME + {1}', 'min({1}, min({2}, {3}))',
            '(gl_FragCoord.xy / iResolution.xy)', ' in {{1}, {2}', ', exact {1}', '{1} "self"\n', '{1}::MinFilter "{2}"\n',
            '{1}::WrapMode "{2}"\n', '    // The camera, around a point {1} m in front of it.\n', '2.0 * tangent / RENDERSIZE.y',

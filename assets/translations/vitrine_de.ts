@@ -462,7 +462,7 @@ Zeiten werden gemessen, sobald alle gezeichnet sind.</translation>
         <translation>%1 wurde geladen, mit Änderungen:</translation>
     </message>
     <message>
-        <location filename="ui/study/study_view.cpp"/>
+        <location filename="ui/study/shown_kept_study.cpp"/>
         <source>%1 was not measured.</source>
         <translation>%1 wurde nicht gemessen.</translation>
     </message>
@@ -515,6 +515,11 @@ Zeiten werden gemessen, sobald alle gezeichnet sind.</translation>
         <location filename="ui/print/print_numbers.cpp"/>
         <source>%1 × %2 px</source>
         <translation>%1 × %2 px</translation>
+    </message>
+    <message>
+        <location filename="ui/presets/preset_controller.cpp"/>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
     </message>
     <message>
         <location filename="ui/window/main_window.cpp"/>
@@ -579,7 +584,7 @@ Times by: %2.</source>
 Zeiten nach: %2.</translation>
     </message>
     <message>
-        <location filename="ui/study/study_view.cpp"/>
+        <location filename="ui/study/shown_kept_study.cpp"/>
         <source>%1. Its pictures were not kept.</source>
         <translation>%1. Ihre Bilder wurden nicht aufbewahrt.</translation>
     </message>
@@ -604,7 +609,7 @@ Zeiten nach: %2.</translation>
         <translation>%1: alle Parameter</translation>
     </message>
     <message>
-        <location filename="ui/study/study_view.cpp"/>
+        <location filename="ui/study/point_caption.cpp"/>
         <source>%1: error %2</source>
         <translation>%1: Fehler %2</translation>
     </message>
@@ -916,7 +921,7 @@ Zeiten nach: %2.</translation>
         <translation>&amp;Ansicht</translation>
     </message>
     <message>
-        <location filename="ui/study/study_view.cpp"/>
+        <location filename="ui/study/point_pictures.cpp"/>
         <source>&amp;View:</source>
         <translation>A&amp;nsicht:</translation>
     </message>
@@ -951,12 +956,12 @@ Zeiten nach: %2.</translation>
         <translation>, </translation>
     </message>
     <message>
-        <location filename="ui/study/study_view.cpp"/>
+        <location filename="ui/study/point_caption.cpp"/>
         <source>, %1 %2</source>
         <translation>, %1 %2</translation>
     </message>
     <message>
-        <location filename="ui/study/study_view.cpp"/>
+        <location filename="ui/study/point_caption.cpp"/>
         <source>, %1 ms (%2 to %3)</source>
         <translation>, %1 ms (%2 bis %3)</translation>
     </message>
@@ -1149,12 +1154,12 @@ Zeiten nach: %2.</translation>
         <translation>--out {=1}: Ein Terminal kann die Bytes einer Datei nicht zeigen; leiten Sie die Standardausgabe um, oder geben Sie einen Namen an.</translation>
     </message>
     <message>
-        <location filename="app/kit/part_folder.cpp"/>
+        <location filename="exhibits/jobs/kit/part_folder.cpp"/>
         <source>--out {1}: this folder holds something else than {2}; name another.</source>
         <translation>--out {=1}: Dieser Ordner enthält etwas anderes als {2}; nennen Sie einen anderen.</translation>
     </message>
     <message>
-        <location filename="app/kit/part_folder.cpp"/>
+        <location filename="exhibits/jobs/kit/part_folder.cpp"/>
         <source>--out {1}: this is a file; name a folder.</source>
         <translation>--out {=1}: Dies ist eine Datei; nennen Sie einen Ordner.</translation>
     </message>
@@ -1288,7 +1293,7 @@ Zeiten nach: %2.</translation>
         <translation>--view-size: Die Höhe {1} ist ohne Breite angegeben; geben Sie auch die Breite an oder keines von beiden.</translation>
     </message>
     <message>
-        <location filename="app/compare/compare_settings_command.cpp"/>
+        <location filename="exhibits/jobs/comparison/comparison_job.cpp"/>
         <source>--with: these settings change no exhibit; say with --exhibit which one is compared.</source>
         <translation>--with: Diese Einstellungen ändern kein Exponat; nennen Sie mit --exhibit das zu vergleichende.</translation>
     </message>
@@ -1598,7 +1603,7 @@ Zeiten nach: %2.</translation>
         <translation>; eine Timer-Abfrage zeigt das {1}-fache der Zeit der Wanduhr und wird daher nicht benutzt</translation>
     </message>
     <message>
-        <location filename="ui/study/study_view.cpp"/>
+        <location filename="ui/study/point_caption.cpp"/>
         <source>; against everything exact %1</source>
         <translation>; gegen alles exakt %1</translation>
     </message>
@@ -1646,6 +1651,11 @@ Zeiten nach: %2.</translation>
         <location filename="ui/lessons/lesson_controller.cpp"/>
         <source>&lt;b&gt;Try:&lt;/b&gt; %1</source>
         <translation>&lt;b&gt;Aufgabe:&lt;/b&gt; %1</translation>
+    </message>
+    <message>
+        <location filename="app/jobs/compared_scene.cpp"/>
+        <source>`vitrine compare-settings` needs a; `vitrine compare-settings --help` says what it is.</source>
+        <translation>`vitrine compare-settings` braucht a; `vitrine compare-settings --help` sagt, was das ist.</translation>
     </message>
     <message>
         <location filename="ui/compare/compare_bar.cpp"/>
@@ -2125,6 +2135,16 @@ Zeiten nach: %2.</translation>
         <translation>eine Szene der Referenz braucht eine „camera“</translation>
     </message>
     <message>
+        <location filename="exhibits/museum/museum_plan.cpp"/>
+        <source>a screen shows it</source>
+        <translation>ein Bildschirm zeigt es</translation>
+    </message>
+    <message>
+        <location filename="exhibits/museum/museum_plan.cpp"/>
+        <source>a screen shows its picture</source>
+        <translation>ein Bildschirm zeigt sein Bild</translation>
+    </message>
+    <message>
         <location filename="ui/viewport/shader_problems_text.cpp"/>
         <source>A shader failed to compile; the last good picture is kept. Save the file to try again.</source>
         <translation>Ein Shader ließ sich nicht übersetzen; das letzte gute Bild bleibt. Wird die Datei gespeichert, folgt der nächste Versuch.</translation>
@@ -2155,7 +2175,7 @@ Zeiten nach: %2.</translation>
         <translation>Eine Folie braucht einen Namen, um gespeichert zu werden.</translation>
     </message>
     <message>
-        <location filename="ui/print/print_dialog.cpp"/>
+        <location filename="ui/print/print_side.cpp"/>
         <source>A sheet to print and lay the lenses on: pitch, phase, number of views, rotation.</source>
         <translation>Ein Blatt zum Drucken und Auflegen der Linsen: Linsenabstand, Phase, Zahl der Ansichten, Drehung.</translation>
     </message>
@@ -2502,6 +2522,11 @@ Zeiten nach: %2.</translation>
         <translation>Über den Wolken</translation>
     </message>
     <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>absolute</source>
+        <translation>absolut</translation>
+    </message>
+    <message>
         <location filename="exhibits/fur/fur_table.h"/>
         <source>Absorption of sunlight on its way into the coat: 0 casts no shadow on the fur, high darkens it quickly.</source>
         <extracomment>tables</extracomment>
@@ -2659,6 +2684,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
+        <location filename="exhibits/jobs/table/measurements_table.h"/>
         <source>all</source>
         <extracomment>tables</extracomment>
         <translation>alle</translation>
@@ -2712,7 +2738,7 @@ Zeiten nach: %2.</translation>
         <translation>Alle Parameter haben ihre Ausgangswerte.</translation>
     </message>
     <message>
-        <location filename="ui/study/study_dock.cpp"/>
+        <location filename="ui/study/measuring_bar.cpp"/>
         <source>All parameters together</source>
         <translation>Alle Parameter zusammen</translation>
     </message>
@@ -2983,6 +3009,11 @@ Zeiten nach: %2.</translation>
         <translation>und --exhibit schließen einander aus; geben Sie eines davon an.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/proof/proof_job.cpp"/>
+        <source>Angle along the lenses</source>
+        <translation>Winkel längs der Linsen</translation>
+    </message>
+    <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
         <source>Angle around the sun within which the sky gives rays: 180° uses the whole sky.</source>
         <extracomment>tables</extracomment>
@@ -3214,6 +3245,11 @@ Zeiten nach: %2.</translation>
         <translation>Antwort ▾</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/handout/handout_table.h"/>
+        <source>Answers</source>
+        <translation>Antworten</translation>
+    </message>
+    <message>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
         <source>Aperture samples</source>
         <extracomment>tables</extracomment>
@@ -3287,7 +3323,7 @@ Zeiten nach: %2.</translation>
         <translation>Wie im Video der Referenz</translation>
     </message>
     <message>
-        <location filename="ui/study/study_dock.cpp"/>
+        <location filename="ui/study/measuring_bar.cpp"/>
         <source>As in the settings</source>
         <translation>Wie in den Einstellungen</translation>
     </message>
@@ -3300,6 +3336,11 @@ Zeiten nach: %2.</translation>
         <location filename="ui/preferences/preferences_dialog.cpp"/>
         <source>As set in the hall</source>
         <translation>Wie in der Halle gesetzt</translation>
+    </message>
+    <message>
+        <location filename="ui/parameters/shown_text.cpp"/>
+        <source>as shown</source>
+        <translation>wie gezeigt</translation>
     </message>
     <message>
         <location filename="ui/preferences/preferences_dialog.cpp"/>
@@ -3343,11 +3384,18 @@ Zeiten nach: %2.</translation>
         <translation>in Ruhe seit {1}</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/handout/handout_table.h"/>
+        <source>at the end</source>
+        <translation>am Ende</translation>
+    </message>
+    <message>
         <location filename="ui/compare/compare_actions.cpp"/>
         <source>At the start</source>
         <translation>Am Anfang</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/comparison/comparison_table.h"/>
+        <location filename="exhibits/jobs/handout/handout_table.h"/>
         <location filename="exhibits/jobs/picture/picture_table.h"/>
         <location filename="exhibits/jobs/quilt/quilt_table.h"/>
         <location filename="exhibits/jobs/record/record_table.h"/>
@@ -3557,6 +3605,11 @@ Zeiten nach: %2.</translation>
         <translation>Banner im Strahl</translation>
     </message>
     <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Bar of the inks, their mixtures and grays in the border below.</source>
+        <translation>Streifen der Druckfarben, ihrer Mischungen und von Grautönen im unteren Rand.</translation>
+    </message>
+    <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
         <source>Bar radius</source>
         <extracomment>tables</extracomment>
@@ -3641,8 +3694,9 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="ui/print/eyes_preview.cpp"/>
+        <location filename="exhibits/jobs/handout/handout_table.h"/>
         <source>below</source>
-        <translation>von unten</translation>
+        <translation>darunter</translation>
     </message>
     <message>
         <location filename="exhibits/study/study_table.h"/>
@@ -3698,6 +3752,16 @@ Zeiten nach: %2.</translation>
         <location filename="exhibits/printing/print_table.h"/>
         <source>Bits per channel.</source>
         <translation>Bits pro Kanal.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Black point</source>
+        <translation>Schwarzpunkt</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Black point compensation</source>
+        <translation>Tiefenkompensation</translation>
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
@@ -3959,7 +4023,7 @@ Zeiten nach: %2.</translation>
         <translation>C64</translation>
     </message>
     <message>
-        <location filename="ui/print/print_dialog.cpp"/>
+        <location filename="ui/print/print_side.cpp"/>
         <source>Calibration chart</source>
         <translation>Testchart</translation>
     </message>
@@ -4008,7 +4072,7 @@ Zeiten nach: %2.</translation>
     <message>
         <location filename="ui/kit/export_bar.cpp"/>
         <location filename="ui/kit/inline_dialog.cpp"/>
-        <location filename="ui/study/study_dock.cpp"/>
+        <location filename="ui/study/measuring_bar.cpp"/>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
@@ -4698,7 +4762,7 @@ Zeiten nach: %2.</translation>
         <translation>Die Ansichten lassen sich nicht in {=1} aufbewahren: {2} ist misslungen ({=3}); geben Sie dort Platz frei, oder lassen Sie TMPDIR einen Ordner mit mehr davon nennen.</translation>
     </message>
     <message>
-        <location filename="exhibits/printing/print_raster.cpp"/>
+        <location filename="exhibits/printing/print_description.cpp"/>
         <source>Cannot look at {1}: it carries no description of its sheet, and there is no {2} beside it; choose a file that vitrine print wrote.</source>
         <translation>{=1} kann nicht betrachtet werden: Er enthält keine Beschreibung seiner Folie, und daneben gibt es kein {=2}; wählen Sie eine Datei, die vitrine print geschrieben hat.</translation>
     </message>
@@ -4746,6 +4810,11 @@ Zeiten nach: %2.</translation>
         <location filename="exhibits/printing/view_files.cpp"/>
         <source>Cannot read the folder {1}: {2}.</source>
         <translation>Der Ordner {=1} kann nicht gelesen werden: {2}.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_views.cpp"/>
+        <source>Cannot read {1}: it ends before frame {2}; choose another video.</source>
+        <translation>{1} kann nicht gelesen werden: Es endet vor Bild {2}; wählen Sie ein anderes Video.</translation>
     </message>
     <message>
         <location filename="render/image/picture_rows.cpp"/>
@@ -4810,6 +4879,11 @@ Zeiten nach: %2.</translation>
         <translation>{=1} kann nicht gelesen werden: {2}; wählen Sie ein anderes Bild.</translation>
     </message>
     <message>
+        <location filename="render/video/video_frames.cpp"/>
+        <source>Cannot read {1}: {2}; choose another video.</source>
+        <translation>{1} kann nicht gelesen werden: {2}; wählen Sie ein anderes Video.</translation>
+    </message>
+    <message>
         <location filename="render/scene/gltf.cpp"/>
         <location filename="render/scene/gltf_guard.cpp"/>
         <source>Cannot read {1}: {2}; export it again.</source>
@@ -4844,6 +4918,16 @@ Zeiten nach: %2.</translation>
         <location filename="render/files/strict_json.cpp"/>
         <source>Cannot write JSON: {1} {2}</source>
         <translation>JSON kann nicht geschrieben werden: {=1} {2}</translation>
+    </message>
+    <message>
+        <location filename="render/image/picture_stream.cpp"/>
+        <source>Cannot write {1}: a PNG cannot hold inks (CMYK); give a name that ends in .tif or .pdf.</source>
+        <translation>{1} kann nicht geschrieben werden: Ein PNG kann keine Druckfarben (CMYK) enthalten; geben Sie einen Namen mit der Endung .tif oder .pdf an.</translation>
+    </message>
+    <message>
+        <location filename="render/image/picture_stream.cpp"/>
+        <source>Cannot write {1}: a TIFF of inks (CMYK) has 8 bits per channel; choose 8 bits, or give a name that ends in .pdf.</source>
+        <translation>{1} kann nicht geschrieben werden: Ein TIFF von Druckfarben (CMYK) hat 8 Bit je Kanal; wählen Sie 8 Bit, oder geben Sie einen Namen mit der Endung .pdf an.</translation>
     </message>
     <message>
         <location filename="render/image/picture_stream.cpp"/>
@@ -5112,6 +5196,11 @@ Zeiten nach: %2.</translation>
         <translation>Datei wählen. Sie lässt sich auch hier ablegen.</translation>
     </message>
     <message>
+        <location filename="ui/kit/export_bar.cpp"/>
+        <source>Choose a folder</source>
+        <translation>Ordner wählen</translation>
+    </message>
+    <message>
         <location filename="ui/print/view_loader.cpp"/>
         <source>Choose a folder or pictures, or drop them here.</source>
         <translation>Wählen Sie einen Ordner oder Bilder, oder legen Sie sie hier ab.</translation>
@@ -5140,6 +5229,11 @@ Zeiten nach: %2.</translation>
         <location filename="render/files/atomic_write.cpp"/>
         <source>choose a shorter name</source>
         <translation>wählen Sie einen kürzeren Namen</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/comparison/comparison_job.cpp"/>
+        <source>Choose either settings B or another technique (--with), not both.</source>
+        <translation>Wählen Sie entweder Einstellungen B oder eine andere Technik (--with), nicht beides.</translation>
     </message>
     <message>
         <location filename="ui/parameters/shown_text.cpp"/>
@@ -5421,6 +5515,11 @@ Zeiten nach: %2.</translation>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
         <source>Color at the horizon, as linear values.</source>
         <translation>Farbe am Horizont, in linearen Werten.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Color bar</source>
+        <translation>Farbkontrollstreifen</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
@@ -5754,6 +5853,11 @@ Zeiten nach: %2.</translation>
         <translation>Die angehakten Studien vergleichen</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/comparison/comparison_job.h"/>
+        <source>Compare two settings on one page: pictures, differences, costs pass by pass</source>
+        <translation>Zwei Einstellungen auf einer Seite vergleichen: Bilder, Unterschiede, Kosten jedes Durchgangs</translation>
+    </message>
+    <message>
         <location filename="exhibits/study/study_table.h"/>
         <source>Compare with a second reference, too, in which all parameters are at their most exact.</source>
         <translation>Auch mit einer zweiten Referenz vergleichen, in der alle Parameter am genauesten sind.</translation>
@@ -5762,16 +5866,6 @@ Zeiten nach: %2.</translation>
         <location filename="ui/compare/compare_actions.cpp"/>
         <source>Compare with: %1</source>
         <translation>Vergleichen mit: %1</translation>
-    </message>
-    <message>
-        <location filename="app/compare/compare_settings_command.cpp"/>
-        <source>compare-settings: give either a second setting or --with, not both.</source>
-        <translation>compare-settings: Geben Sie entweder eine zweite Einstellung oder --with an, nicht beides.</translation>
-    </message>
-    <message>
-        <location filename="app/compare/compare_settings_command.cpp"/>
-        <source>compare-settings: name a second setting, or what A is compared --with.</source>
-        <translation>compare-settings: Nennen Sie eine zweite Einstellung, oder mit --with, womit A verglichen wird.</translation>
     </message>
     <message>
         <location filename="app/study/compare_studies_command.cpp"/>
@@ -5785,6 +5879,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="ui/compare/compare_bar.cpp"/>
+        <location filename="exhibits/jobs/comparison/comparison_job.h"/>
         <source>Comparison</source>
         <translation>Vergleich</translation>
     </message>
@@ -6188,6 +6283,12 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
+        <source>Cream and wafer</source>
+        <extracomment>tables</extracomment>
+        <translation>Eis und Waffel</translation>
+    </message>
+    <message>
+        <location filename="exhibits/ice_cream/ice_cream_table.h"/>
         <source>Cream roughness</source>
         <extracomment>tables</extracomment>
         <translation>Rauheit des Eises</translation>
@@ -6225,6 +6326,16 @@ Zeiten nach: %2.</translation>
         <translation>beschneiden</translation>
     </message>
     <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Crop marks</source>
+        <translation>Schnittmarken</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Crop marks: lines in the border at the corners of the trim, for the cutter. They need 5 mm of border, as all marks do.</source>
+        <translation>Schnittmarken: Linien im Rand an den Ecken des Endformats, für den Schneider. Sie brauchen 5 mm Rand, wie alle Marken.</translation>
+    </message>
+    <message>
         <location filename="ui/print/print_numbers.cpp"/>
         <source>Cross-talk</source>
         <translation>Übersprechen</translation>
@@ -6243,6 +6354,11 @@ Zeiten nach: %2.</translation>
         <location filename="ui/print/print_numbers.cpp"/>
         <source>Cross-talk of every view</source>
         <translation>Übersprechen jeder Ansicht</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Crosses in circles in the border at the middle of each side.</source>
+        <translation>Kreuze in Kreisen im Rand, in der Mitte jeder Seite.</translation>
     </message>
     <message>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
@@ -7044,9 +7160,14 @@ Zeiten nach: %2.</translation>
         <translation>Fertig (%1 Samples)</translation>
     </message>
     <message>
-        <location filename="ui/viewport/viewport.cpp"/>
+        <location filename="ui/viewport/viewport_pictures.cpp"/>
         <source>Done (%1 samples); redrawing only the moving part (%2 × %3 px)</source>
         <translation>Fertig (%1 Samples); neu gezeichnet wird nur der bewegte Teil (%2 × %3 px)</translation>
+    </message>
+    <message>
+        <location filename="ui/viewport/draw_schedule.cpp"/>
+        <source>Done (1 sample)</source>
+        <translation>Fertig (1 Sample)</translation>
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
@@ -7152,6 +7273,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <location filename="exhibits/jobs/sprite/sprite_job.cpp"/>
         <source>drawing frames</source>
         <translation>Frames werden gezeichnet</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/handout/handout_job.cpp"/>
+        <source>drawing the steps</source>
+        <translation>Schritte zeichnen</translation>
     </message>
     <message>
         <location filename="render/gl/program_cache.cpp"/>
@@ -7686,6 +7812,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Linsendruck exportieren</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/handout/handout_job.h"/>
+        <source>Export lesson</source>
+        <translation>Lektion exportieren</translation>
+    </message>
+    <message>
         <location filename="ui/window/window_actions.cpp"/>
         <source>Export measuremen&amp;ts…</source>
         <translation>Messwer&amp;te exportieren…</translation>
@@ -7938,9 +8069,26 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Datei</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/kit/expected_size.cpp"/>
+        <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
+        <location filename="exhibits/jobs/table/table_job.cpp"/>
+        <source>File about</source>
+        <translation>Datei etwa</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
+        <source>File at most</source>
+        <translation>Datei höchstens</translation>
+    </message>
+    <message>
         <location filename="exhibits/jobs/picture/picture_job.cpp"/>
         <source>File for the frame report as JSON: passes that ran, passes that were skipped and why, counters, times, memory by owner</source>
         <translation>Datei für den Bildbericht als JSON: ausgeführte Durchgänge, übersprungene Durchgänge mit Grund, Zähler, Zeiten, Speicher nach Besitzer</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/handout/handout_table.h"/>
+        <source>File of the lesson (Markdown). Without one, the lesson of the exhibit is taken.</source>
+        <translation>Datei der Lektion (Markdown). Ohne Datei gilt die Lektion des Exponats.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
@@ -8042,6 +8190,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Die günstigste Einstellung innerhalb des Fehlers finden</translation>
     </message>
     <message>
+        <location filename="render/video/ffmpeg/frames.cpp"/>
         <location filename="render/video/ffmpeg/writer.cpp"/>
         <source>finding a filter</source>
         <translation>das Suchen eines Filters</translation>
@@ -8261,6 +8410,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Gefaltet</translation>
     </message>
     <message>
+        <location filename="ui/kit/export_bar.cpp"/>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
         <location filename="exhibits/printing/print_table.h"/>
         <source>Folder into which the views are written, too: view_00.png, view_01.png, ...</source>
         <translation>Ordner, in den auch die Ansichten geschrieben werden: view_00.png, view_01.png, ...</translation>
@@ -8410,6 +8564,16 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="exhibits/hall/hall_scene.h"/>
         <source>frame history</source>
         <translation>Frame-Verlauf</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/comparison/comparison_job.cpp"/>
+        <source>Frame of A</source>
+        <translation>Bild von A</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/comparison/comparison_job.cpp"/>
+        <source>Frame of B</source>
+        <translation>Bild von B</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/record/record_table.h"/>
@@ -8612,6 +8776,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Fell mit Physik</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/comparison/comparison_table.h"/>
         <location filename="exhibits/noise/noise_table.h"/>
         <location filename="exhibits/sdf_scenes/operation_kinds.cpp"/>
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
@@ -8759,6 +8924,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="exhibits/jobs/sprite/sprite_job.cpp"/>
         <source>Godot reads normals with +Y up, and these point down; let +Y point up.</source>
         <translation>Godot liest Normalen mit +Y nach oben, und diese weisen nach unten; lassen Sie +Y nach oben weisen.</translation>
+    </message>
+    <message>
+        <location filename="ui/presets/preset_list.cpp"/>
+        <source>Goes to the exhibit and loads the preset: %1</source>
+        <translation>Geht zum Exponat und lädt das Preset: %1</translation>
     </message>
     <message>
         <location filename="ui/lessons/lesson_controller.cpp"/>
@@ -8943,6 +9113,16 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Halle</translation>
     </message>
     <message>
+        <location filename="exhibits/museum/shown_pictures.cpp"/>
+        <source>hall from here</source>
+        <translation>Halle von hier</translation>
+    </message>
+    <message>
+        <location filename="exhibits/museum/shown_pictures.cpp"/>
+        <source>hall from the screen</source>
+        <translation>Halle aus dem Bildschirm</translation>
+    </message>
+    <message>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
         <source>Hall glow</source>
         <extracomment>tables</extracomment>
@@ -9009,6 +9189,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Griffe der gewählten Form</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/handout/handout_job.h"/>
+        <source>Handout of a lesson</source>
+        <translation>Handzettel einer Lektion</translation>
+    </message>
+    <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
         <source>Hangings</source>
         <extracomment>tables</extracomment>
@@ -9056,6 +9241,8 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
+        <location filename="exhibits/jobs/comparison/comparison_table.h"/>
+        <location filename="exhibits/jobs/handout/handout_table.h"/>
         <location filename="exhibits/jobs/quilt/quilt_table.h"/>
         <location filename="exhibits/jobs/record/record_table.h"/>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
@@ -9181,6 +9368,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>Height of the object's own plinth.</source>
         <extracomment>tables</extracomment>
         <translation>Höhe des eigenen Sockels des Objekts.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/handout/handout_table.h"/>
+        <source>Height of the picture of a step in pixels.</source>
+        <translation>Höhe des Bildes eines Schritts in Pixeln.</translation>
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
@@ -9472,6 +9664,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>ICC-Profil</translation>
     </message>
     <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>ICC profile of the printer or of a color space into which the print is converted: of red, green and blue, or of four inks (CMYK), which TIFF and PDF can hold. Without it, prints are in sRGB, or in the profile of their pictures.</source>
+        <translation>ICC-Profil des Druckers oder eines Farbraums, in den der Druck umgerechnet wird: von Rot, Grün und Blau oder von vier Druckfarben (CMYK), die in TIFF und PDF stehen können. Ohne Profil ist der Druck in sRGB oder im Profil seiner Bilder.</translation>
+    </message>
+    <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
         <source>Ice cream</source>
         <extracomment>tables</extracomment>
@@ -9622,6 +9819,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>unendlich</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/comparison/comparison_table.h"/>
+        <source>Initial gain of the difference pictures.</source>
+        <translation>Anfängliche Verstärkung der Differenzbilder.</translation>
+    </message>
+    <message>
         <location filename="ui/parameters/shown_text.cpp"/>
         <source>Initial value: %1</source>
         <translation>Ausgangswert: %1</translation>
@@ -9690,6 +9892,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Vorgesehener Winkel</translation>
     </message>
     <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Intent</source>
+        <translation>Rendering Intent</translation>
+    </message>
+    <message>
         <location filename="exhibits/jobs/print/print_job.h"/>
         <source>Interlace views into a print for a lenticular sheet</source>
         <translation>Ansichten zu einem Druck für eine Lentikularfolie verschachteln</translation>
@@ -9719,6 +9926,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="exhibits/printing/print_table.h"/>
         <source>Interval at which pictures are taken: 3 takes every third, for example of a video's frames.</source>
         <translation>Abstand, in dem Bilder genommen werden: 3 nimmt jedes dritte, etwa von den Einzelbildern eines Videos.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Interval of pictures</source>
+        <translation>Abstand der Bilder</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_morph/sdf_morph.cpp"/>
@@ -9855,6 +10067,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>es hat keinen Klang, den FFmpeg auf diesem Rechner dekodieren kann</translation>
     </message>
     <message>
+        <location filename="render/video/ffmpeg/frames.cpp"/>
+        <source>it has no video that this machine's FFmpeg can decode</source>
+        <translation>es enthält kein Video, das das FFmpeg dieses Rechners lesen kann</translation>
+    </message>
+    <message>
         <location filename="render/files/read_file.cpp"/>
         <source>it has one of the characters \ $ ~ : or a control character</source>
         <translation>er enthält eines der Zeichen \ $ ~ : oder ein Steuerzeichen</translation>
@@ -9923,10 +10140,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="render/image/oiio/read.cpp"/>
         <location filename="render/image/oiio/row_reader.cpp"/>
         <location filename="render/image/png_row_reader.cpp"/>
-        <location filename="render/video/ffmpeg/sound.cpp"/>
+        <location filename="render/video/ffmpeg/decoder.cpp"/>
         <location filename="render/video/ffmpeg/still.cpp"/>
         <source>it is broken ({1})</source>
-        <translation>es ist beschädigt ({=1})</translation>
+        <translation>die Datei ist beschädigt ({1})</translation>
     </message>
     <message>
         <location filename="render/image/exr_header.cpp"/>
@@ -10100,6 +10317,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>es verkürzt jedem Strahl den Weg zum Objekt</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/your_shader.cpp"/>
+        <source>it shows this picture, and is dark in it</source>
+        <translation>er zeigt dieses Bild und ist darin dunkel</translation>
+    </message>
+    <message>
         <location filename="exhibits/ice_cream/ice_cream.cpp"/>
         <source>it stands in the hall</source>
         <translation>es steht in der Halle</translation>
@@ -10135,6 +10357,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Es wird etwa %1 s dauern.</translation>
     </message>
     <message>
+        <location filename="ui/jobs/job_dialog.cpp"/>
+        <source>It will take less than %1 s.</source>
+        <translation>Es dauert weniger als %1 s.</translation>
+    </message>
+    <message>
         <location filename="render/scene/gltf_guard.cpp"/>
         <source>its BIN chunk</source>
         <translation>dem BIN-Block</translation>
@@ -10168,6 +10395,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="render/image/image_read.cpp"/>
         <source>its colors are coded as XYZE, and only RGBE is read; convert it, for example with Radiance's ra_xyze -r</source>
         <translation>seine Farben sind als XYZE kodiert, und nur RGBE wird gelesen; rechnen Sie es um, zum Beispiel mit ra_xyze -r von Radiance</translation>
+    </message>
+    <message>
+        <location filename="render/image/picture_rows.cpp"/>
+        <source>its colors are inks (CMYK) without an ICC profile that says how they look; embed the printer's profile, or save it as RGB</source>
+        <translation>seine Farben sind Druckfarben (CMYK) ohne ICC-Profil, das sagt, wie sie aussehen; betten Sie das Profil des Druckers ein, oder speichern Sie es als RGB</translation>
     </message>
     <message>
         <location filename="render/image/color_channels.cpp"/>
@@ -10220,7 +10452,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Sein Ordner lässt sich nicht öffnen ({1}); legen Sie ihn an, oder wählen Sie einen anderen.</translation>
     </message>
     <message>
-        <location filename="render/video/ffmpeg/sound.cpp"/>
+        <location filename="render/video/ffmpeg/decoder.cpp"/>
         <source>its format is not supported</source>
         <translation>sein Format wird nicht unterstützt</translation>
     </message>
@@ -10263,6 +10495,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="exhibits/printing/sheet.cpp"/>
         <source>its lenses are {1} mm deep, and the thickness is only {2} mm</source>
         <translation>ihre Linsen sind {1} mm tief, und die Dicke beträgt nur {2} mm</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_layout.cpp"/>
+        <source>its marks need a border of at least {1} mm, and it has {2} mm; give a wider border, or leave the marks out</source>
+        <translation>seine Marken brauchen einen Rand von mindestens {1} mm, und er hat {2} mm; wählen Sie einen breiteren Rand oder keine Marken</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/scene_evaluator.cpp"/>
@@ -10723,6 +10960,12 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Höchstzahl der Schritte eines Strahls; zu einem Licht hin höchstens 128.</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
+        <source>Largest width and height of a picture of the hall or of another exhibit that an input shows, in pixels: low is fast and coarse. It is drawn with one sample per pixel.</source>
+        <extracomment>tables</extracomment>
+        <translation>Größte Breite und Höhe eines Bildes der Halle oder eines anderen Exponats, das eine Eingabe zeigt, in Pixeln: niedrig ist schnell und grob. Es wird mit einem Sample pro Pixel gezeichnet.</translation>
+    </message>
+    <message>
         <source>Late sun</source>
         <translation>Späte Sonne</translation>
     </message>
@@ -10770,7 +11013,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Linkes Auge</translation>
     </message>
     <message>
-        <location filename="ui/study/study_view.cpp"/>
+        <location filename="ui/study/point_pictures.cpp"/>
         <source>Left of the line the setting, right of it the reference; arrows move the line, Enter opens a large view.</source>
         <translation>Links der Linie die Einstellung, rechts die Referenz; Pfeiltasten bewegen die Linie, Eingabe öffnet eine große Ansicht.</translation>
     </message>
@@ -10992,6 +11235,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="ui/lessons/lesson_bar.cpp"/>
         <location filename="ui/window/exhibit_list.cpp"/>
         <location filename="ui/window/main_window.cpp"/>
+        <location filename="exhibits/jobs/handout/handout_table.h"/>
         <source>Lesson</source>
         <translation>Lektion</translation>
     </message>
@@ -11151,6 +11395,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>lineares Licht ist verlangt</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/table/measurements_table.h"/>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <source>Lines</source>
         <extracomment>tables</extracomment>
@@ -11423,17 +11668,17 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Macht das Bild um eine Viertelblende dunkler.</translation>
     </message>
     <message>
-        <location filename="render/video/ffmpeg/sound.cpp"/>
+        <location filename="render/video/ffmpeg/decoder.h"/>
         <source>making a frame</source>
         <translation>ein Frame wird angelegt</translation>
     </message>
     <message>
-        <location filename="render/video/ffmpeg/sound.cpp"/>
+        <location filename="render/video/ffmpeg/decoder.h"/>
         <source>making a packet</source>
         <translation>ein Paket wird angelegt</translation>
     </message>
     <message>
-        <location filename="render/video/ffmpeg/sound.cpp"/>
+        <location filename="render/video/ffmpeg/decoder.cpp"/>
         <source>making the decoder</source>
         <translation>der Decoder wird angelegt</translation>
     </message>
@@ -11529,6 +11774,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>mask</source>
         <extracomment>tables</extracomment>
         <translation>Maske</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Match the darkest color of the printer to black, so that shadows keep their steps.</source>
+        <translation>Die dunkelste Farbe des Druckers gilt als Schwarz, so dass Schatten ihre Stufen behalten.</translation>
     </message>
     <message>
         <location filename="ui/window/search_dialog.cpp"/>
@@ -11646,7 +11896,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Bedeutung der Farben: die Materialien oder eine Farbe je Teil.</translation>
     </message>
     <message>
-        <location filename="ui/study/study_dock.cpp"/>
+        <location filename="ui/study/measuring_bar.cpp"/>
         <source>Measure</source>
         <translation>Messen</translation>
     </message>
@@ -11654,6 +11904,16 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="ui/study/both_settings_button.cpp"/>
         <source>Measure A and B</source>
         <translation>A und B messen</translation>
+    </message>
+    <message>
+        <location filename="ui/window/search_dialog.cpp"/>
+        <source>Measure and save figure</source>
+        <translation>Messen und Diagramm speichern</translation>
+    </message>
+    <message>
+        <location filename="ui/window/search_dialog.cpp"/>
+        <source>Measure its cost</source>
+        <translation>Kosten messen</translation>
     </message>
     <message>
         <location filename="exhibits/study/study_table.h"/>
@@ -11666,7 +11926,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Messen, was Genauigkeit kostet: Fehler über Arbeit und Zeit, mit Bildern</translation>
     </message>
     <message>
-        <location filename="ui/study/study_dock.cpp"/>
+        <location filename="ui/study/measuring_bar.cpp"/>
         <source>Measure, or stop measuring</source>
         <translation>Messen, oder das Messen anhalten</translation>
     </message>
@@ -11681,9 +11941,20 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Gemessen pro Zoll</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/comparison/comparison_table.h"/>
         <location filename="exhibits/study/study_table.h"/>
         <source>Measurement</source>
         <translation>Messung</translation>
+    </message>
+    <message>
+        <location filename="ui/window/search_dialog.cpp"/>
+        <source>Measures it and saves the chart as SVG in your pictures folder, under a free name.</source>
+        <translation>Misst und speichert das Diagramm als SVG im Bilderordner, unter einem freien Namen.</translation>
+    </message>
+    <message>
+        <location filename="ui/window/search_dialog.cpp"/>
+        <source>Measures what the accuracy of this parameter costs, in the Study panel.</source>
+        <translation>Misst im Feld „Studie“, was die Genauigkeit dieses Parameters kostet.</translation>
     </message>
     <message>
         <location filename="ui/study/both_settings_button.cpp"/>
@@ -11718,6 +11989,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="render/image/png_rows.cpp"/>
         <source>memory is full</source>
         <translation>der Speicher ist voll</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
+        <source>Memory limit in MB</source>
+        <translation>Höchster Speicher in MB</translation>
     </message>
     <message>
         <location filename="ui/parameters/parameter_menus.cpp"/>
@@ -12208,6 +12484,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Museum</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/comparison/comparison_table.h"/>
+        <source>Name of a comparison that the exhibit of A offers (see `list --json`), in place of B.</source>
+        <translation>Name eines Vergleichs, den das Exponat von A anbietet (siehe `list --json`), anstelle von B.</translation>
+    </message>
+    <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <source>Name of the model's animation to play. Empty: the first one in its file.</source>
         <translation>Name der Animation des Modells, die abgespielt wird. Leer: die erste in seiner Datei.</translation>
@@ -12358,6 +12639,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/hall/hall_passes.cpp"/>
         <source>no cloth or stand is in view</source>
         <translation>kein Tuch oder Ständer ist im Blick</translation>
+    </message>
+    <message>
+        <location filename="render/image/profile_conversion.cpp"/>
+        <source>No colors can be converted into this ICC profile; give one of a printer, a display or a color space, with red, green and blue or with four inks.</source>
+        <translation>In dieses ICC-Profil können keine Farben umgerechnet werden; geben Sie das eines Druckers, eines Bildschirms oder eines Farbraums an, mit Rot, Grün und Blau oder mit vier Druckfarben.</translation>
     </message>
     <message>
         <location filename="ui/study/study_chart.cpp"/>
@@ -12563,6 +12849,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Es können keine Sprites gezeichnet werden: Es gibt keinen Grafikkontext.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/handout/handout_job.cpp"/>
+        <source>No step can be drawn: there is no graphics context.</source>
+        <translation>Kein Schritt kann gezeichnet werden: Es gibt keinen Grafikkontext.</translation>
+    </message>
+    <message>
         <location filename="ui/compare/compare_controller.cpp"/>
         <source>no such parameter</source>
         <translation>kein solcher Parameter</translation>
@@ -12671,6 +12962,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
         <location filename="exhibits/fur/fur_table.h"/>
         <location filename="exhibits/hall/hall_table.h"/>
+        <location filename="exhibits/jobs/handout/handout_table.h"/>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <location filename="exhibits/printing/print_table.h"/>
@@ -12819,6 +13111,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Nichts als der Himmel</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/comparison/comparison_job.cpp"/>
+        <source>Nothing can be compared: there is no graphics context.</source>
+        <translation>Es kann nichts verglichen werden: Es gibt keinen Grafikkontext.</translation>
+    </message>
+    <message>
         <location filename="ui/viewport/render_thread.cpp"/>
         <source>Nothing can be drawn: there is no graphics context.</source>
         <translation>Es kann nichts gezeichnet werden: Es gibt keinen Grafikkontext.</translation>
@@ -12826,12 +13123,13 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <location filename="exhibits/jobs/study/study_job.cpp"/>
         <location filename="exhibits/jobs/table/table_job.cpp"/>
-        <location filename="ui/study/study_dock.cpp"/>
+        <location filename="ui/study/study_measurement.cpp"/>
         <source>Nothing can be measured: there is no graphics context.</source>
         <translation>Es kann nichts gemessen werden: Es gibt keinen Grafikkontext.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/record/record_job.cpp"/>
+        <location filename="exhibits/jobs/record/record_preview.cpp"/>
         <source>Nothing can be recorded: there is no graphics context.</source>
         <translation>Nichts kann aufgenommen werden: Es gibt keinen Grafikkontext.</translation>
     </message>
@@ -13061,6 +13359,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Zahl der Linsen pro Zoll der eigenen Folie.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/table/measurements_table.h"/>
+        <source>Number of lines that are measured, from the first one. All: the whole table.</source>
+        <translation>Zahl der gemessenen Zeilen, von der ersten an. Alle: die ganze Tabelle.</translation>
+    </message>
+    <message>
         <location filename="exhibits/kit/sdf_parameters.h"/>
         <source>Number of mesh cells along the longest side of the box: few show facets in the reflections.</source>
         <extracomment>tables</extracomment>
@@ -13253,6 +13556,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/study/study_table.h"/>
         <source>Number of timed frames per setting and view.</source>
         <translation>Zahl der gestoppten Bilder je Einstellung und Ansicht.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/comparison/comparison_table.h"/>
+        <source>Number of timed frames per setting.</source>
+        <translation>Zahl der gestoppten Bilder je Einstellung.</translation>
     </message>
     <message>
         <location filename="exhibits/kit/sdf_parameters.h"/>
@@ -13638,6 +13946,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>undurchsichtig</translation>
     </message>
     <message>
+        <location filename="ui/kit/message_strip.cpp"/>
         <location filename="ui/window/window_actions.cpp"/>
         <source>Open</source>
         <translation>Öffnen</translation>
@@ -13676,6 +13985,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="ui/lessons/lesson_controller.cpp"/>
         <source>Open lesson %1</source>
         <translation>Lektion %1 öffnen</translation>
+    </message>
+    <message>
+        <location filename="ui/kit/message_strip.cpp"/>
+        <source>Open the file with its usual program</source>
+        <translation>Die Datei mit ihrem üblichen Programm öffnen</translation>
     </message>
     <message>
         <location filename="ui/viewport/gl_probe.cpp"/>
@@ -13822,6 +14136,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>orthografisch</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/comparison/comparison_table.h"/>
+        <source>Other technique</source>
+        <translation>Andere Technik</translation>
+    </message>
+    <message>
         <location filename="exhibits/fur/fur_passes.cpp"/>
         <location filename="exhibits/hall/hall_light.cpp"/>
         <location filename="exhibits/museum/museum_plan.cpp"/>
@@ -13868,6 +14187,16 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Ausgabedatei. Weitere Dateien nehmen ihren Namen an, und die Einstellungen liegen daneben.</translation>
     </message>
     <message>
+        <location filename="ui/jobs/job_dialog.cpp"/>
+        <source>Output folder. The settings lie beside it.</source>
+        <translation>Ordner der Ausgabe. Die Einstellungen liegen daneben.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Output profile</source>
+        <translation>Ausgabeprofil</translation>
+    </message>
+    <message>
         <location filename="exhibits/paper_lanterns/paper_lanterns.cpp"/>
         <source>over the water</source>
         <translation>über das Wasser</translation>
@@ -13909,9 +14238,19 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Seite</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/handout/handout_job.cpp"/>
+        <source>page to print, slides, and a picture for each step</source>
+        <translation>Seite zum Drucken, Folien und ein Bild zu jedem Schritt</translation>
+    </message>
+    <message>
         <location filename="exhibits/jobs/study/study_job.cpp"/>
         <source>page, charts, pictures and numbers</source>
         <translation>Seite, Diagramme, Bilder und Zahlen</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/comparison/comparison_job.cpp"/>
+        <source>page, pictures, differences and numbers</source>
+        <translation>Seite, Bilder, Unterschiede und Zahlen</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
@@ -14061,6 +14400,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="ui/window/parameter_tabs.cpp"/>
         <source>Parameters of</source>
         <translation>Parameter von</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/comparison/comparison_job.cpp"/>
+        <source>Parameters that differ</source>
+        <translation>Verschiedene Parameter</translation>
     </message>
     <message>
         <location filename="exhibits/study/study_table.h"/>
@@ -14258,6 +14602,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Prozent der Breite der Ansicht; negative Zahlen verschieben sie nach links.</translation>
     </message>
     <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>perceptual</source>
+        <translation>perzeptiv</translation>
+    </message>
+    <message>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
         <source>Period</source>
         <extracomment>tables</extracomment>
@@ -14350,6 +14699,13 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Bild als %1 gespeichert.</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
+        <source>Picture side</source>
+        <translation>Bildseite</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/comparison/comparison_job.cpp"/>
+        <location filename="exhibits/jobs/handout/handout_job.cpp"/>
         <location filename="exhibits/jobs/study/study_job.cpp"/>
         <source>Picture size</source>
         <translation>Bildgröße</translation>
@@ -14405,6 +14761,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="ui/print/source_bar.cpp"/>
+        <location filename="exhibits/jobs/comparison/comparison_table.h"/>
+        <location filename="exhibits/jobs/handout/handout_table.h"/>
         <location filename="exhibits/study/study_table.h"/>
         <source>Pictures</source>
         <translation>Bilder</translation>
@@ -14413,6 +14771,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="ui/print/source_bar.cpp"/>
         <source>Pictures (%1);;All files (*)</source>
         <translation>Bilder (%1);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <location filename="ui/print/source_bar.cpp"/>
+        <source>Pictures and videos (%1);;All files (*)</source>
+        <translation>Bilder und Videos (%1);;Alle Dateien (*)</translation>
     </message>
     <message>
         <location filename="ui/print/source_bar.cpp"/>
@@ -14454,6 +14817,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Pitch error</source>
         <extracomment>tables</extracomment>
         <translation>Fehler des Streifenabstands</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Pitch strip</source>
+        <translation>Linsenstreifen</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
@@ -14501,11 +14869,13 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Pixel in einer Zeile</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/comparison/comparison_table.h"/>
         <location filename="exhibits/study/study_table.h"/>
         <source>Pixels per degree</source>
         <translation>Pixel je Grad</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/comparison/comparison_table.h"/>
         <location filename="exhibits/study/study_table.h"/>
         <source>Pixels per degree of the viewer's field of view, for the metric flip.</source>
         <translation>Pixel je Grad des Blickfelds, für das Maß flip.</translation>
@@ -14525,6 +14895,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="ui/window/exhibit_list.cpp"/>
         <source>Place %1</source>
         <translation>Platz %1</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/handout/handout_table.h"/>
+        <source>Place of the answers: on a page of their own (at the end), below their questions, or nowhere.</source>
+        <translation>Ort der Antworten: auf einer eigenen Seite (am Ende), unter ihren Fragen oder nirgends.</translation>
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
@@ -14864,6 +15239,22 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Presets und Bilder mit eingebettetem Preset (%1)</translation>
     </message>
     <message>
+        <location filename="ui/parameters/parameter_row.cpp"/>
+        <source>Press</source>
+        <translation>Drücken</translation>
+    </message>
+    <message>
+        <location filename="ui/parameters/parameter_menus.cpp"/>
+        <location filename="ui/parameters/parameter_row.cpp"/>
+        <source>Press %1</source>
+        <translation>%1 drücken</translation>
+    </message>
+    <message>
+        <location filename="ui/parameters/parameter_row.cpp"/>
+        <source>Press it for one step of the shader</source>
+        <translation>Für einen Schritt des Shaders drücken</translation>
+    </message>
+    <message>
         <location filename="ui/window/main_window.cpp"/>
         <source>Press the button of %1</source>
         <translation>Den Knopf von %1 drücken</translation>
@@ -14903,6 +15294,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <location filename="ui/jobs/picture_preview.cpp"/>
         <location filename="ui/jobs/sprite_preview.cpp"/>
+        <location filename="ui/jobs/text_preview.cpp"/>
         <source>Preview</source>
         <translation>Vorschau</translation>
     </message>
@@ -14927,7 +15319,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Vorige Stelle</translation>
     </message>
     <message>
-        <location filename="ui/print/print_dialog.cpp"/>
+        <location filename="ui/print/print_side.cpp"/>
         <location filename="exhibits/printing/print_table.h"/>
         <source>Print</source>
         <translation>Druck</translation>
@@ -15009,7 +15401,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="ui/kit/export_bar.cpp"/>
-        <location filename="ui/study/study_dock.cpp"/>
+        <location filename="ui/study/measuring_bar.cpp"/>
         <source>Progress</source>
         <translation>Fortschritt</translation>
     </message>
@@ -15499,6 +15891,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>%1%2 wird gelesen … %3 s</translation>
     </message>
     <message>
+        <location filename="render/video/ffmpeg/frames.cpp"/>
+        <source>reading a frame</source>
+        <translation>das Lesen eines Bilds</translation>
+    </message>
+    <message>
         <location filename="ui/explore/morph_pad.cpp"/>
         <source>Reading a preset …</source>
         <translation>Ein Preset wird gelesen …</translation>
@@ -15580,6 +15977,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="ui/preferences/preferences_dialog.cpp"/>
         <source>Recent files</source>
         <translation>Zuletzt geöffnete Dateien</translation>
+    </message>
+    <message>
+        <location filename="ui/presets/preset_list.cpp"/>
+        <source>Recent, of other exhibits</source>
+        <translation>Zuletzt, von anderen Exponaten</translation>
     </message>
     <message>
         <location filename="exhibits/your_shader/your_shader_table.h"/>
@@ -15822,6 +16224,16 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Brechungsindex des Kunststoffs: 1,49 Acryl, 1,57 PET, 1,59 Polystyrol.</translation>
     </message>
     <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Registration marks</source>
+        <translation>Passermarken</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>relative</source>
+        <translation>relativ</translation>
+    </message>
+    <message>
         <source>Relaxation</source>
         <extracomment>tables</extracomment>
         <translation>Relaxation</translation>
@@ -15966,6 +16378,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Die Datei ersetzen?</translation>
     </message>
     <message>
+        <location filename="ui/kit/replace_question.cpp"/>
+        <source>Replace the folder?</source>
+        <translation>Ordner ersetzen?</translation>
+    </message>
+    <message>
         <location filename="ui/export/export_preset_list.cpp"/>
         <source>Replace the preset “%1”?</source>
         <translation>Das Preset „%1“ ersetzen?</translation>
@@ -16093,6 +16510,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Resolution scale</source>
         <extracomment>tables</extracomment>
         <translation>Auflösungsmaßstab</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <source>Resource for Godot</source>
+        <translation>Ressource für Godot</translation>
     </message>
     <message>
         <location filename="exhibits/your_shader/your_shader_table.h"/>
@@ -16603,6 +17025,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Durchlauf {1} von {2}</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/comparison/comparison_table.h"/>
         <location filename="exhibits/study/study_table.h"/>
         <source>Runs</source>
         <translation>Läuft</translation>
@@ -16634,6 +17057,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
+        <location filename="exhibits/jobs/comparison/comparison_table.h"/>
+        <location filename="exhibits/jobs/handout/handout_table.h"/>
         <location filename="exhibits/jobs/picture/picture_table.h"/>
         <location filename="exhibits/jobs/quilt/quilt_table.h"/>
         <location filename="exhibits/jobs/record/record_table.h"/>
@@ -16669,6 +17094,16 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Samples pro Pixel einer gerenderten Ansicht, jede Ansicht mit eigenem Rauschen. Auto: wie im Bild, dessen Einstellungen gelten, sonst die Supersamples der Halle, wenn sie gesetzt sind, sonst 4; im Fenster 16.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/handout/handout_table.h"/>
+        <source>Samples per pixel. Auto: the hall's supersamples if they are set, else 4.</source>
+        <translation>Abtastungen je Pixel. Auto: die der Halle, wenn sie gesetzt sind, sonst 4.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/comparison/comparison_table.h"/>
+        <source>Samples per pixel. Auto: the supersamples of a setting that changes them, else 4.</source>
+        <translation>Samples pro Pixel. Auto: die Supersamples einer Einstellung, die sie ändert, sonst 4.</translation>
+    </message>
+    <message>
         <location filename="exhibits/jobs/picture/picture_table.h"/>
         <source>Samples per pixel: 1 leaves jagged edges, 16 gives smooth ones, 64 is for prints. Auto: as in the picture whose settings are used, else the hall's supersamples if they are set, else 4.</source>
         <translation>Samples pro Pixel: 1 lässt die Kanten treppig, 16 macht sie glatt, 64 ist für Drucke. Auto: wie im Bild, dessen Einstellungen verwendet werden, sonst die Supersamples der Halle, wenn sie gesetzt sind, sonst 4.</translation>
@@ -16683,6 +17118,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="ui/preferences/preferences_dialog.cpp"/>
         <source>Samples when idle</source>
         <translation>Samples ohne Bewegung</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>saturation</source>
+        <translation>Sättigung</translation>
     </message>
     <message>
         <location filename="ui/parameters/color_picker.cpp"/>
@@ -16735,6 +17175,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Ausstellung speichern</translation>
     </message>
     <message>
+        <location filename="ui/study/study_dock.cpp"/>
+        <source>Save figure</source>
+        <translation>Abbildung speichern</translation>
+    </message>
+    <message>
         <location filename="ui/window/window_actions.cpp"/>
         <source>Save preset &amp;as…</source>
         <translation>Preset speichern &amp;unter…</translation>
@@ -16768,6 +17213,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="ui/print/sheet_bar.cpp"/>
         <source>Save sheet %1</source>
         <translation>Folie %1 speichern</translation>
+    </message>
+    <message>
+        <location filename="ui/study/study_dock.cpp"/>
+        <source>Save the chart as a figure</source>
+        <translation>Das Diagramm als Abbildung speichern</translation>
     </message>
     <message>
         <location filename="ui/study/study_dock.cpp"/>
@@ -16809,6 +17259,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="ui/jobs/job_dialog.cpp"/>
         <location filename="ui/presets/preset_controller.cpp"/>
         <location filename="ui/record/bookmarks.cpp"/>
+        <location filename="ui/window/window_docks.cpp"/>
         <source>Saved %1.</source>
         <translation>%1 gespeichert.</translation>
     </message>
@@ -16816,6 +17267,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="ui/jobs/job_dialog.cpp"/>
         <source>Saved %1. Files beside it: %2.</source>
         <translation>%1 gespeichert. Dateien daneben: %2.</translation>
+    </message>
+    <message>
+        <location filename="ui/presets/preset_controller.cpp"/>
+        <source>Saved as preset “%1”. F2 in the list renames it.</source>
+        <translation>Als Preset „%1“ gespeichert. F2 in der Liste benennt es um.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
@@ -16848,6 +17304,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Speichert alles in einer Datei: alle Exponate, die Halle und wo Sie stehen.</translation>
     </message>
     <message>
+        <location filename="ui/study/study_dock.cpp"/>
+        <source>Saves the chart as SVG in your pictures folder, under a free name.</source>
+        <translation>Speichert das Diagramm als SVG im Bilderordner, unter einem freien Namen.</translation>
+    </message>
+    <message>
         <location filename="ui/study/comparison_dialog.cpp"/>
         <source>Saves the comparison as a table (CSV) or JSON, or the chart as PNG, SVG or PDF.</source>
         <translation>Speichert den Vergleich als Tabelle (CSV) oder JSON, oder das Diagramm als PNG, SVG oder PDF.</translation>
@@ -16874,8 +17335,8 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
-        <source>Saves the values that the panel shows to the preset in use.</source>
-        <translation>Speichert die Werte, die das Bedienfeld zeigt, in das benutzte Preset.</translation>
+        <source>Saves the values that the panel shows to the preset in use, or at once to a new one of your own.</source>
+        <translation>Speichert die Werte, die das Feld zeigt, in das benutzte Preset oder sofort in ein neues eigenes.</translation>
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
@@ -17253,6 +17714,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Einstellung, die gewählt wird: die billigste in einem Fehler oder die beste in einer Zeit.</translation>
     </message>
     <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>Setting to find</source>
+        <translation>Gesuchte Einstellung</translation>
+    </message>
+    <message>
         <location filename="exhibits/study/study.cpp"/>
         <source>setting {1}, {2}</source>
         <translation>Einstellung {1}, {2}</translation>
@@ -17269,6 +17735,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <location filename="ui/study/study_dock.cpp"/>
+        <location filename="exhibits/jobs/comparison/comparison_table.h"/>
         <location filename="exhibits/study/study_table.h"/>
         <source>Settings</source>
         <translation>Einstellungen</translation>
@@ -17838,6 +18305,12 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>anstelle des Felds gezeigt</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/your_shader_table.h"/>
+        <source>Shown picture, side</source>
+        <extracomment>tables</extracomment>
+        <translation>Gezeigtes Bild, Seite</translation>
+    </message>
+    <message>
         <location filename="ui/window/window_actions.cpp"/>
         <source>Shows all messages since the start, beside the frame report.</source>
         <translation>Zeigt alle Meldungen seit dem Start, neben dem Frame-Protokoll.</translation>
@@ -18052,6 +18525,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Größe eines Bildes in Pixeln.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/comparison/comparison_table.h"/>
         <location filename="exhibits/study/study_table.h"/>
         <source>Size of a picture in pixels.</source>
         <translation>Größe eines Bildes in Pixeln.</translation>
@@ -18071,6 +18545,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Size of the bounding mesh in which rays march, relative to the smallest that holds the object: below 1 clips it.</source>
         <extracomment>tables</extracomment>
         <translation>Größe des Hüllnetzes, in dem Strahlen laufen, gegenüber dem kleinsten, das das Objekt umschließt: Unter 1 wird es beschnitten.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/handout/handout_table.h"/>
+        <source>Size of the picture of a step in pixels.</source>
+        <translation>Größe des Bildes eines Schritts in Pixeln.</translation>
     </message>
     <message>
         <location filename="ui/print/print_numbers.cpp"/>
@@ -18262,6 +18741,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Source of the noise for empty space and shadows: evaluated, or baked into a texture, which is quicker. The surface is always evaluated.</source>
         <extracomment>tables</extracomment>
         <translation>Quelle des Rauschens für leeren Raum und Schatten: ausgewertet oder in eine Textur gebacken, was schneller ist. Die Oberfläche wird immer ausgewertet.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader_table.cpp"/>
+        <source>Source of the picture: a file; the hall at its first view, from your place, or out of this screen; or another exhibit by itself, with its present settings. This screen is black in pictures of the hall.</source>
+        <translation>Quelle des Bildes: eine Datei; die Halle in ihrer ersten Ansicht, von Ihrem Platz oder aus diesem Bildschirm heraus; oder ein anderes Exponat für sich, mit seinen jetzigen Einstellungen. In Bildern der Halle ist dieser Bildschirm schwarz.</translation>
     </message>
     <message>
         <location filename="exhibits/noise/noise_table.h"/>
@@ -18568,7 +19052,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <location filename="ui/jobs/job_dialog.cpp"/>
         <location filename="ui/print/print_dialog.cpp"/>
-        <location filename="ui/study/study_dock.cpp"/>
+        <location filename="ui/study/measuring_bar.cpp"/>
         <source>Starting</source>
         <translation>Wird begonnen</translation>
     </message>
@@ -18583,6 +19067,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>das Beginnen der Datei</translation>
     </message>
     <message>
+        <location filename="render/video/ffmpeg/frames.cpp"/>
         <location filename="render/video/ffmpeg/writer.cpp"/>
         <source>starting the filters</source>
         <translation>das Starten der Filter</translation>
@@ -18760,6 +19245,8 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>vorzeitig angehalten</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/comparison/comparison_job.cpp"/>
+        <location filename="exhibits/jobs/handout/handout_job.cpp"/>
         <location filename="exhibits/jobs/print/print_job.cpp"/>
         <location filename="exhibits/jobs/record/record_job.cpp"/>
         <location filename="exhibits/jobs/study/study_job.cpp"/>
@@ -19004,6 +19491,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="exhibits/printing/print_table.h"/>
         <source>stretch</source>
         <translation>strecken</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Strip of lines at the pitch of the lenses in the border: under the sheet it is evenly gray or black where the lenses lie right.</source>
+        <translation>Streifen von Linien im Abstand der Linsen im Rand: Unter der Folie ist er gleichmäßig grau oder schwarz, wo die Linsen richtig liegen.</translation>
     </message>
     <message>
         <location filename="exhibits/fur/fur_table.h"/>
@@ -19746,6 +20238,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>das Exponat wird allein gezeigt, ohne Wände, an denen die Luft endet</translation>
     </message>
     <message>
+        <location filename="ui/parameters/shown_text.cpp"/>
+        <source>the exhibit's own</source>
+        <translation>eigene des Exponats</translation>
+    </message>
+    <message>
         <location filename="exhibits/sdf_scenes/stand_alone.cpp"/>
         <source>The expression “{1}” cannot be written as GLSL.</source>
         <translation>Der Ausdruck „{1}“ kann nicht als GLSL geschrieben werden.</translation>
@@ -19840,6 +20337,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/your_shader/isf_reader.cpp"/>
         <source>The first comment holds no JSON object; begin it with {.</source>
         <translation>Der erste Kommentar enthält kein JSON-Objekt; beginnen Sie es mit {.</translation>
+    </message>
+    <message>
+        <location filename="ui/jobs/text_preview.cpp"/>
+        <source>The first lines of the file.</source>
+        <translation>Die ersten Zeilen der Datei.</translation>
     </message>
     <message>
         <location filename="exhibits/hall/hall_floor.cpp"/>
@@ -19982,7 +20484,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>die hängenden Objekte haben sich gedreht</translation>
     </message>
     <message>
-        <location filename="ui/study/study_view.cpp"/>
+        <location filename="ui/study/point_pictures.cpp"/>
         <source>The heat map ranges from 0 to %1 (%2).</source>
         <translation>Die Heatmap reicht von 0 bis %1 (%2).</translation>
     </message>
@@ -20274,11 +20776,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>die Phase ist {1}; geben Sie einen Teil einer Linse an, 0 bis 1</translation>
     </message>
     <message>
-        <location filename="ui/jobs/picture_preview.cpp"/>
-        <source>The picture as it will be saved, smaller.</source>
-        <translation>Das Bild, wie es gespeichert wird, verkleinert.</translation>
-    </message>
-    <message>
         <location filename="render/image/image_write.cpp"/>
         <source>the picture has {1} channels and this format holds {2}; choose OpenEXR</source>
         <translation>das Bild hat {1} Kanäle, und dieses Format fasst {2}; wählen Sie OpenEXR</translation>
@@ -20359,6 +20856,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Die Bilder haben nicht das Format des Drucks: {1} % ihrer Breite werden abgeschnitten.</translation>
     </message>
     <message>
+        <location filename="exhibits/printing/print_views.cpp"/>
+        <source>The pictures have a color profile and the video has none; all are converted to sRGB.</source>
+        <translation>Die Bilder haben ein Farbprofil und das Video keines; alle werden in sRGB umgerechnet.</translation>
+    </message>
+    <message>
         <location filename="exhibits/printing/view_colors.cpp"/>
         <source>The pictures have different color profiles; all are converted to sRGB.</source>
         <translation>Die Bilder haben verschiedene Farbprofile; alle werden in sRGB umgerechnet.</translation>
@@ -20394,6 +20896,21 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Die Programmeinstellungen in %1 konnten nicht gelesen werden: %2. Sie wurden auf ihre Ausgangswerte zurückgesetzt; die Datei wurde als %3 aufbewahrt.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/record/record_job.h"/>
+        <source>The preview has frames from start to end, small and with one sample per pixel.</source>
+        <translation>Die Vorschau hat Bilder vom Anfang bis zum Ende, klein und mit einem Sample pro Pixel.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/mesh/mesh_job.h"/>
+        <source>The preview has larger cells.</source>
+        <translation>Die Vorschau hat größere Zellen.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/comparison/comparison_job.h"/>
+        <source>The preview is smaller and shows A at the left, B at the right; its times are those of one frame.</source>
+        <translation>Die Vorschau ist kleiner und zeigt links A, rechts B; ihre Zeiten sind die eines Bildes.</translation>
+    </message>
+    <message>
         <location filename="exhibits/jobs/picture/picture_job.h"/>
         <source>The preview is smaller, with one sample per pixel.</source>
         <translation>Die Vorschau ist kleiner, mit einem Sample pro Pixel.</translation>
@@ -20404,6 +20921,21 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Die Vorschau zeigt einen Teil davon.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/table/table_job.h"/>
+        <source>The preview shows the first lines.</source>
+        <translation>Die Vorschau zeigt die ersten Zeilen.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/handout/handout_job.h"/>
+        <source>The preview shows the picture of one step.</source>
+        <translation>Die Vorschau zeigt das Bild eines Schritts.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/shader/shader_job.h"/>
+        <source>The preview shows the text of the shader.</source>
+        <translation>Die Vorschau zeigt den Text des Shaders.</translation>
+    </message>
+    <message>
         <location filename="exhibits/printing/proof.cpp"/>
         <source>The print has {1} x {2} pixels, and its description says {3} x {4}; look at the unscaled, uncut file.</source>
         <translation>Der Druck hat {1} x {2} Pixel, und seine Beschreibung nennt {3} x {4}; sehen Sie die unskalierte, unbeschnittene Datei an.</translation>
@@ -20412,6 +20944,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/printing/interlace.cpp"/>
         <source>The print is laid out for {1} views, and there are {2}.</source>
         <translation>Der Druck ist für {1} Ansichten angelegt, und es gibt {2}.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_marks.cpp"/>
+        <source>The print is too narrow for a bar of colors; leave out the bar, or make the print at least {1} mm wide.</source>
+        <translation>Der Druck ist für einen Farbkontrollstreifen zu schmal; lassen Sie ihn weg, oder machen Sie den Druck mindestens {1} mm breit.</translation>
     </message>
     <message>
         <location filename="exhibits/printing/print_raster.cpp"/>
@@ -20504,6 +21041,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>der Brechungsindex ist {1}; Kunststoffe haben 1,49 bis 1,6, und er muss über 1 liegen</translation>
     </message>
     <message>
+        <location filename="ui/jobs/picture_preview.cpp"/>
+        <source>The result, smaller or coarser.</source>
+        <translation>Das Ergebnis, kleiner oder gröber.</translation>
+    </message>
+    <message>
         <location filename="exhibits/fur/fur.cpp"/>
         <source>The ring is shown in its place until it can be read.</source>
         <translation>Der Ring wird an seiner Stelle gezeigt, bis es gelesen werden kann.</translation>
@@ -20557,6 +21099,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/sdf_scenes/scene_mesh.cpp"/>
         <source>The scene has no end: {1}. Say with --low and --high what part of it is to be meshed.</source>
         <translation>Die Szene hat kein Ende: {1}. Geben Sie mit --low und --high an, welcher Teil vernetzt werden soll.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
+        <source>The scene has no end; the mesh is cut around what the view shows. Set Low and High for another part.</source>
+        <translation>Die Szene hat kein Ende; das Netz ist um das herum abgeschnitten, was die Ansicht zeigt. Setze Low und High für einen anderen Teil.</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/sdf_scenes.cpp"/>
@@ -20659,6 +21206,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/your_shader/reading.cpp"/>
         <source>The shader includes more than {1} files; join some of them.</source>
         <translation>Der Shader bindet mehr als {1} Dateien ein; fassen Sie einige zusammen.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader.cpp"/>
+        <source>the shader is new, and its first picture is small</source>
+        <translation>der Shader ist neu, und sein erstes Bild ist klein</translation>
     </message>
     <message>
         <location filename="exhibits/shader_export/glsl_items.cpp"/>
@@ -21013,7 +21565,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>der visuelle LPI-Wert ist {1}; geben Sie Linsen pro Zoll an, oder 0, um den Betrachtungsabstand entscheiden zu lassen</translation>
     </message>
     <message>
-        <location filename="exhibits/printing/print_layout.cpp"/>
+        <location filename="exhibits/printing/print_numbers.cpp"/>
         <source>The visual LPI {1} is far from the sheet's {2}.</source>
         <translation>Der visuelle LPI-Wert {1} liegt weit von dem der Folie, {2}.</translation>
     </message>
@@ -21161,6 +21713,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>es gibt keine Zeilen</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/comparison/comparison_job.cpp"/>
+        <source>There are no settings B to compare with. Choose B in the menu Compare of the window, name a second setting on the command line, or choose another technique (--with).</source>
+        <translation>Es gibt keine Einstellungen B zum Vergleichen. Wählen Sie B im Menü „Vergleich“ des Fensters, nennen Sie auf der Befehlszeile eine zweite Einstellung, oder wählen Sie eine andere Technik (--with).</translation>
+    </message>
+    <message>
         <location filename="exhibits/printing/print_layout.cpp"/>
         <source>there are no views</source>
         <translation>es gibt keine Ansichten</translation>
@@ -21262,6 +21819,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Kein Exponat heißt &quot;{1} `vitrine list` nennt alle.</translation>
     </message>
     <message>
+        <location filename="app/preset_command.cpp"/>
+        <source>There is no exhibit &quot;{1}&quot;{2} `vitrine list` names them.</source>
+        <translation>Es gibt kein Exponat „{1}“{2} `vitrine list` nennt sie.</translation>
+    </message>
+    <message>
         <location filename="ui/viewport/viewport.cpp"/>
         <source>There is no exhibit in the middle of the picture.</source>
         <translation>In der Bildmitte ist kein Exponat.</translation>
@@ -21272,9 +21834,14 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>ein Exponat dieses Namens gibt es nicht; `vitrine list` nennt sie.</translation>
     </message>
     <message>
-        <location filename="ui/study/study_view.cpp"/>
+        <location filename="ui/study/shown_kept_study.cpp"/>
         <source>There is no exhibit “%1” here, so its numbers are shown, but cannot be applied.</source>
         <translation>Ein Exponat „%1“ gibt es hier nicht, daher werden seine Zahlen gezeigt, lassen sich aber nicht anwenden.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/your_shader.cpp"/>
+        <source>There is no exhibit “{1}” here; a black picture takes its place.</source>
+        <translation>Hier gibt es kein Exponat „{1}“; ein schwarzes Bild tritt an seine Stelle.</translation>
     </message>
     <message>
         <location filename="render/files/scratch_file.cpp"/>
@@ -21313,6 +21880,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Zu diesem Exponat gibt es keine Lektion.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/handout/handout_job.cpp"/>
+        <source>There is no lesson {1}; choose a file.</source>
+        <translation>Es gibt keine Lektion {1}; wählen Sie eine Datei.</translation>
+    </message>
+    <message>
         <location filename="exhibits/hall/hall_light.cpp"/>
         <location filename="exhibits/kit/sdf_passes.cpp"/>
         <source>there is no light to reflect</source>
@@ -21329,7 +21901,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>einen Parameter „{=1}“ gibt es nicht; `vitrine list --manual {=2}` nennt die von {=3}.</translation>
     </message>
     <message>
-        <location filename="ui/study/study_view.cpp"/>
+        <location filename="ui/study/shown_kept_study.cpp"/>
         <source>There is no parameter “%1” now, so its numbers are shown, but cannot be applied.</source>
         <translation>Einen Parameter „%1“ gibt es jetzt nicht, daher werden seine Zahlen gezeigt, lassen sich aber nicht anwenden.</translation>
     </message>
@@ -21385,6 +21957,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <location filename="render/video/carried_settings.cpp"/>
+        <location filename="render/video/video_frames.cpp"/>
         <source>there is no such file</source>
         <translation>es gibt keine solche Datei</translation>
     </message>
@@ -21688,6 +22261,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/sdf_scenes/scene_reader.cpp"/>
         <source>this file is not opened: {1}; name one of the scene's folder or below it</source>
         <translation>diese Datei wird nicht geöffnet: {1}; nennen Sie eine im Ordner der Szene oder darunter</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/handout/handout_job.cpp"/>
+        <source>This has no lesson; choose an exhibit with one, or name the file of a lesson (--lesson).</source>
+        <translation>Dazu gibt es keine Lektion; wählen Sie ein Exponat mit einer Lektion oder nennen Sie die Datei einer Lektion (--lesson).</translation>
     </message>
     <message>
         <location filename="exhibits/framework/files/preset.cpp"/>
@@ -22375,6 +22953,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Zeit des Frames, nach %1</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/shader/shader_job.cpp"/>
+        <source>Time runs</source>
+        <translation>Zeit läuft</translation>
+    </message>
+    <message>
         <location filename="exhibits/noise/noise_table.h"/>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
@@ -22527,6 +23110,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Transparent</translation>
     </message>
     <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Treatment of colors that the printer cannot show: all move closer together (perceptual), only those change (relative), vividness is kept (saturation), or the tint of the paper is imitated (absolute).</source>
+        <translation>Behandlung von Farben, die der Drucker nicht zeigen kann: Alle rücken zusammen (perzeptiv), nur diese ändern sich (relativ), die Sättigung bleibt erhalten (Sättigung), oder der Ton des Papiers wird nachgeahmt (absolut).</translation>
+    </message>
+    <message>
         <location filename="ui/tree/tree_view.cpp"/>
         <location filename="ui/window/window_docks.cpp"/>
         <source>Tree</source>
@@ -22539,6 +23127,16 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>triangles</source>
         <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
+        <source>Triangles about</source>
+        <translation>Dreiecke etwa</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
+        <source>Triangles at most</source>
+        <translation>Dreiecke höchstens</translation>
     </message>
     <message>
         <location filename="ui/window/shortcut_sheet.cpp"/>
@@ -22756,10 +23354,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="render/plan/frame_plan.cpp"/>
         <source>unchanged since it last ran</source>
         <translation>unverändert, seit er zuletzt lief</translation>
-    </message>
-    <message>
-        <source>Uncompressed</source>
-        <translation>Unkomprimiert</translation>
     </message>
     <message>
         <location filename="ui/print/print_numbers.cpp"/>
@@ -23022,6 +23616,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Werte des Pixels</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
+        <source>Values of the scene</source>
+        <translation>Werte der Szene</translation>
+    </message>
+    <message>
         <location filename="ui/explore/explore_dock.cpp"/>
         <source>Variation %1 is shown.</source>
         <translation>Variation %1 wird gezeigt.</translation>
@@ -23094,7 +23693,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <location filename="ui/print/place_bar.cpp"/>
         <location filename="ui/study/large_pictures.cpp"/>
-        <location filename="ui/study/study_view.cpp"/>
+        <location filename="ui/study/point_pictures.cpp"/>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
         <source>View</source>
@@ -23191,11 +23790,11 @@ oder aus einem Bild mit einem Raster von Ansichten geschnitten werden. Ein Ordne
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
-        <source>Views to print: a folder of pictures, or the picture files, in order from left to right. Unrelated pictures make a flip.</source>
-        <translation>Ansichten, die gedruckt werden: ein Ordner mit Bildern oder die Bilddateien, in der Reihenfolge von links nach rechts. Bilder, die nichts miteinander zu tun haben, ergeben ein Wechselbild.</translation>
+        <source>Views to print: a folder of pictures, the picture files in order from left to right, or a video, whose frames are the views. Unrelated pictures make a flip.</source>
+        <translation>Zu druckende Ansichten: ein Ordner mit Bildern, die Bilddateien von links nach rechts oder ein Video, dessen Einzelbilder die Ansichten sind. Bilder ohne Zusammenhang ergeben ein Wechselbild.</translation>
     </message>
     <message>
-        <location filename="ui/print/print_dialog.cpp"/>
+        <location filename="ui/print/print_side.cpp"/>
         <source>Views, interlaced.</source>
         <translation>Verschachtelte Ansichten.</translation>
     </message>
@@ -23545,12 +24144,13 @@ steht in assets/SOURCES.md.</translation>
         <translation>Was zu tun ist</translation>
     </message>
     <message>
+        <location filename="ui/study/measuring_bar.cpp"/>
         <location filename="ui/study/study_dock.cpp"/>
         <source>What to measure</source>
         <translation>Was gemessen wird</translation>
     </message>
     <message>
-        <location filename="ui/print/print_dialog.cpp"/>
+        <location filename="ui/print/print_side.cpp"/>
         <source>What to print</source>
         <translation>Was gedruckt wird</translation>
     </message>
@@ -23879,6 +24479,8 @@ steht in assets/SOURCES.md.</translation>
         <translation>Warum hat das keine Wirkung?</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/comparison/comparison_table.h"/>
+        <location filename="exhibits/jobs/handout/handout_table.h"/>
         <location filename="exhibits/jobs/quilt/quilt_table.h"/>
         <location filename="exhibits/jobs/record/record_table.h"/>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
@@ -24049,6 +24651,11 @@ steht in assets/SOURCES.md.</translation>
         <translation>Wischblende zwischen Einstellung und Referenz</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/comparison/comparison_table.h"/>
+        <source>With</source>
+        <translation>Mit</translation>
+    </message>
+    <message>
         <location filename="exhibits/jobs/print/print_run.cpp"/>
         <source>With --reverse the depth of rendered views is inside out.</source>
         <translation>Mit --reverse kehrt sich die Tiefe gerenderter Ansichten um.</translation>
@@ -24074,7 +24681,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>mit eingerechneten konstanten Zahlen</translation>
     </message>
     <message>
-        <location filename="exhibits/printing/print_layout.cpp"/>
+        <location filename="exhibits/printing/print_numbers.cpp"/>
         <source>With one view the print shows the same picture from everywhere.</source>
         <translation>Mit einer Ansicht zeigt der Druck von überall dasselbe Bild.</translation>
     </message>
@@ -24089,7 +24696,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>Mit den besten der Einstellungen den Fehler zu halbieren</translation>
     </message>
     <message>
-        <location filename="exhibits/printing/print_layout.cpp"/>
+        <location filename="exhibits/printing/print_numbers.cpp"/>
         <source>With {1} pixels per lens the printer cannot separate views.</source>
         <translation>Mit {1} Pixeln pro Linse kann der Drucker Ansichten nicht trennen.</translation>
     </message>
@@ -24102,6 +24709,11 @@ steht in assets/SOURCES.md.</translation>
         <location filename="exhibits/framework/files/lesson.cpp"/>
         <source>within a step there are the headings &quot;### Try&quot;, &quot;### Question&quot; and &quot;### Answer&quot;; write one of them, or &quot;## &quot; for a step.</source>
         <translation>in einem Schritt gibt es die Überschriften „### Try“, „### Question“ und „### Answer“; schreiben Sie eine davon, oder „## “ für einen Schritt.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>Without the hall</source>
+        <translation>Ohne die Halle</translation>
     </message>
     <message>
         <location filename="ui/study/study_chart.cpp"/>
@@ -24181,6 +24793,11 @@ steht in assets/SOURCES.md.</translation>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <source>Write a description file with the place of every frame, as JSON in Aseprite's format.</source>
         <translation>Schreibt eine Beschreibungsdatei mit der Lage jedes Frames, als JSON in Aseprites Format.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/handout/handout_job.h"/>
+        <source>Write a lesson as a page to print and as slides, with a picture for each step</source>
+        <translation>Schreibt eine Lektion als Seite zum Drucken und als Folien, mit einem Bild zu jedem Schritt</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
@@ -24329,7 +24946,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>Ihr letzter Stand wurde %1-mal wiederhergestellt, und jedes Mal ist Vitrine bald danach abgestürzt oder wurde beendet. Er wird nicht noch einmal wiederhergestellt; Datei &gt; Öffnen holt ihn aus %2 zurück.</translation>
     </message>
     <message>
-        <location filename="exhibits/museum/museum.cpp"/>
+        <location filename="exhibits/museum/surroundings.cpp"/>
         <source>Your object: {1}</source>
         <translation>Ihr Objekt: {1}</translation>
     </message>
@@ -24581,7 +25198,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>{1}, kostet das {2}-Fache an {3} ({4} bis {5} mit 95 % Konfidenz).</translation>
     </message>
     <message>
-        <location filename="exhibits/printing/print_raster.cpp"/>
+        <location filename="exhibits/printing/print_description.cpp"/>
         <source>{1} does not describe {2}: it is of another print, or was changed. The description inside the print was used; make the print anew, or remove {3}.</source>
         <translation>{=1} beschreibt {=2} nicht: Die Datei gehört zu einem anderen Druck oder wurde geändert. Die Beschreibung im Druck wurde verwendet; erzeugen Sie den Druck neu, oder entfernen Sie {=3}.</translation>
     </message>
@@ -24653,6 +25270,11 @@ steht in assets/SOURCES.md.</translation>
         <location filename="app/jobs/run_job.cpp"/>
         <source>{1} is missing; make all parts anew.</source>
         <translation>{=1} fehlt; erzeugen Sie alle Teile neu.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/kit/expected_size.cpp"/>
+        <source>{1} is no name of a picture.</source>
+        <translation>{1} ist kein Name eines Bildes.</translation>
     </message>
     <message>
         <location filename="exhibits/framework/files/preset.cpp"/>
@@ -24814,6 +25436,11 @@ steht in assets/SOURCES.md.</translation>
         <translation>{1} Samples waren keine endlichen Zahlen und wurden ersetzt.</translation>
     </message>
     <message>
+        <location filename="exhibits/your_shader/your_shader_table.cpp"/>
+        <source>{1} source</source>
+        <translation>Quelle von {1}</translation>
+    </message>
+    <message>
         <location filename="exhibits/framework/time/motion_json.cpp"/>
         <source>{1} Take it out.</source>
         <translation>{1} Nehmen Sie sie heraus.</translation>
@@ -24865,7 +25492,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>{1} VIEWS</translation>
     </message>
     <message>
-        <location filename="exhibits/printing/print_layout.cpp"/>
+        <location filename="exhibits/printing/print_numbers.cpp"/>
         <source>{1} views share {2} pixels per lens: no more than {3} of them can be told apart.</source>
         <translation>{1} Ansichten teilen sich {2} Pixel pro Linse: Nicht mehr als {3} davon lassen sich unterscheiden.</translation>
     </message>
@@ -24981,7 +25608,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1}: Das Diagramm konnte nicht gezeichnet werden; prüfen Sie, ob Qts Offscreen-Plattform und eine Schrift installiert sind.</translation>
     </message>
     <message>
-        <location filename="app/kit/part_folder.cpp"/>
+        <location filename="exhibits/jobs/kit/part_folder.cpp"/>
         <location filename="app/tour_command.cpp"/>
         <source>{1}: the folder cannot be made ({2}); choose another with --out.</source>
         <translation>{=1}: Der Ordner lässt sich nicht anlegen ({=2}); wählen Sie mit --out einen anderen.</translation>
@@ -24992,7 +25619,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1}: Der Ordner lässt sich nicht anlegen ({2}); wählen Sie einen anderen.</translation>
     </message>
     <message>
-        <location filename="app/kit/part_folder.cpp"/>
+        <location filename="exhibits/jobs/kit/part_folder.cpp"/>
         <source>{1}: the folder cannot be put in place ({2}); choose another with --out.</source>
         <translation>{=1}: Der Ordner lässt sich nicht an seinen Platz bringen ({=2}); wählen Sie mit --out einen anderen.</translation>
     </message>
@@ -25026,6 +25653,11 @@ steht in assets/SOURCES.md.</translation>
         <location filename="app/queue/study_in_parts.cpp"/>
         <source>{1}: this is damaged; make its part again.</source>
         <translation>{=1}: Dies ist beschädigt; erzeugen Sie den Teil neu.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_plan.cpp"/>
+        <source>{1}: this is no ICC profile of red, green and blue or of four inks; give a file (.icc) of the printer or of a color space.</source>
+        <translation>{1}: Das ist kein ICC-Profil von Rot, Grün und Blau oder von vier Druckfarben; geben Sie eine Datei (.icc) des Druckers oder eines Farbraums an.</translation>
     </message>
     <message>
         <location filename="ui/presets/preset_controller.cpp"/>
@@ -25247,6 +25879,11 @@ steht in assets/SOURCES.md.</translation>
         <location filename="exhibits/shader_export/isf_writer.cpp"/>
         <source>“{1}” of “{2}” names no file; name a picture beside the shader in a line #{1} &quot;file://name.png&quot;.</source>
         <translation>„{1}“ von „{2}“ nennt keine Datei; nennen Sie ein Bild neben dem Shader in einer Zeile #{1} &quot;file://name.png&quot;.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/shader_export/exported_shader.cpp"/>
+        <source>“{1}” shows a picture that only the museum has; the exported shader begins without it.</source>
+        <translation>„{1}“ zeigt ein Bild, das nur das Museum hat; der exportierte Shader beginnt ohne es.</translation>
     </message>
     <message>
         <location filename="ui/compare/compare_bar.cpp"/>

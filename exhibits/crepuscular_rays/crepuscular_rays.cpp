@@ -88,7 +88,7 @@ double CrepuscularRays::firstHit(const ExhibitState& state, const render::Ray& r
 
 render::Camera CrepuscularRays::bestView(const ParameterValues&) const
 {
-    return {{2.35, -0.85, 13.2}, {-0.55, 0.25, -0.5}, 0.959931};
+    return {{-4.9, -0.85, 6.5}, {1.2, 0.4, -3.0}, 0.959931};
 }
 
 double CrepuscularRays::nextChange(const ParameterValues& values, double) const
@@ -116,7 +116,7 @@ std::vector<StudyView> CrepuscularRays::studyViews(const ParameterValues& values
     return {{"best view", bestView(values), 0, values},
             {"window ahead", {{0, -0.85, 4.5}, {0, 2.2, -3.5}, 0.959931}, 0, values},
             {"sun beyond the edge", {{-2.2, -0.85, 6.5}, {-3.6, -1.85, -3.0}, 0.7}, 0, values},
-            {"banner in the beam", {{3.3, -0.2, 8.5}, {0.6, 1.4, 0.5}, 0.8}, 0, values}};
+            {"banner in the beam", {{-3.3, -0.2, 8.5}, {-0.6, 1.4, 0.5}, 0.8}, 0, values}};
 }
 
 std::vector<OfferedComparison> CrepuscularRays::comparisons() const

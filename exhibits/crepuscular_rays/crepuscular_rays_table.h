@@ -73,7 +73,7 @@ struct CrepuscularRaysTable final : Parameters {
 
     Group air = group("Air");
     Real airDensity =
-        real("airDensity", 0.0035, perMeter, Range{0, 10}.soft(0, 0.05),
+        real("airDensity", 0.004, perMeter, Range{0, 10}.soft(0, 0.05),
              "Density of the dust near the floor, as the share of light that a meter of it removes: 0 is clear air.",
              volume, essential());
     Real densityFalloff = real("densityFalloff", 0.03, perMeter, Range{0, 10}.soft(0, 0.5),
@@ -92,11 +92,11 @@ struct CrepuscularRaysTable final : Parameters {
              "Strength of the hall's ambient light that the dust scatters: 1 is physical, at 0 the dust only darkens.",
              volume and whenAbove(airDensity, 0));
     Color airColor =
-        color("airColor", {1.0, 0.97, 0.93},
+        color("airColor", {1.0, 0.9, 0.74},
               "Color of the dust, as the share of light that it scatters rather than absorbs: white absorbs none.",
               volume and whenAbove(airDensity, 0));
     Real densityNoise =
-        real("densityNoise", 0.35, none, {0, 1}, "Unevenness of the dust: 0 is even air, high gathers it in drifts.",
+        real("densityNoise", 0.7, none, {0, 1}, "Unevenness of the dust: 0 is even air, high gathers it in drifts.",
              volume and whenAbove(airDensity, 0) and whenAbove(beamStrength, 0));
 
     Group accuracy = group("Accuracy");

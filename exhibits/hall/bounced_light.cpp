@@ -72,22 +72,22 @@ void planAir(const SunTransfer& transfer, const std::vector<SunTransfer::Source>
 std::vector<SunTransfer::Source> bounceOf(const HallScene& scene)
 {
     const Sun sun = sunOf(scene.table, scene.values);
-    return scene.model.sunTransfer().at(sun.azimuth, sun.elevation);
+    return scene.model.surfaces().lightmaps().sun.at(sun.azimuth, sun.elevation);
 }
 
 render::ContributionBound boundOfBounce(const HallScene& scene, double most)
 {
+    if (scene.alone) return render::boundOf(0, 1, {{0.0, "there is no hall to bounce it"}});
     const Sun sun = sunOf(scene.table, scene.values);
-    return render::boundOf(0, sun.strength * scene.model.sunTransfer().surfaceScale(),
-                           {{scene.alone ? 0.0 : 1.0, "there is no hall to bounce it"},
-                            {sun.strength, sun.elevation > 0 ? "the sun's strength is 0" : "the sun has set"},
+    return render::boundOf(0, sun.strength * scene.model.surfaces().lightmaps().sun.surfaceScale(),
+                           {{sun.strength, sun.elevation > 0 ? "the sun's strength is 0" : "the sun has set"},
                             {most, "too little sunlight comes in through window and oculus"}});
 }
 
 void planBouncedLight(const HallScene& scene, const SceneLighting& light, render::FramePlan& plan)
 {
     if (!plan.includeIfEffective(light.bouncedLight, {wallsPass}) || scene.alone) return;
-    const SunTransfer& transfer = scene.model.sunTransfer();
+    const SunTransfer& transfer = scene.model.surfaces().lightmaps().sun;
     const std::vector<SunTransfer::Source> sources = bounceOf(scene);
     render::Hash key;
     for (const SunTransfer::Source& source : sources) key.addValue(source.row).addValue(source.light);
@@ -120,7 +120,7 @@ void planBouncedLight(const HallScene& scene, const SceneLighting& light, render
 void lookUpAirLight(const HallScene& scene, SceneLighting& light)
 {
     if (scene.alone) return;
-    const render::Box& box = scene.model.sunTransfer().grid().box;
+    const render::Box& box = scene.model.surfaces().lightmaps().sun.grid().box;
     light.light.hasAirLight = true;
     light.light.airLow = glm::vec3(box.low);
     light.light.airHigh = glm::vec3(box.high);
@@ -134,7 +134,7 @@ void planAirLight(const HallScene& scene, const SceneLighting& light, render::Fr
         plan.skip("hall/light in the air", scene.alone ? "there is no hall" : "baked light is switched off");
         return;
     }
-    const SunTransfer& transfer = scene.model.sunTransfer();
+    const SunTransfer& transfer = scene.model.surfaces().lightmaps().sun;
     const std::size_t row = transfer.sourceCount();
     AirLightBlock block;
     block.size = transfer.grid().size;
@@ -143,7 +143,7 @@ void planAirLight(const HallScene& scene, const SceneLighting& light, render::Fr
     block.sky = glm::mix(light.light.skyHorizon, light.light.skyZenith, 0.4F) *
                 glm::vec3(transfer.scale(row), transfer.scale(row + 1), transfer.scale(row + 2));
     block.sun = light.light.sunIrradiance;
-    const LampLight& lamps = scene.model.lampLight();
+    const LampLight& lamps = scene.model.surfaces().lightmaps().lamps;
     block.lamps = glm::vec3(vaultLampsOf(scene.table, scene.values).radiance * lamps.airScale());
     render::Hash key;
     for (const glm::vec3& color : {block.sky, block.sun, block.lamps})
@@ -171,7 +171,7 @@ void planAirLight(const HallScene& scene, const SceneLighting& light, render::Fr
 void bindLightmaps(const HallScene& scene, const SceneLighting& light, render::Pass& pass)
 {
     pass.shader.defines.emplace_back("LIGHTMAP");
-    pass.inputs.push_back({UNIT_SKY_LIGHTMAP, scene.model.skyLightmap()});
+    pass.inputs.push_back({UNIT_SKY_LIGHTMAP, scene.model.surfaces().lightmaps().sky});
     if (light.hasLampLight) pass.shader.defines.emplace_back("LAMP_LIGHT");
     if (!light.hasBouncedLight) return;
     pass.shader.defines.emplace_back("BOUNCED_LIGHT");

@@ -117,7 +117,7 @@ void addBar(const render::Box& piece, const render::Box& opening, WindowBars& ba
 
 glm::dvec3 meanColor(const HallModel& model, const MeshInstance& part)
 {
-    return model.material(part.material ? part.material->name : std::string()).meanColor;
+    return model.surfaces().untextured(part.material ? part.material->name : std::string()).meanColor;
 }
 
 /// Weakens the contact shadow of a shape that is larger than the lightmaps' texels. They already contain its shadow,
@@ -209,7 +209,7 @@ Furniture furnitureOf(const HallModel& model)
         joinBoards(ofPart);
         furniture.shapes.insert(furniture.shapes.end(), ofPart.begin(), ofPart.end());
     }
-    const glm::dvec3 rim = model.material("leather").meanColor;
+    const glm::dvec3 rim = model.surfaces().untextured("leather").meanColor;
     for (std::size_t i = 0; i < found.size(); ++i) {
         const Collider& collider = model.colliders()[i];
         if (!found[i] && !collider.cylinder && isFurniture(collider))

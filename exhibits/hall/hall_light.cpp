@@ -134,8 +134,10 @@ LightBlock lightBlock(const HallScene& scene, const Sun& source)
     light.sunIrradiance = glm::vec3(sunColor);
     const SkyTint sky = skyOf(table, values, source);
     light.skyZenith = glm::vec3(skyColor * sky.zenith * 0.8);
-    light.skyLightmapScale = static_cast<float>(scene.model.skyLightmapScale());
-    light.lampsOnWalls = glm::vec3(vaultLampsOf(table, values).radiance * scene.model.lampLight().surfaceScale());
+    light.skyLightmapScale = static_cast<float>(scene.model.surfaces().skyScale());
+    if (!scene.alone)
+        light.lampsOnWalls =
+            glm::vec3(vaultLampsOf(table, values).radiance * scene.model.surfaces().lightmaps().lamps.surfaceScale());
     light.skyHorizon = glm::vec3(glm::mix(skyColor * sky.horizon, sunColor / 9.0, 0.25) * 1.25);
     light.skySunward = glm::vec3(skyColor * sky.sunward * 1.25);
     light.environmentRotation = static_cast<float>(values[table.environmentRotation]);
@@ -236,7 +238,7 @@ SceneLighting sceneLighting(const HallScene& scene, bool runEverything)
         result.room = scene.model.room();
     }
     result.sunShadow = shadowBound(source);
-    const double bounced = scene.model.sunTransfer().most(bounceOf(scene));
+    const double bounced = scene.alone ? 0 : scene.model.surfaces().lightmaps().sun.most(bounceOf(scene));
     result.bouncedLight = boundOfBounce(scene, bounced);
     result.hasBouncedLight = !scene.alone && (runEverything || !result.bouncedLight.isZero());
     result.sunShare = source.strength / std::get<double>(table.rows()[table.sunStrength.row].initial);

@@ -4,7 +4,6 @@
 #include "render/failure.h"
 #include "render/files/assets.h"
 #include "render/files/strict_json.h"
-#include "render/image/image_io.h"
 #include "render/scene/gltf.h"
 #include "render/scene/mesh_shading.h"
 
@@ -46,27 +45,10 @@ glm::dmat4 rigid(const glm::dmat4& m)
     return {m[0] / s.x, m[1] / s.y, m[2] / s.z, m[3]};
 }
 
-using TextureInTheMaking = std::future<std::shared_ptr<const render::Texture>>;
-
-/// Reads a texture on another thread: textures are most of the loading time of the hall.
-TextureInTheMaking map(const Json& row, const char* key, bool sRgb)
-{
-    const auto file = row.find(key);
-    if (file == row.end() || !file->is_string()) return {};
-    return std::async(std::launch::async, [path = render::asset("models/" + file->get<std::string>()), sRgb] {
-        return render::loadTexture(path, sRgb, true);
-    });
-}
-
-std::shared_ptr<const render::Texture> made(TextureInTheMaking& texture)
-{
-    return texture.valid() ? texture.get() : nullptr;
-}
-
 /// Adds tangents. The hall's file names no textures, so the loader made none, but its normal maps need them.
 render::MeshInstance withTangents(render::MeshInstance part, const HallMaterial& material)
 {
-    if (!material.material.normalMap) return part;
+    if (!material.hasNormalMap) return part;
     auto mesh = std::make_shared<render::Mesh>(*part.mesh);
     render::makeTangents(*mesh);
     part.mesh = mesh;
@@ -85,16 +67,12 @@ HallModel::HallModel()
     std::future<render::Model> geometry =
         std::async(std::launch::async, [] { return render::loadGltf(render::asset("models/hall.glb")); });
     try {
-        std::future<void> lightmaps = std::async(std::launch::async, [this] { readLightmaps(); });
-        readMaterials();
-        lightmaps.get();
+        surfaces_ = std::make_unique<const HallSurfaces>();
         addFrames();
     } catch (const Json::exception& error) {
-        throw Failure(
-            ErrorKind::file,
-            "assets/models/materials.json, frames.json, hall_light.json, hall_bounce.json or hall_lamps.json: " +
-                std::string(error.what()) +
-                "; reinstall the program, or write them anew with the scripts beside them.");
+        throw Failure(ErrorKind::file,
+                      "assets/models/materials.json, frames.json or hall_light.json: " + std::string(error.what()) +
+                          "; reinstall the program, or write them anew with the scripts beside them.");
     }
     const render::Model model = geometry.get();
     sortParts(model);
@@ -104,47 +82,6 @@ HallModel::HallModel()
         place.clothShapes = shapesOf(*this, place.cloth);
         place.standShapes = shapesOf(*this, place.stand);
     }
-}
-
-void HallModel::readMaterials()
-{
-    const Json table = readAsset("models/materials.json");
-    struct Maps {
-        TextureInTheMaking baseColor, normal, metallicRoughness;
-    };
-    std::map<std::string, Maps> maps;
-    for (const auto& [name, row] : table.items()) {
-        HallMaterial entry;
-        entry.tile = row.value("tile", 1.0);
-        entry.material.name = name;
-        entry.material.metalness = row.value("metalness", 0.0F);
-        entry.material.roughness = row.value("roughness", 0.7F);
-        if (const auto color = row.find("baseColor"); color != row.end())
-            entry.material.baseColor = {(*color)[0].get<float>(), (*color)[1].get<float>(), (*color)[2].get<float>(),
-                                        1.0F};
-        const Json& mean = row.at("mean").at("baseColor");
-        entry.meanColor = {mean[0].get<double>(), mean[1].get<double>(), mean[2].get<double>()};
-        maps[name] = {map(row, "color", true), map(row, "normal", false), map(row, "orm", false)};
-        materials_.emplace(name, std::move(entry));
-    }
-    for (auto& [name, making] : maps) {
-        render::Material& material = materials_.at(name).material;
-        material.baseColorMap = made(making.baseColor);
-        material.normalMap = made(making.normal);
-        material.metallicRoughnessMap = made(making.metallicRoughness);
-    }
-}
-
-void HallModel::readLightmaps()
-{
-    const Json table = readAsset("models/hall_light.json");
-    auto picture = std::make_shared<render::Texture>(
-        *render::loadTexture(render::asset("models/" + table.at("sky").at("file").get<std::string>()), false, false));
-    picture->mipmaps = false;
-    skyLightmap_ = picture;
-    skyLightmapScale_ = table.at("sky").at("scale").get<double>();
-    sunTransfer_ = SunTransfer(readAsset("models/hall_bounce.json"));
-    lampLight_ = LampLight(readAsset("models/hall_lamps.json"));
 }
 
 void HallModel::addFrames()
@@ -162,7 +99,7 @@ void HallModel::addFrames()
         place.worldFromPlace = worldFromFrame;
         place.worldFromPlaque = worldFromFrame * plaqueBeside(frame);
         const auto part = [&](std::shared_ptr<const render::Mesh> mesh, const char* materialName) {
-            auto material = std::make_shared<render::Material>(this->material(materialName).material);
+            auto material = std::make_shared<render::Material>(surfaces_->untextured(materialName).material);
             return render::MeshInstance{"frame_" + std::to_string(number), std::move(mesh), std::move(material),
                                         worldFromFrame};
         };
@@ -182,7 +119,8 @@ void HallModel::sortParts(const render::Model& model)
         else if (const auto h = placeNumber(part.name, "hanging_"))
             places_[*h].hanging.push_back(part);
         else if (part.name.rfind("hall_", 0) == 0) {
-            walls_.push_back(withTangents(part, material(part.material ? part.material->name : std::string())));
+            walls_.push_back(
+                withTangents(part, surfaces_->untextured(part.material ? part.material->name : std::string())));
             const render::Box box = part.mesh->bounds.transformed(part.modelFromPart);
             bounds_.include(box.low);
             bounds_.include(box.high);
@@ -221,13 +159,6 @@ void HallModel::sortMarkers(const render::Model& model)
             ErrorKind::file,
             "assets/models/hall.glb: it has no nodes \"opening_...\", \"room\", \"probe\" and \"probe_room\"; "
             "reinstall the program, or make it anew with assets/models/hall.py.");
-}
-
-const HallMaterial& HallModel::material(const std::string& name) const
-{
-    const auto found = materials_.find(name);
-    static const HallMaterial plain;
-    return found == materials_.end() ? plain : found->second;
 }
 
 const Place* HallModel::place(int number) const

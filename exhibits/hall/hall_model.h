@@ -1,8 +1,7 @@
 #pragma once
 
 #include "exhibits/hall/hall_furniture.h"
-#include "exhibits/hall/sun_transfer.h"
-#include "exhibits/hall/vault_lamps.h"
+#include "exhibits/hall/hall_surfaces.h"
 #include "render/scene/mesh.h"
 
 #include <glm/glm.hpp>
@@ -43,23 +42,18 @@ struct Occluder {
     glm::dvec3 center{0}, halfU{0}, halfV{0};
 };
 
-/// Material of the hall, from assets/models/materials.json.
-struct HallMaterial {
-    render::Material material;
-    double tile = 1;            ///< Meters covered by one repeat of its textures.
-    glm::dvec3 meanColor{0.5};  ///< Mean of its base color, linear.
-};
-
 /// The building as read from assets/models: geometry, places, openings for light, and obstacles. Named nodes of
 /// hall.glb give places and sizes; assets/models/hall.py writes them. Wall frames for further places come from
 /// assets/models/frames.json, so they need neither a new model nor a new bake.
 class HallModel {
 public:
-    /// Reads the assets. Throws Failure (ErrorKind::file) if one is missing or broken.
+    /// Reads the assets except for pictures. Throws Failure (ErrorKind::file) if one is missing or broken.
     HallModel();
 
+    /// Materials and baked light; their pictures are decoded when they are first needed.
+    [[nodiscard]] const HallSurfaces& surfaces() const { return *surfaces_; }
+
     [[nodiscard]] const std::vector<render::MeshInstance>& walls() const { return walls_; }
-    [[nodiscard]] const HallMaterial& material(const std::string& name) const;
     [[nodiscard]] const Place* place(int number) const;
     [[nodiscard]] const std::map<int, Place>& places() const { return places_; }
     [[nodiscard]] const std::vector<Collider>& colliders() const { return colliders_; }
@@ -77,32 +71,20 @@ public:
     /// Returns what stands on the floor and never moves, and the bars of the window.
     [[nodiscard]] const Furniture& furniture() const { return furniture_; }
 
-    /// Returns the lightmap of the sky; its alpha is that of the lamps in the vault.
-    [[nodiscard]] std::shared_ptr<const render::Texture> skyLightmap() const { return skyLightmap_; }
-    [[nodiscard]] double skyLightmapScale() const { return skyLightmapScale_; }
-    [[nodiscard]] const SunTransfer& sunTransfer() const { return sunTransfer_; }
-    [[nodiscard]] const LampLight& lampLight() const { return lampLight_; }
-
 private:
-    void readMaterials();
-    void readLightmaps();
     void sortParts(const render::Model&);
     void sortMarkers(const render::Model&);
     void addFrames();
 
+    std::unique_ptr<const HallSurfaces> surfaces_;  // Always set after construction.
     std::vector<render::MeshInstance> walls_;
-    std::map<std::string, HallMaterial> materials_;
     std::map<int, Place> places_;
     std::vector<Collider> colliders_;
     std::vector<Occluder> occluders_;
     render::Box bounds_, room_, probeRoom_;
     std::vector<render::Box> openings_;
     std::optional<glm::dvec3> probe_;  // Always set after construction: a file without a probe is refused.
-    std::shared_ptr<const render::Texture> skyLightmap_;
-    double skyLightmapScale_ = 1;
     Furniture furniture_;
-    SunTransfer sunTransfer_;
-    LampLight lampLight_;
 };
 
 }  // namespace vitrine

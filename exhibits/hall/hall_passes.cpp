@@ -155,7 +155,7 @@ bool isOccupied(const HallScene& scene, int place)
 
 render::Draw partDraw(const HallScene& scene, const render::MeshInstance& part)
 {
-    const HallMaterial& material = scene.model.material(materialName(part));
+    const HallMaterial& material = scene.model.surfaces().material(materialName(part));
     if (part.name != "hall_brass") return surfaceDraw(part.mesh, part.modelFromPart, material.material, material.tile);
     render::Material lamp = material.material;
     lamp.emissive = glm::vec3(vaultLampsOf(scene.table, scene.values).radiance);

@@ -114,9 +114,18 @@ struct Surroundings {
     std::vector<render::Draw> walls, things;
 };
 
-void planFace(const HallScene& scene, const SceneLighting& hallLight, const Surroundings& around, int face, int size,
-              std::uint64_t key, render::FramePlan& plan)
+/// Sizes of the reflection probe, and the hash of what it sees.
+struct ProbeCapture {
+    int size = 0;     ///< Texels along a side of a face.
+    int levels = 0;   ///< Number of blurred levels.
+    int samples = 0;  ///< Samples of each texel of a blurred level.
+    std::uint64_t key = 0;
+};
+
+void planFace(const HallScene& scene, const SceneLighting& hallLight, const Surroundings& around, int face,
+              const ProbeCapture& capture, render::FramePlan& plan)
 {
+    const auto [size, levels, samples, key] = capture;
     const glm::dvec3 eye = probePosition(scene);
     Pass sky = capturePass("sky", face, eye, size, key);
     sky.shader = {.vertex = "lib/fullscreen.vert", .fragment = "hall/sky.frag", .defines = {"CAPTURE"}};
@@ -149,9 +158,9 @@ void planFace(const HallScene& scene, const SceneLighting& hallLight, const Surr
     plan.add(std::move(things));
 }
 
-void planLevel(int level, int levels, int size, int samples, const render::ContributionBound& bound, std::uint64_t key,
-               render::FramePlan& plan)
+void planLevel(int level, const ProbeCapture& capture, const render::ContributionBound& bound, render::FramePlan& plan)
 {
+    const auto [size, levels, samples, key] = capture;
     const int side = std::max(size >> level, 1);
     const float t = levels > 1 ? static_cast<float>(level) / static_cast<float>(levels - 1) : 0.0F;
     Pass pass;
@@ -242,9 +251,9 @@ void planProbe(const HallScene& scene, const SceneLighting& light, render::Frame
             {.name = "probe.depth", .format = render::Format::depth32f, .size = glm::ivec2(size), .persistent = true});
     const SceneLighting hallLight = lightOfHallAlone(scene, light, lamps);
     const Surroundings around = scene.alone ? Surroundings() : Surroundings{wallDraws(scene), thingDraws(scene)};
-    for (int face = 0; face < 6; ++face) planFace(scene, hallLight, around, face, size, key, plan);
-    for (int level = 0; level < levels; ++level)
-        planLevel(level, levels, size, scene.values[scene.table.probeSamples], light.probeLight, key, plan);
+    const ProbeCapture capture{size, levels, scene.values[scene.table.probeSamples], key};
+    for (int face = 0; face < 6; ++face) planFace(scene, hallLight, around, face, capture, plan);
+    for (int level = 0; level < levels; ++level) planLevel(level, capture, light.probeLight, plan);
 
     // A level of 16 texels contains everything that nine coefficients can represent.
     const int level = std::max(allLevels - 5, 0);

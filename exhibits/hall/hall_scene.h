@@ -26,6 +26,7 @@ struct ExhibitSlot {
     int place = 0;
     std::string title, summary, tryThis;
     bool hasButton = false;
+    bool shines = false;  ///< Whether the work lights the hall itself.
 };
 
 /// Moving parts at the place of an exhibit, at one time.

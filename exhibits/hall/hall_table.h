@@ -80,16 +80,16 @@ struct HallTable final : Parameters {
         "Hour of a day at the equinox: sunlight comes through the window from three o'clock, and the sun sets at six.",
         when(sunBy, SunBy::hour));
     Real sunElevation =
-        real("sunElevation", degrees(19), degree, Range{degrees(2), degrees(88)}.soft(degrees(8), degrees(50)),
+        real("sunElevation", degrees(20), degree, Range{degrees(2), degrees(88)}.soft(degrees(8), degrees(50)),
              "Height of the sun above the horizon: low reaches far into the hall, high lights the window's foot.",
              when(sunBy, SunBy::angles), essential());
     Real sunAzimuth =
-        real("sunAzimuth", degrees(-3), degree, Range{degrees(-180), degrees(180)}.soft(degrees(-45), degrees(45)),
+        real("sunAzimuth", degrees(13), degree, Range{degrees(-180), degrees(180)}.soft(degrees(-45), degrees(45)),
              "Horizontal direction of the sun, seen through the window: negative is to the left.",
              when(sunBy, SunBy::angles));
-    Real sunStrength = real("sunStrength", 3.6, none, Range{0, 1000}.soft(0, 30),
+    Real sunStrength = real("sunStrength", 4.6, none, Range{0, 1000}.soft(0, 30),
                             "Strength of the sunlight relative to the sky: 0 is an overcast day.", essential());
-    Real sunTemperature = real("sunTemperature", 4700, kelvin, Range{1000, 20000}.soft(2000, 8000),
+    Real sunTemperature = real("sunTemperature", 3900, kelvin, Range{1000, 20000}.soft(2000, 8000),
                                "Color temperature of the sunlight: low is the red of evening, high is bluish.",
                                when(sunBy, SunBy::angles) && whenAbove(sunStrength, 0));
     Toggle sunShadows = toggle(

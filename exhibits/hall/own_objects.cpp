@@ -231,9 +231,9 @@ std::vector<StandingShape> ownShapes(const HallScene& scene)
     for (const OwnObject& object : scene.objects) {
         const std::vector<MeshInstance>& parts = object.model->parts;
         if (object.plinth)
-            shapes.push_back(
-                moved(standingBox(object.plinth->mesh->bounds, scene.model.material(plinthMaterial).meanColor),
-                      object.plinth->modelFromPart));
+            shapes.push_back(moved(
+                standingBox(object.plinth->mesh->bounds, scene.model.surfaces().untextured(plinthMaterial).meanColor),
+                object.plinth->modelFromPart));
         if (parts.empty()) continue;
         glm::dvec3 color(0);
         for (const MeshInstance& part : parts)

@@ -60,13 +60,14 @@ std::vector<render::LocalLight> spotlights(const HallModel& model, const std::ve
     const VaultLamps lamps = vaultLampsOf(table, values);
     const double strength = irradianceOfSpot * values[table.spotStrength];
     if (!(strength > 0) || values[table.lamps] == LampsLit::off) return {};
-    // Picture lights shine all day, as in any gallery; the other spotlights shine with the lamps.
+    // Picture lights shine all day, as in any gallery, but not on a work that lights its surroundings itself: it would
+    // pale beside its frame. The other spotlights shine with the lamps.
     const double pictures = glm::mix(pictureLightByDay, 1.0, lamps.share);
     std::vector<render::LocalLight> lights;
     for (const ExhibitSlot& slot : slots) {
         const Place* place = model.place(slot.place);
         if (!place) continue;
-        const double share = inWall(*place) ? pictures : lamps.share;
+        const double share = inWall(*place) && !slot.shines ? pictures : lamps.share;
         if (!(share > 0)) continue;
         render::LocalLight light = spotOf(*place);
         light.intensity *= blackBodyColor(spotTemperature) * (strength * share);

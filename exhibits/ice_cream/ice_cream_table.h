@@ -147,7 +147,7 @@ struct IceCreamParameters : virtual Parameters {
     Color sprinkleColor = color("sprinkleColor", {0.16, 0.055, 0.022}, "Color of all sprinkles.",
                                 when(sprinkleColors, SprinkleColors::one));
 
-    Group surface = group("Material");
+    Group surface = group("Cream and wafer");
     Choice<SdfMaterial> material = choice(
         "material", SdfMaterial::opaque, {"opaque", "glass"},
         "Material of the ice cream: opaque reflects, glass also refracts at every surface.", whenLater("lighting", 0));

@@ -22,8 +22,9 @@ public:
             for (int x = 0; x < side; ++x) {
                 const double dx = std::min(x, side - x);
                 const double dy = std::min(y, side - y);
-                bump_[static_cast<std::size_t>(y * side + x)] =
-                    static_cast<float>(std::exp(-(dx * dx + dy * dy) / (2 * sigma * sigma)));
+                const auto bump = static_cast<float>(std::exp(-(dx * dx + dy * dy) / (2 * sigma * sigma)));
+                bump_[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)] = bump;
+                bump_[static_cast<std::size_t>(y)][static_cast<std::size_t>(x + side)] = bump;
             }
         }
     }
@@ -35,10 +36,9 @@ public:
         const int ax = at % side;
         const int ay = at / side;
         for (int y = 0; y < side; ++y) {
-            const int row = ((y - ay + side) % side) * side;
-            for (int x = 0; x < side; ++x)
-                crowd_[static_cast<std::size_t>(y * side + x)] +=
-                    sign * bump_[static_cast<std::size_t>(row + (x - ax + side) % side)];
+            const float* bump = bump_[static_cast<std::size_t>((y - ay + side) % side)].data() + (side - ax);
+            float* crowd = crowd_.data() + static_cast<std::ptrdiff_t>(y) * side;
+            for (int x = 0; x < side; ++x) crowd[x] += sign * bump[x];
         }
     }
 
@@ -59,7 +59,8 @@ public:
 private:
     std::array<bool, count> set_{};
     std::array<float, count> crowd_{};
-    std::array<float, count> bump_{};
+    std::array<std::array<float, std::size_t(2) * side>, side>
+        bump_{};  ///< Each row twice, so that it can wrap around.
 };
 
 std::vector<int> ranks()

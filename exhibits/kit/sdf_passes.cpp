@@ -6,6 +6,7 @@
 #include "exhibits/kit/pixel_blocks.h"
 #include "exhibits/kit/surface_draw.h"
 #include "render/glsl/std140.h"
+#include "shaders/kit/sdf/shadow_methods.glsl"
 #include "shaders/lib/bindings.glsl"
 
 #include <glm/gtc/matrix_inverse.hpp>
@@ -257,6 +258,12 @@ render::Pass sdfPass(const SdfScene& scene, const char* step, std::string reason
 
 std::string shadowDefine(const SdfScene& scene)
 {
+    static_assert(SHADOW_METHOD_NONE == static_cast<int>(SdfShadow::none) &&
+                  SHADOW_METHOD_HARD == static_cast<int>(SdfShadow::hard) &&
+                  SHADOW_METHOD_CLASSIC == static_cast<int>(SdfShadow::classic) &&
+                  SHADOW_METHOD_IMPROVED == static_cast<int>(SdfShadow::improved) &&
+                  SHADOW_METHOD_SIGNED == static_cast<int>(SdfShadow::signedDistance) &&
+                  SHADOW_METHOD_AREA == static_cast<int>(SdfShadow::area));
     return "SHADOW_METHOD " + std::to_string(static_cast<int>(scene.body.values[scene.table.shadowMethod]));
 }
 

@@ -1,6 +1,6 @@
 #include "exhibits/lenticular/card_prints.h"
 
-#include "exhibits/printing/print_raster.h"
+#include "exhibits/printing/read_print.h"
 #include "exhibits/printing/sheet.h"
 #include "exhibits/printing/view_files.h"
 #include "exhibits/printing/view_set.h"

@@ -2,13 +2,13 @@
 
 #include "exhibits/framework/scene/exhibit.h"
 #include "exhibits/framework/scene/frame_request.h"
-#include "exhibits/museum/obstacles.h"
+#include "exhibits/museum/museum_exhibit.h"
 #include "exhibits/museum/prepared.h"
 #include "exhibits/museum/read_tables.h"
 #include "exhibits/museum/scene_state.h"
+#include "exhibits/museum/surroundings.h"
 
 #include <filesystem>
-#include <future>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -18,36 +18,6 @@ namespace vitrine {
 namespace render {
 struct FrameReport;
 }
-
-/// An exhibit of a museum.
-struct MuseumExhibit {
-    std::size_t index;  ///< Index in Museum::subjects() and SceneState::values.
-    const Exhibit& exhibit;
-};
-
-/// Button at the center of the view.
-struct LookedAt {
-    std::size_t exhibit = 0;
-    std::string text;  ///< Text of the button: "E – melt it".
-};
-
-/// Object under the pointer, and the camera for visiting it.
-struct Pointed {
-    std::size_t exhibit = 0;  ///< `hallIndex`: none; then it is the user's own object.
-    std::string name;         ///< "Torus to Mug", "Your object: teddy.glb", "E – melt it".
-    double distance = 0;      ///< Meters from the eye.
-    bool button = false;      ///< The object is the button of `exhibit` ...
-    bool inReach = false;     ///< ... and is close enough to be pressed.
-    render::Camera view;      ///< Its best view, in world space.
-};
-
-/// A user's own object in the hall.
-struct OwnObjectShown {
-    std::size_t which = 0;  ///< Index in the hall's `objects`.
-    std::string name;       ///< "Your object: teddy.glb"
-    render::Box box;        ///< Bounds in world space.
-    render::Camera view;    ///< Its best view, in world space.
-};
 
 /// Rectangle of a picture, in pixels from the lower left corner.
 struct PictureRegion {
@@ -100,6 +70,10 @@ public:
     /// Returns the scene state at the time of the request, with animated parameters evaluated. Deterministic.
     [[nodiscard]] SceneState atMoment(const SceneState&, const FrameRequest&) const;
 
+    /// Begins to read, on other threads, the pictures and tables that most frames of the hall need; otherwise the first
+    /// frame does. Thread-safe.
+    void startReading() const;
+
     /// Resolves everything needed to plan a frame of this scene state, for the time and camera of the request. This is
     /// the only place where files are read and simulations run. Exhibits out of view are skipped. Thread-safe; results
     /// are cached and shared by all calls. A file that cannot be read is left out, and the plan reports it; if the
@@ -114,26 +88,8 @@ public:
     [[nodiscard]] render::FramePlan plan(const Prepared&, const FrameRequest&,
                                          const render::PersistentState& = {}) const;
 
-    /// Returns where a visitor ends up who walks from `from` towards `to` (eye positions). Walls and furniture stop the
-    /// visitor, who slides along them.
-    [[nodiscard]] glm::dvec3 walk(const glm::dvec3& from, const glm::dvec3& to) const;
-    /// The same with the user's own objects and their plinths as further obstacles.
-    [[nodiscard]] glm::dvec3 walk(const Prepared&, const glm::dvec3& from, const glm::dvec3& to) const;
-    /// Obstacles of the building: walls and furniture.
-    [[nodiscard]] const Obstacles& obstacles() const { return building_; }
-    /// The same with the user's own objects and their plinths; objects whose file cannot be read are no obstacles.
-    [[nodiscard]] Obstacles obstacles(const Prepared&) const;
-    /// The same without a prepared scene: reads the files in the hall's parameters.
-    [[nodiscard]] Obstacles obstacles(const SceneState&) const;
-    /// Returns the button within 2 m at the center of the view, unless something is in front of it.
-    [[nodiscard]] std::optional<LookedAt> lookedAt(const Prepared&) const;
-    /// Returns the exhibit, button or user's object at `ndc` (each -1 to 1, y up) of that picture. Returns nothing if
-    /// the nearest surface there is a wall or furniture.
-    [[nodiscard]] std::optional<Pointed> pick(const Prepared&, const FrameRequest&, glm::dvec2 ndc) const;
-    /// Returns the user's own objects whose files could be read.
-    [[nodiscard]] std::vector<OwnObjectShown> ownObjects(const Prepared&) const;
-    /// Returns the distance from the eye to the surface at `ndc`, meters; infinity: the sky.
-    [[nodiscard]] double distanceTo(const Prepared&, const FrameRequest&, glm::dvec2 ndc) const;
+    /// Everything in the hall that a visitor can see, point at and walk to.
+    [[nodiscard]] const MuseumSurroundings& surroundings() const { return *surroundings_; }
     /// True if the exhibit stands in the hall; false for the hall and for exhibits in the depot, which are shown alone.
     [[nodiscard]] bool isInHall(std::size_t) const;
     /// Numbers of the places that still wait for an exhibit, ascending.
@@ -148,10 +104,8 @@ public:
     [[nodiscard]] std::optional<PictureRegion> movingRegion(const Prepared&, const FrameRequest&) const;
 
 private:
-    struct Seen;
     struct Present;
     struct Frame;
-    [[nodiscard]] Seen firstSeen(const Prepared&, const HallScene&, const render::Ray&) const;
     [[nodiscard]] render::Box boundsOf(const Prepared&, const Exhibit&, std::size_t i) const;
     [[nodiscard]] std::string whyHidden(const render::Box& worldBox, const render::View&, bool alone) const;
     /// Hides all visible exhibits except the nearest ones, up to the number that the request allows. Exhibits that are
@@ -160,18 +114,16 @@ private:
     [[nodiscard]] std::vector<Present> presentIn(const Prepared&, const FrameRequest&, const HallScene&,
                                                  const render::View&) const;
     [[nodiscard]] HallScene sceneOf(const Prepared&, bool alone) const;
-    [[nodiscard]] Obstacles obstaclesWith(const ParameterValues& hall, const PreparedHall*) const;
     [[nodiscard]] std::vector<render::LocalLight> lampsOf(const Prepared&, const std::vector<Present>&,
                                                           bool alone) const;
 
-    std::future<void> blueNoise_;  ///< Created while the hall is read, because most frames need it.
     std::shared_ptr<const HallModel> model_;
-    Obstacles building_;
     std::vector<std::unique_ptr<Exhibit>> owned_;
     std::unique_ptr<const Hall> hall_;
     std::vector<const SceneObject*> subjects_;
     std::vector<MuseumExhibit> exhibits_;
     std::unique_ptr<render::AssetStore> assets_;
+    std::unique_ptr<const MuseumSurroundings> surroundings_;
 };
 
 /// Tells the exhibits that continue from the state of the frame before that a frame was drawn.

@@ -3,6 +3,7 @@
 #include "exhibits/hall/hall_scene.h"
 #include "exhibits/museum/lamps.h"
 #include "exhibits/museum/present.h"
+#include "exhibits/museum/shown_pictures.h"
 
 #include <algorithm>
 #include <limits>
@@ -42,6 +43,13 @@ bool changesLamps(const Exhibit& exhibit, const ExhibitState& state)
 {
     const auto* carrier = capability<HasLocalLights>(exhibit);
     return carrier && carrier->lightsChange(state);
+}
+
+/// Returns whether the exhibit shows pictures of others now.
+template <typename Present> bool showsPictures(const Present& p, const Prepared& prepared)
+{
+    const auto* shows = capability<ShowsPictures>(p.exhibit);
+    return shows && !shows->shownPictures(prepared.sceneState.values[p.index]).empty();
 }
 
 /// Returns the seconds until the exhibit next changes, by itself or by an animated parameter.
@@ -102,19 +110,28 @@ render::Box Museum::boundsOf(const Prepared& prepared, const Exhibit& exhibit, s
 
 double Museum::nextChange(const Prepared& prepared, const FrameRequest& request) const
 {
+    return Present::nextChange(*this, prepared, request, false);
+}
+
+double Museum::Present::nextChange(const Museum& museum, const Prepared& prepared, const FrameRequest& request,
+                                   bool isPicture)
+{
     double next = neverChanges;
     for (const double since : prepared.sincePressed)
         if (since < buttonTime) next = 0;
     const bool alone = request.alone.has_value();
-    const HallScene scene = sceneOf(prepared, alone);
+    const HallScene scene = museum.sceneOf(prepared, alone);
     // Hidden exhibits and hidden shadows may move without a new frame, unless lamps cast their shadows or hang in them.
-    const std::vector<Present> present = presentIn(prepared, request, scene, wholeView(request));
-    const bool shadows = throwShadows(lampsOf(prepared, present, alone));
-    for (const Present& p : present)
+    const std::vector<Present> present = museum.presentIn(prepared, request, scene, wholeView(request));
+    const bool shadows = throwShadows(museum.lampsOf(prepared, present, alone));
+    for (const Present& p : present) {
+        if (!isPicture && p.hidden.empty()) next = std::min(next, nextOfPictures(museum, prepared, request, p));
+        if (isPicture && showsPictures(p, prepared)) continue;  // It is dark there.
         // Light in the air is visible from everywhere.
         if (shadows || p.hidden.empty() || capability<OverFrame>(p.exhibit) || (!alone && p.noShadow.empty()) ||
             changesLamps(p.exhibit, prepared.state(p.index)))
             next = std::min(next, nextOf(p.exhibit, prepared.state(p.index)));
+    }
     // The building surrounds the visitor, and its light is in every picture.
     return std::min(next, nextMotion(prepared.sceneState.hall(), prepared.time));
 }
@@ -147,7 +164,9 @@ std::optional<PictureRegion> Museum::movingRegion(const Prepared& prepared, cons
         // An animated parameter may have any effect: make lamps, send light around, appear in the floor's reflection.
         if (seenAtAll && nextMotion(prepared.sceneState.values[p.index], prepared.time) < neverChanges)
             return std::nullopt;
-        if (!(p.exhibit.nextChangeOf(prepared.state(p.index)) < neverChanges)) continue;
+        const double next = std::min(p.exhibit.nextChangeOf(prepared.state(p.index)),
+                                     seen ? Present::nextOfPictures(*this, prepared, request, p) : neverChanges);
+        if (!(next < neverChanges)) continue;
         // Light and shadows of lamps may fall anywhere.
         if (shadows || changesLamps(p.exhibit, prepared.state(p.index))) return std::nullopt;
         if (!seen && !shadowSeen) continue;

@@ -10,8 +10,10 @@
 #include "exhibits/kit/exhibit_pass.h"
 #include "exhibits/museum/lamps.h"
 #include "exhibits/museum/present.h"
+#include "exhibits/museum/shown_pictures.h"
 #include "render/failure.h"
 #include "render/hash.h"
+#include "render/plan/embedded_plan.h"
 #include "shaders/lib/bindings.glsl"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -66,9 +68,11 @@ struct Museum::Frame {
     std::vector<Present> present;
     std::vector<PlanContext> contexts;  ///< One for each exhibit in `present`.
     render::FramePlan plan;
+    bool isPicture = false;  ///< It is a picture that an exhibit shows, and exhibits that show pictures are dark.
 
     void begin();
     void findPresent();
+    void planRest(const render::PersistentState& kept);
     void castShadows();
     [[nodiscard]] std::string whyNoShadow() const;
     void clearGlassShadow(render::Pass clear);
@@ -84,6 +88,11 @@ struct Museum::Frame {
     void addState(render::Hash&, const Present&) const;
     [[nodiscard]] std::uint64_t castersKey() const;
     [[nodiscard]] render::FramePlan planOfView(const render::View&) const;
+    void planSeen(std::size_t i, const PlanContext&, const render::PersistentState* kept, render::FramePlan&) const;
+    [[nodiscard]] std::uint64_t pictureKey() const;
+    [[nodiscard]] std::optional<ShownPicture> planPicture(const Present& by, const std::string& source,
+                                                          const render::PersistentState* kept,
+                                                          render::FramePlan& into) const;
 };
 
 std::string Museum::whyHidden(const render::Box& box, const render::View& view, bool alone) const
@@ -170,6 +179,7 @@ Prepared Museum::prepare(const SceneState& sceneState, const FrameRequest& reque
                   {},
                   std::vector<PreparedExhibit>(subjects_.size()),
                   {}};
+    if (!request.alone) startReading();
     render::AssetStore assets = request.nonBlocking ? assets_->nonBlocking() : *assets_;
     const auto complainOf = [&](const PreparedPart* part) {
         if (request.needsFiles && part && !part->unreadable.empty())
@@ -181,15 +191,17 @@ Prepared Museum::prepare(const SceneState& sceneState, const FrameRequest& reque
     const render::View view = wholeView(request);
     const std::vector<Present> present = presentIn(made, request, scene, view);
     // Exhibits that cast a lamp's shadow are drawn from the lamp, whether they are in view or not.
-    const bool seenByLamps = throwShadows(lampsOf(made, present, scene.alone));
-    const auto mark = [&](const std::vector<Present>& all) {
+    const auto mark = [&](const std::vector<Present>& all, bool alone) {
+        const bool seenByLamps = throwShadows(lampsOf(made, all, alone));
         for (const Present& p : all) {
             made.exhibits[p.index].seen |= p.hidden.empty() || seenByLamps;
             made.exhibits[p.index].shadowSeen |= p.noShadow.empty();
         }
     };
-    mark(present);
-    mark(presentIn(made, request, scene, widened(view)));
+    mark(present, scene.alone);
+    mark(presentIn(made, request, scene, widened(view)), scene.alone);
+    const std::vector<std::vector<Present>> pictures = Present::ofPictures(*this, made, request, present);
+    for (const std::vector<Present>& shown : pictures) mark(shown, false);
     for (const auto& [i, exhibit] : exhibits_) {
         PreparedExhibit& part = made.exhibits[i];
         if (!part.seen && !part.shadowSeen) continue;
@@ -197,6 +209,7 @@ Prepared Museum::prepare(const SceneState& sceneState, const FrameRequest& reque
                                      part.shadowSeen, request.idle, assets});
         complainOf(part.part.get());
     }
+    if (!scene.alone || !pictures.empty()) model_->surfaces().read();
     made.pending = assets.pending();
     return made;
 }
@@ -208,18 +221,24 @@ render::FramePlan Museum::plan(const Prepared& prepared, const FrameRequest& req
     Frame frame{*this, prepared, request, alone, sceneOf(prepared, alone), {}, {}, {}, {}};
     frame.begin();
     frame.findPresent();
-    frame.castShadows();
-    frame.makeContexts();
-    frame.lightLamps();
-    planHallShadow(frame.scene, frame.light, frame.plan);
-    planBouncedLight(frame.scene, frame.light, frame.plan);
-    planAirLight(frame.scene, frame.light, frame.plan);
-    planProbe(frame.scene, frame.light, frame.plan);
-    if (!alone && !request.cutOut) planContactShadows(frame.scene, frame.plan);
-    frame.planBuilding(frame.plan);
-    frame.planExhibits(kept);
-    frame.finish(kept);
+    frame.planRest(kept);
     return std::move(frame.plan);
+}
+
+/// Plans everything after `findPresent`, and prunes the plan.
+void Museum::Frame::planRest(const render::PersistentState& kept)
+{
+    castShadows();
+    makeContexts();
+    lightLamps();
+    planHallShadow(scene, light, plan);
+    planBouncedLight(scene, light, plan);
+    planAirLight(scene, light, plan);
+    planProbe(scene, light, plan);
+    if (!alone && !request.cutOut) planContactShadows(scene, plan);
+    planBuilding(plan);
+    planExhibits(kept);
+    finish(kept);
 }
 
 FrameHistory Museum::Frame::history() const
@@ -428,11 +447,8 @@ void Museum::Frame::planExhibits(const render::PersistentState& kept)
             exhibit.planShadow(contexts[i], plan);
         else
             plan.skip(name + "/shadow", present[i].noShadow);
-        const auto* continues = capability<ContinuesState>(exhibit);
-        if (present[i].hidden.empty() && continues)
-            continues->planFrom(contexts[i], kept, plan);
-        else if (present[i].hidden.empty())
-            exhibit.plan(contexts[i], plan);
+        if (present[i].hidden.empty())
+            planSeen(i, contexts[i], &kept, plan);
         else if (!capability<OverFrame>(exhibit))  // An OverFrame exhibit is drawn wherever its bounds are.
             plan.skip(name, whyHiddenOf(present[i].hidden, contexts[i].values));
     }
@@ -445,6 +461,82 @@ void Museum::Frame::planExhibits(const render::PersistentState& kept)
         context.planOfView = [this](const render::View& view) { return planOfView(view); };
         over->planOverFrame(context, plan);
     }
+}
+
+/// Plans the passes of an exhibit in view. `kept`: null for another view of the same frame, which reads the pictures of
+/// the frame.
+void Museum::Frame::planSeen(std::size_t i, const PlanContext& context, const render::PersistentState* kept,
+                             render::FramePlan& into) const
+{
+    const Present& p = present[i];
+    const auto* shows = capability<ShowsPictures>(p.exhibit);
+    const auto* continues = capability<ContinuesState>(p.exhibit);
+    const render::PersistentState none;
+    if (shows && !shows->shownPictures(context.values).empty()) {
+        PlanPicture picture;
+        if (!isPicture)
+            picture = [&](const std::string& source, render::FramePlan& of) {
+                return planPicture(p, source, kept, of);
+            };
+        return shows->planShowing(context, kept ? *kept : none, picture, into);
+    }
+    if (kept && continues) return continues->planFrom(context, *kept, into);
+    p.exhibit.plan(context, into);
+}
+
+/// Returns a hash of everything that the picture depends on.
+std::uint64_t Museum::Frame::pictureKey() const
+{
+    render::Hash key;
+    derive::addToKey(key, prepared.sceneState.hall());
+    key.addValue(scene.filesId).addValue(lightKey(scene)).addValue(alone).addValue(request.runEverything);
+    key.addValue(plan.view.clipFromWorld).addValue(plan.view.raster.size).addValue(plan.seed);
+    for (const ExhibitPose& pose : scene.poses) key.addValue(pose.rotation).addValue(buttonScale(pose.sincePress));
+    const bool shadows = throwShadows(museum.lampsOf(prepared, present, alone));
+    for (const Present& p : present) {
+        const bool isSeen = p.hidden.empty() || p.noShadow.empty() || capability<OverFrame>(p.exhibit);
+        const auto* shows = capability<ShowsPictures>(p.exhibit);
+        if (shows && !shows->shownPictures(prepared.sceneState.values[p.index]).empty()) continue;  // It is dark.
+        if (isSeen || shadows || capability<HasLocalLights>(p.exhibit)) addState(key, p);
+    }
+    return key.value();
+}
+
+/// Plans the picture of a source that an exhibit shows, as a frame within this one.
+std::optional<ShownPicture> Museum::Frame::planPicture(const Present& by, const std::string& source,
+                                                       const render::PersistentState* kept,
+                                                       render::FramePlan& into) const
+{
+    const auto wanted = requestOfPicture(museum, prepared.sceneState, request, by.index, source);
+    if (!wanted) return std::nullopt;
+    const bool isAlone = wanted->alone.has_value();
+    Frame inner{museum, prepared, *wanted, isAlone, museum.sceneOf(prepared, isAlone), {}, {}, {}, {}, true};
+    inner.begin();
+    inner.findPresent();
+    const std::string name = std::string(by.exhibit.name()) + "/picture of " + source;
+    const ShownPicture shown{name, wanted->raster.size, inner.pictureKey()};
+    if (!kept || into.images().contains(name)) return shown;
+    inner.planRest({});
+    inner.plan.prune({"frame"});
+    const auto held = kept->passes.find(name);
+    const bool isHeld = !request.runEverything && held != kept->passes.end() && held->second == shown.key;
+    render::embed(into, inner.plan,
+                  {.passPrefix = name + '/',
+                   .imagePrefix = name + '/',
+                   .reason = "a screen shows its picture",
+                   .onlyKept = isHeld});
+    into.image({.name = name, .format = render::Format::rgba8, .size = shown.size, .persistent = true});
+    render::Pass pass;
+    pass.name = name;
+    pass.reason = "a screen shows it";
+    pass.phase = render::PassPhase::simulate;
+    pass.shader = {.vertex = "lib/fullscreen.vert", .fragment = "kit/shown_picture.frag"};
+    pass.inputs = {{UNIT_SOURCE, name + "/frame"}};
+    pass.colors = {render::Attachment::cleared(name)};
+    pass.draws = {render::Draw{}};
+    pass.contentHash = shown.key;
+    into.add(std::move(pass));
+    return shown;
 }
 
 /// Plans hall and exhibits for another view of the same frame, without shadow maps and exhibits over the frame.
@@ -462,7 +554,7 @@ render::FramePlan Museum::Frame::planOfView(const render::View& view) const
         if (!prepared.exhibits[exhibit].seen || !museum.whyHidden(present[i].box, view, alone).empty()) continue;
         PlanContext context = contexts[i];
         context.channels = {};
-        present[i].exhibit.plan(context, other);
+        planSeen(i, context, nullptr, other);
     }
     return other;
 }

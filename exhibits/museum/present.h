@@ -3,6 +3,7 @@
 #include "exhibits/museum/museum.h"
 
 #include <string>
+#include <vector>
 
 namespace vitrine {
 
@@ -15,6 +16,14 @@ struct Museum::Present {
     std::string hidden;    ///< Reason why it is not visible; empty: it may be.
     std::string unlit;     ///< Reason why no sunlight reaches it, so that it casts no shadow; empty: it may.
     std::string noShadow;  ///< Reason why its shadow is not drawn: it casts none, or none that may be visible.
+
+    /// Returns the exhibits of each picture that a visible one of `shown` shows (`ShowsPictures`).
+    [[nodiscard]] static std::vector<std::vector<Present>>
+    ofPictures(const Museum&, const Prepared&, const FrameRequest&, const std::vector<Present>& shown);
+    /// Does what Museum::nextChange does. `isPicture`: for a picture that an exhibit shows, which shows no others.
+    [[nodiscard]] static double nextChange(const Museum&, const Prepared&, const FrameRequest&, bool isPicture);
+    /// Returns the seconds until a picture that the exhibit shows changes by itself; infinity: never.
+    [[nodiscard]] static double nextOfPictures(const Museum&, const Prepared&, const FrameRequest&, const Present&);
 };
 
 /// Returns the box united with its shadow on the floor (at most 15 m of it, if the sun is low).

@@ -44,7 +44,8 @@ struct LakePart {
 /// Parts of the lake that the settings need.
 struct Called {
     bool afloat = false, panorama = false, reference = false;
-    int bounces = 0, show = 0;
+    int bounces = 0;
+    LakeShow show = LakeShow::picture;
     LakePart lanterns, waves, mist, halo, moon, moonOnWater, stars, reflection;
 };
 
@@ -71,7 +72,7 @@ Called calledFor(const PaperLanternsTable& t, const PlanContext& context, const 
         .panorama = panorama,
         .reference = reference,
         .bounces = bounces,
-        .show = static_cast<int>(values[t.show]),
+        .show = values[t.show],
         .lanterns = LakePart({anyLantern}),
         .waves = LakePart({render::required(block.tallWaves > 0, "the water is flat and is hit in one step")}),
         .mist = LakePart({inPicture, physical, anyMist}),
@@ -131,7 +132,10 @@ void tellWhatIsLeftOut(const Called& called, render::FramePlan& plan)
 void addDefines(const Called& called, LakeRepetition repetition, render::Pass& pass)
 {
     const auto define = [&](std::string text) { pass.shader.defines.push_back(std::move(text)); };
-    define("SHOW " + std::to_string(called.show));
+    static_assert(
+        SHOW_PICTURE == static_cast<int>(LakeShow::picture) && SHOW_HEIGHTS == static_cast<int>(LakeShow::heights) &&
+        SHOW_NORMALS == static_cast<int>(LakeShow::normals) && SHOW_PARTS == static_cast<int>(LakeShow::parts));
+    define("SHOW " + std::to_string(static_cast<int>(called.show)));
     // Rays of the eye, of reflections by the water, and towards the moon.
     const int toMoon = (called.moon && called.lanterns ? 1 : 0) + (called.moonOnWater ? 1 : 0);
     define("LEGS " + std::to_string(1 + called.bounces + toMoon));

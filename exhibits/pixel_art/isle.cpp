@@ -73,9 +73,9 @@ void lantern(WorldBuilder& b, const glm::dvec3& p)
 
 void land(WorldBuilder& b)
 {
-    b.object().slab([](double a) { return shore(a) + 0.25; }, -0.5, 0.06, 0.35, sand, sand, 72);
-    b.object().slab(meadowEdge, 0, ground, 0.10, grass, cliff, 56);
-    b.object().at(hillPlace).slab(hillEdge, ground - 0.1, hill, 0.16, meadow, cliff, 40);
+    b.object().slab([](double a) { return shore(a) + 0.25; }, {-0.5, 0.06, 0.35}, sand, sand, 72);
+    b.object().slab(meadowEdge, {0, ground, 0.10}, grass, cliff, 56);
+    b.object().at(hillPlace).slab(hillEdge, {ground - 0.1, hill, 0.16}, meadow, cliff, 40);
     b.at(glm::dvec3(0)).object().water(shore, 0.0, 60, sea);
 }
 

@@ -30,6 +30,14 @@ std::string choiceOf(std::size_t row, int value)
     return std::string(methodParameters().rows()[row].choices[static_cast<std::size_t>(value)]);
 }
 
+/// Formats a number with this many digits behind the point.
+std::string withDigits(double x, int digits)
+{
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "%.*f", digits, x);
+    return text.data();
+}
+
 /// Returns the angles in degrees, ascending, for all texels that show an object.
 std::vector<double> anglesBetween(const render::Image& truth, const render::Image& found)
 {
@@ -84,8 +92,8 @@ NormalErrors measureNormals(render::RenderBackend& backend, const ParameterValue
 }
 
 MethodTable::MethodTable(std::vector<Scene> scenes, std::vector<Picture> pictures, int runs)
-    : scenes_(std::move(scenes)), pictures_(std::move(pictures)), runs_(runs),
-      csv_("scene,size,depth,method,mean,p99,beyond5,beyond20,fetches,ms\n")
+    : scenes_(std::move(scenes)), pictures_(std::move(pictures)),
+      runs_(runs), lines_{{"scene", "size", "depth", "method", "mean", "p99", "beyond5", "beyond20", "fetches", "ms"}}
 {
 }
 
@@ -104,15 +112,34 @@ MethodTable MethodTable::all(const ParameterValues& values)
             5};
 }
 
+std::size_t MethodTable::eachScene() const
+{
+    return pictures_.size() * methodCount();
+}
+
+double MethodTable::work(std::size_t lines) const
+{
+    constexpr double overhead = 0.1;  // Fixed work of a picture, whatever its size.
+    double sum = 0;
+    for (std::size_t i = 0; i < lines; ++i) {
+        const std::string width =
+            choiceOf(methodParameters().resolution.row, static_cast<int>(pictures_[i / methodCount()].resolution));
+        sum += overhead + std::stod(width) * std::stod(width) * 9 / 16 / 1e6;
+    }
+    return sum;
+}
+
 double MethodTable::progress() const
 {
-    return static_cast<double>(done_) / static_cast<double>(scenes_.size() * pictures_.size() * methodCount());
+    const std::size_t each = eachScene();
+    return (static_cast<double>(done_ / each) * work(each) + work(done_ % each)) /
+           (static_cast<double>(scenes_.size()) * work(each));
 }
 
 bool MethodTable::step(render::RenderBackend& backend)
 {
     const PixelArtTable& t = methodParameters();
-    const std::size_t each = pictures_.size() * methodCount();
+    const std::size_t each = eachScene();
     const Scene& scene = scenes_[done_ / each];
     const Picture& picture = pictures_[done_ % each / methodCount()];
     const auto method = static_cast<NormalsBy>(1 + done_ % methodCount());
@@ -123,14 +150,13 @@ bool MethodTable::step(render::RenderBackend& backend)
     values.set(t.method, method);
     const NormalErrors m = measureNormals(backend, values, scene.parts, nullptr, runs_);
     const auto normals = m.milliseconds.find("pixel_art/normals");
-    std::array<char, 160> numbers{};
-    std::snprintf(numbers.data(), numbers.size(), ",%.4f,%.3f,%.4f,%.4f,%d,%.4f\n", m.mean, m.p99, m.beyond5,
-                  m.beyond20, fetchesOf(method), normals == m.milliseconds.end() ? -1 : normals->second);
-    csv_ += scene.name + ',' + choiceOf(t.resolution.row, static_cast<int>(picture.resolution)) + ',' +
-            choiceOf(t.depthBits.row, static_cast<int>(picture.bits)) + ',' +
-            choiceOf(t.method.row, static_cast<int>(method)) + numbers.data();
+    lines_.push_back({scene.name, choiceOf(t.resolution.row, static_cast<int>(picture.resolution)),
+                      choiceOf(t.depthBits.row, static_cast<int>(picture.bits)),
+                      choiceOf(t.method.row, static_cast<int>(method)), withDigits(m.mean, 4), withDigits(m.p99, 3),
+                      withDigits(m.beyond5, 4), withDigits(m.beyond20, 4), std::to_string(fetchesOf(method)),
+                      withDigits(normals == m.milliseconds.end() ? -1 : normals->second, 4)});
     ++done_;
-    return progress() < 1;
+    return done_ < expectedLines();
 }
 
 }  // namespace vitrine

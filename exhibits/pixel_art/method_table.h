@@ -39,15 +39,21 @@ public:
     [[nodiscard]] static MethodTable all(const ParameterValues&);
 
     bool step(render::RenderBackend&) override;
+    /// Returns the share of the texels that are drawn.
     [[nodiscard]] double progress() const override;
-    [[nodiscard]] std::string csv() const override { return csv_; }
+    [[nodiscard]] const std::vector<std::vector<std::string>>& lines() const override { return lines_; }
+    [[nodiscard]] std::size_t expectedLines() const override { return scenes_.size() * eachScene(); }
 
 private:
+    [[nodiscard]] std::size_t eachScene() const;  ///< Number of lines of each scene.
+    /// Returns the work of the first lines of a scene; 1: that of a picture of a million texels.
+    [[nodiscard]] double work(std::size_t lines) const;
+
     std::vector<Scene> scenes_;
     std::vector<Picture> pictures_;
     int runs_;
     std::size_t done_ = 0;
-    std::string csv_;
+    std::vector<std::vector<std::string>> lines_;
 };
 
 }  // namespace vitrine

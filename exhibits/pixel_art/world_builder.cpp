@@ -57,9 +57,9 @@ void WorldBuilder::triangle(const glm::dvec3& a, const glm::dvec3& b, const glm:
     for (const glm::dvec3& p : {a, b, c}) mesh_->indices.push_back(vertex(p, n, uv(p), paint));
 }
 
-void WorldBuilder::quad(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d,
-                        const Paint& paint, glm::dvec2 uvA, glm::dvec2 uvC)
+void WorldBuilder::quad(const std::array<glm::dvec3, 4>& corners, const Paint& paint, glm::dvec2 uvA, glm::dvec2 uvC)
 {
+    const auto& [a, b, c, d] = corners;
     const glm::dvec3 n = glm::normalize(glm::cross(c - a, d - b));
     const std::uint32_t i = vertex(a, n, uvA, paint);
     vertex(b, n, {uvC.x, uvA.y}, paint);
@@ -81,7 +81,7 @@ WorldBuilder& WorldBuilder::box(const glm::dvec3& half, const Paint& paint)
             u[along] = half[along];
             if (glm::dot(glm::cross(u, v), n) < 0) u = -u;
             const glm::dvec2 size(half[along], half[up]);
-            quad(n - u - v, n + u - v, n + u + v, n - u + v, paint, -size, size);
+            quad({n - u - v, n + u - v, n + u + v, n - u + v}, paint, -size, size);
         }
     return *this;
 }
@@ -101,8 +101,8 @@ WorldBuilder& WorldBuilder::prism(int sides, double foot, double top, double hei
             vertex(around(from, top, height), n(from), {from * foot, height}, paint);
             mesh_->indices.insert(mesh_->indices.end(), {first, first + 2, first + 1, first, first + 3, first + 2});
         } else if (top > 0) {
-            quad(around(to, foot, 0), around(from, foot, 0), around(from, top, height), around(to, top, height), paint,
-                 {to * foot, 0}, {from * foot, height});
+            quad({around(to, foot, 0), around(from, foot, 0), around(from, top, height), around(to, top, height)},
+                 paint, {to * foot, 0}, {from * foot, height});
         } else {
             triangle(around(to, foot, 0), around(from, foot, 0), {0, height, 0}, paint);
         }
@@ -156,24 +156,25 @@ WorldBuilder& WorldBuilder::gable(const glm::dvec3& half, const Paint& roof, con
     const double slope = std::hypot(h.x, h.y);
     const glm::dvec3 ridgeFront(0, h.y, h.z), ridgeBack(0, h.y, -h.z);
     const glm::dvec3 rightFront(h.x, 0, h.z), rightBack(h.x, 0, -h.z), leftFront(-h.x, 0, h.z), leftBack(-h.x, 0, -h.z);
-    quad(rightFront, rightBack, ridgeBack, ridgeFront, roof, {-h.z, 0}, {h.z, slope});
-    quad(leftBack, leftFront, ridgeFront, ridgeBack, roof, {-h.z, 0}, {h.z, slope});
-    quad(leftBack, rightBack, rightFront, leftFront, roof, {0, 0}, {1, 1});
+    quad({rightFront, rightBack, ridgeBack, ridgeFront}, roof, {-h.z, 0}, {h.z, slope});
+    quad({leftBack, leftFront, ridgeFront, ridgeBack}, roof, {-h.z, 0}, {h.z, slope});
+    quad({leftBack, rightBack, rightFront, leftFront}, roof, {0, 0}, {1, 1});
     triangle(leftFront, rightFront, ridgeFront, wall);
     triangle(rightBack, leftBack, ridgeBack, wall);
     return *this;
 }
 
-WorldBuilder& WorldBuilder::slab(const std::function<double(double)>& outline, double low, double high, double lean,
+WorldBuilder& WorldBuilder::slab(const std::function<double(double)>& outline, const Extrusion& extrusion,
                                  const Paint& top, const Paint& side, int sides)
 {
+    const auto [low, high, lean] = extrusion;
     const double step = turnAround / sides;
     for (int i = 0; i < sides; ++i) {
         const double from = i * step;
         const double to = from + step;
         const glm::dvec3 a = around(to, outline(to), low), b = around(from, outline(from), low);
         const glm::dvec3 c = around(from, outline(from) - lean, high), d = around(to, outline(to) - lean, high);
-        quad(a, b, c, d, side, {to * 4, low}, {from * 4, high});
+        quad({a, b, c, d}, side, {to * 4, low}, {from * 4, high});
         triangle({0, high, 0}, d, c, top);
     }
     return *this;
@@ -189,8 +190,8 @@ WorldBuilder& WorldBuilder::water(const std::function<double(double)>& outline, 
             const double from = turnAround * i / sides;
             const double to = turnAround * (i + 1) / sides;
             const auto p = [&](double angle, double away) { return around(angle, outline(angle) + away, height); };
-            quad(p(from, distances[j]), p(to, distances[j]), p(to, distances[j + 1]), p(from, distances[j + 1]), paint,
-                 {0, 0}, {0, 0});
+            quad({p(from, distances[j]), p(to, distances[j]), p(to, distances[j + 1]), p(from, distances[j + 1])},
+                 paint, {0, 0}, {0, 0});
             const std::size_t last = mesh_->vertices.size();
             const auto uv = [&](std::size_t k, double away, double angle) {
                 mesh_->vertices[last - k].uv = glm::vec2(glm::dvec2(away, angle / turnAround));
@@ -203,7 +204,7 @@ WorldBuilder& WorldBuilder::water(const std::function<double(double)>& outline, 
 
 WorldBuilder& WorldBuilder::tiles(const glm::dvec2& half, double tile, const Paint& paint)
 {
-    quad({-half.x, 0, half.y}, {half.x, 0, half.y}, {half.x, 0, -half.y}, {-half.x, 0, -half.y}, paint,
+    quad({{{-half.x, 0, half.y}, {half.x, 0, half.y}, {half.x, 0, -half.y}, {-half.x, 0, -half.y}}}, paint,
          glm::dvec2(-half.x, half.y) / tile, glm::dvec2(half.x, -half.y) / tile);
     return *this;
 }

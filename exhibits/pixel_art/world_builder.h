@@ -4,6 +4,7 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <string>
@@ -39,9 +40,13 @@ public:
     WorldBuilder& torus(double ring, double tube, const Paint&, int around = 28, int across = 14);
     /// Adds a roof over x, z with its ridge along z.
     WorldBuilder& gable(const glm::dvec3& half, const Paint& roof, const Paint& wall);
-    /// Adds an outline of `outline(angle)` meters, extruded from `low` to `high`; the side leans in by `lean`.
-    WorldBuilder& slab(const std::function<double(double)>& outline, double low, double high, double lean,
-                       const Paint& top, const Paint& side, int sides = 48);
+    /// Extrusion of an outline, in meters: from `low` to `high`, and `lean` narrower at its top.
+    struct Extrusion {
+        double low = 0, high = 0, lean = 0;
+    };
+    /// Adds an outline of `outline(angle)` meters, extruded.
+    WorldBuilder& slab(const std::function<double(double)>& outline, const Extrusion&, const Paint& top,
+                       const Paint& side, int sides = 48);
     /// Adds water around that outline at `height`: u is the distance from the shore, v the angle in turns.
     WorldBuilder& water(const std::function<double(double)>& outline, double height, double reach, const Paint&);
     /// Adds a rectangle of tiles that faces up; uv counts tiles.
@@ -51,8 +56,7 @@ public:
 
 private:
     void triangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const Paint&);
-    void quad(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d, const Paint&,
-              glm::dvec2 uvA, glm::dvec2 uvC);
+    void quad(const std::array<glm::dvec3, 4>& corners, const Paint&, glm::dvec2 uvOfFirst, glm::dvec2 uvOfThird);
     std::uint32_t vertex(const glm::dvec3& p, const glm::dvec3& n, glm::dvec2 uv, const Paint&);
 
     std::shared_ptr<render::Mesh> mesh_ = std::make_shared<render::Mesh>();

@@ -108,10 +108,10 @@ const Codes16& codes16()
 const Kernels plainKernels = {
     filterLenses, mixColumns,
     [](const std::uint16_t* a, const std::uint16_t* b, std::uint16_t part, std::size_t count, std::uint8_t* out) {
-        blendAndLookUp<blend>(a, b, part, dropped, codes8().data(), count, out);
+        blendAndLookUp<blend, dropped>(a, b, part, codes8().data(), count, out);
     },
     [](const std::uint16_t* a, const std::uint16_t* b, std::uint16_t part, std::size_t count, std::uint16_t* out) {
-        blendAndLookUp<blend>(a, b, part, 0, codes16().data(), count, out);
+        blendAndLookUp<blend, 0>(a, b, part, codes16().data(), count, out);
     }};
 
 const Kernels& kernelsFor(Instructions instructions)

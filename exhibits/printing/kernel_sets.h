@@ -33,8 +33,8 @@ constexpr std::size_t chunk = 512;
 using Blend = void (*)(const std::uint16_t* a, const std::uint16_t* b, std::uint16_t part, int drop, std::size_t count,
                        std::uint16_t* out);
 
-template <Blend blend, typename Code>
-void blendAndLookUp(const std::uint16_t* a, const std::uint16_t* b, std::uint16_t part, int drop, const Code* table,
+template <Blend blend, int drop, typename Code>
+void blendAndLookUp(const std::uint16_t* a, const std::uint16_t* b, std::uint16_t part, const Code* table,
                     std::size_t count, Code* out)
 {
     std::array<std::uint16_t, chunk> mixed;

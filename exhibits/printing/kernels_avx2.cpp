@@ -100,10 +100,10 @@ VITRINE_AVX2 void blend(const std::uint16_t* a, const std::uint16_t* b, std::uin
 const Kernels avx2Kernels = {
     filterLenses, mixColumns,
     [](const std::uint16_t* a, const std::uint16_t* b, std::uint16_t part, std::size_t count, std::uint8_t* out) {
-        blendAndLookUp<blend>(a, b, part, dropped, codes8().data(), count, out);
+        blendAndLookUp<blend, dropped>(a, b, part, codes8().data(), count, out);
     },
     [](const std::uint16_t* a, const std::uint16_t* b, std::uint16_t part, std::size_t count, std::uint16_t* out) {
-        blendAndLookUp<blend>(a, b, part, 0, codes16().data(), count, out);
+        blendAndLookUp<blend, 0>(a, b, part, codes16().data(), count, out);
     }};
 
 }  // namespace vitrine::printing::kernels

@@ -1,11 +1,14 @@
 #include "exhibits/printing/print_file.h"
 
+#include "exhibits/printing/print_marks.h"
 #include "exhibits/printing/sheet.h"
 #include "render/failure.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <future>
+#include <optional>
 #include <thread>
 
 namespace vitrine::printing {
@@ -17,22 +20,54 @@ std::int64_t stripRows(std::int64_t width)
     return std::clamp<std::int64_t>((8 << 20) / (width * 3) / 64 * 64, 16, 512);
 }
 
+/// Makes rows of a raster in the colors of the file.
+template <typename Code> class RowMaker {
+public:
+    RowMaker(const PrintLayout& layout, std::function<void(const Region&, Code*)> make, const PrintFile& file)
+        : make_(std::move(make)), marks_(layout)
+    {
+        if (!file.outputProfile.empty()) conversion_.emplace(file.profile, file.outputProfile, file.conversion);
+    }
+
+    [[nodiscard]] std::size_t channels() const
+    {
+        return conversion_ ? static_cast<std::size_t>(conversion_->channels()) : 3;
+    }
+    void fill(const Region& region, Code* out)
+    {
+        const auto pixels =
+            static_cast<std::size_t>(region.x1 - region.x0) * static_cast<std::size_t>(region.y1 - region.y0);
+        if (conversion_) unconverted_.resize(pixels * 3);
+        Code* rgb = conversion_ ? unconverted_.data() : out;
+        make_(region, rgb);
+        marks_.draw(region, rgb);
+        if (conversion_) conversion_->apply(rgb, out, pixels);
+    }
+
+private:
+    std::function<void(const Region&, Code*)> make_;
+    PrintMarks marks_;
+    std::optional<render::ProfileConversion> conversion_;
+    std::vector<Code> unconverted_;
+};
+
 template <typename Code>
-void writeColumns(const PrintLayout& layout, const std::function<void(const Region&, Code*)>& make,
+void writeColumns(const PrintLayout& layout, const std::function<void(const Region&, Code*)>& source,
                   const PrintFile& file, std::int64_t x0, std::int64_t x1, render::PictureStream& out)
 {
+    RowMaker<Code> maker(layout, source, file);
     const std::int64_t height = layout.height();
     const std::int64_t rows = std::min(stripRows(x1 - x0), height);
-    const std::size_t strip = static_cast<std::size_t>(rows) * static_cast<std::size_t>(x1 - x0) * 3;
+    const std::size_t strip = static_cast<std::size_t>(rows) * static_cast<std::size_t>(x1 - x0) * maker.channels();
     std::vector<Code> written(strip);
     std::vector<Code> next(strip);
-    make({x0, 0, x1, rows}, written.data());
+    maker.fill({x0, 0, x1, rows}, written.data());
     for (std::int64_t y = 0; y < height; y += rows) {
         const std::int64_t end = std::min(y + rows, height);
         std::future<void> making;
         if (end < height) {
             making = std::async(std::launch::async, [&, end] {
-                make({x0, end, x1, std::min(end + rows, height)}, next.data());
+                maker.fill({x0, end, x1, std::min(end + rows, height)}, next.data());
             });
         }
         out.write(written.data(), end - y);
@@ -54,11 +89,33 @@ std::filesystem::path tilePath(const std::filesystem::path& path, std::size_t ti
     return name;
 }
 
-render::StreamSpec specOf(const PrintLayout& layout, const PrintFile& file, std::int64_t width)
+/// Returns the part of a box that lies in the columns, from their left edge.
+std::array<double, 4> inColumns(std::array<double, 4> box, std::int64_t x0, std::int64_t x1)
+{
+    for (const std::size_t side : {std::size_t{0}, std::size_t{2}})
+        box.at(side) =
+            std::clamp(box.at(side), static_cast<double>(x0), static_cast<double>(x1)) - static_cast<double>(x0);
+    return box;
+}
+
+render::StreamSpec specOf(const PrintLayout& layout, const PrintFile& file, std::int64_t x0, std::int64_t x1)
 {
     const PrintSettings& settings = layout.settings();
-    return {width,     layout.height(), file.bits,   settings.dpiX, settings.dpiY, file.compression, layout.vertical(),
-            file.json, file.profile,    file.threads};
+    render::StreamSpec spec;
+    spec.width = x1 - x0;
+    spec.height = layout.height();
+    spec.bits = file.bits;
+    spec.channels = render::profileChannels(file.outputProfile);
+    spec.dpiX = settings.dpiX;
+    spec.dpiY = settings.dpiY;
+    spec.compression = file.compression;
+    spec.likeRowAbove = layout.vertical();
+    spec.json = file.json;
+    spec.profile = file.outputProfile.empty() ? file.profile : file.outputProfile;
+    spec.threads = file.threads;
+    spec.trim = inColumns(layout.trimBox(), x0, x1);
+    spec.bleed = inColumns(layout.bleedBox(), x0, x1);
+    return spec;
 }
 
 }  // namespace
@@ -67,8 +124,9 @@ void requireRoom(const PrintLayout& layout, const PrintFile& file)
 {
     const std::vector<std::int64_t> cuts = tileCuts(layout, file.tileWidth);
     for (std::size_t tile = 0; tile + 1 < cuts.size(); ++tile)
-        render::requireStreamSides(file.path, cuts[tile + 1] - cuts[tile], layout.height());
-    render::requireSpace(file.path, render::streamBytes(file.path, specOf(layout, file, layout.width())));
+        render::requireStream(file.path, {cuts[tile + 1] - cuts[tile], layout.height(),
+                                          render::profileChannels(file.outputProfile), file.bits});
+    render::requireSpace(file.path, render::streamBytes(file.path, specOf(layout, file, 0, layout.width())));
 }
 
 int interlacingThreads()
@@ -114,7 +172,7 @@ StagedPrint stagedRaster(const PrintLayout& layout, const RasterSource& source, 
     requireRoom(layout, file);
     StagedPrint staged{printFiles(layout, file)};
     for (std::size_t tile = 0; tile + 1 < cuts.size(); ++tile) {
-        render::PictureStream stream(staged.pictures[tile], specOf(layout, file, cuts[tile + 1] - cuts[tile]));
+        render::PictureStream stream(staged.pictures[tile], specOf(layout, file, cuts[tile], cuts[tile + 1]));
         if (file.bits == 16)
             writeColumns<std::uint16_t>(layout, source.sixteen, file, cuts[tile], cuts[tile + 1], stream);
         else

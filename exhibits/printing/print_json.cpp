@@ -1,7 +1,8 @@
 #include "exhibits/printing/print_json.h"
 
 #include "exhibits/framework/table/preset_values.h"
-#include "exhibits/printing/print_raster.h"
+#include "exhibits/printing/print_description.h"
+#include "exhibits/printing/print_numbers.h"
 #include "render/failure.h"
 #include "render/files/extension.h"
 #include "render/files/read_file.h"

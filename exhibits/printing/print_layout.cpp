@@ -1,12 +1,12 @@
 #include "exhibits/printing/print_layout.h"
 
-#include "exhibits/printing/crosstalk.h"
 #include "exhibits/printing/optics.h"
 #include "exhibits/printing/sheet.h"
 #include "render/failure.h"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace vitrine::printing {
 namespace {
@@ -47,6 +47,9 @@ void checkSettings(const PrintSettings& s)
     if (!(s.bleed >= 0) || !std::isfinite(s.bleed)) refuse("the bleed is " + shortText(s.bleed) + "; give 0 or more");
     if (!(s.border >= 0) || !std::isfinite(s.border))
         refuse("the border is " + shortText(s.border) + "; give 0 or more");
+    if (s.marks.any() && s.border < leastMarkBorder)
+        refuse("its marks need a border of at least " + shortText(leastMarkBorder) + " mm, and it has " +
+               shortText(s.border) + " mm; give a wider border, or leave the marks out");
     if (!(s.inkSpread >= 0) || !std::isfinite(s.inkSpread))
         refuse("the ink's spread is " + shortText(s.inkSpread) + "; give 0 or more");
     if (std::isnan(s.distance) || s.distance <= s.sheet.thickness) {
@@ -108,10 +111,24 @@ PrintLayout::PrintLayout(const PrintSettings& settings) : settings_(settings)
     }
 }
 
+std::array<double, 4> PrintLayout::trimBox() const
+{
+    const auto [left, top, right, bottom] = bleedBox();
+    const double x = settings_.bleed / mmPerInch * settings_.dpiX, y = settings_.bleed / mmPerInch * settings_.dpiY;
+    return {left + x, top + y, right - x, bottom - y};
+}
+
+std::array<double, 4> PrintLayout::bleedBox() const
+{
+    return {static_cast<double>(borderX_), static_cast<double>(borderY_), static_cast<double>(width_ - borderX_),
+            static_cast<double>(height_ - borderY_)};
+}
+
 PrintLayout PrintLayout::withoutBorder() const
 {
     PrintSettings inner = settings_;
     inner.border = 0;
+    inner.marks = {};
     return PrintLayout(inner);
 }
 
@@ -130,40 +147,6 @@ int PrintLayout::viewOfStrip(std::int64_t strip) const
     const std::int64_t views = settings_.views;
     const auto within = static_cast<int>(((strip % views) + views) % views);
     return settings_.reverse ? within : settings_.views - 1 - within;
-}
-
-PrintNumbers numbersOf(const PrintLayout& layout, double storedDpi)
-{
-    const PrintSettings& s = layout.settings();
-    PrintNumbers numbers;
-    numbers.pixelsPerLens = layout.pixelsPerLens();
-    numbers.effectiveLpi = layout.printLpi() * storedDpi / s.dpiX;
-    numbers.effectiveViews = std::min<double>(s.views, layout.wholePixelsPerLens());
-    numbers.zoneDegrees = zoneByAperture(s.sheet) / radiansPerDegree;
-    numbers.depthBudget = 2 * numbers.effectiveViews * s.sheet.thickness / s.sheet.index;
-    const ViewMatrix mixing = viewMixing(layout);
-    for (int k = 0; k < s.views; ++k) numbers.ownShare.push_back(std::min(mixing.at(k, k), 1.0));
-    return numbers;
-}
-
-std::vector<std::string> warningsOf(const PrintLayout& layout)
-{
-    std::vector<std::string> warnings;
-    const PrintSettings& s = layout.settings();
-    const double perLens = layout.pixelsPerLens();
-    if (layout.wholePixelsPerLens() < 2) {
-        warnings.push_back("With " + shortText(perLens) + " pixels per lens the printer cannot separate views.");
-    } else if (s.views > layout.wholePixelsPerLens()) {
-        warnings.push_back(std::to_string(s.views) + " views share " + shortText(perLens) +
-                           " pixels per lens: no more than " + shortText(layout.wholePixelsPerLens()) +
-                           " of them can be told apart.");
-    }
-    if (s.views == 1) warnings.push_back("With one view the print shows the same picture from everywhere.");
-    if (s.visualLpi > 0 && std::abs(s.visualLpi / s.sheet.lpi() - 1) > 0.02) {
-        warnings.push_back("The visual LPI " + shortText(s.visualLpi) + " is far from the sheet's " +
-                           shortText(s.sheet.lpi()) + ".");
-    }
-    return warnings;
 }
 
 }  // namespace vitrine::printing

@@ -2,10 +2,9 @@
 
 #include "exhibits/printing/sheet.h"
 
+#include <array>
 #include <cstdint>
 #include <limits>
-#include <string>
-#include <vector>
 
 namespace vitrine::printing {
 
@@ -17,6 +16,16 @@ enum class Method : std::uint8_t {
 };
 
 [[nodiscard]] const char* toString(Method);
+
+/// Marks for the press in the border of a print.
+struct MarkSettings {
+    bool crop = false;          ///< At the corners of the trim.
+    bool registration = false;  ///< At the middle of each side.
+    bool colorBar = false;      ///< Below the print.
+    bool pitchStrip = false;    ///< Lines at lens pitch, beside the edge that crosses the lenses.
+
+    [[nodiscard]] bool any() const { return crop || registration || colorBar || pitchStrip; }
+};
 
 /// Everything that determines a print. Lengths are in millimeters.
 struct PrintSettings {
@@ -34,12 +43,14 @@ struct PrintSettings {
     Method method = Method::area;
     double guard = 0.25;      ///< Share of a strip for its two blended edges (method guard).
     double border = 0;        ///< White paper around trim and bleed, on every side.
+    MarkSettings marks{};     ///< Drawn into the border.
     bool dither = false;      ///< For 8-bit prints; 16 bits need none.
     bool compensate = false;  ///< Compensates the cross-talk of the sheet, see `compensation`.
     double inkSpread = 0;     ///< Standard deviation of a printed point, for cross-talk.
 };
 
 constexpr int mostViews = 256;
+constexpr double leastMarkBorder = 5;  ///< Millimeters of border that marks need.
 
 /// Raster of a print, and position of its lenses.
 ///
@@ -57,6 +68,10 @@ public:
     [[nodiscard]] std::int64_t borderY() const { return borderY_; }
     /// Returns the print without its border: its pixel (x, y) is (x + borderX, y + borderY) of this one.
     [[nodiscard]] PrintLayout withoutBorder() const;
+    /// Returns the part within the trim in pixels from the top left corner: left, top, right, bottom.
+    [[nodiscard]] std::array<double, 4> trimBox() const;
+    /// The same for the part within the bleed, without the border.
+    [[nodiscard]] std::array<double, 4> bleedBox() const;
     [[nodiscard]] double printPitch() const { return pitch_; }  ///< Millimeters between strips of the same view.
     [[nodiscard]] double printLpi() const { return 25.4 / pitch_; }
     [[nodiscard]] double pixelsPerLens() const;  ///< Along the row or column, whichever crosses more lenses.
@@ -97,20 +112,5 @@ private:
 /// Returns the pitch of the strips that an eye at `distance` sees through lenses of the sheet's pitch p. It is p (D +
 /// t) / (D + r), by the ray through each lens's center of curvature, and p at infinity.
 [[nodiscard]] double printPitch(const Sheet&, double distance);
-
-/// Properties of a print that matter to printers and viewers.
-struct PrintNumbers {
-    double pixelsPerLens = 0;
-    double effectiveLpi = 0;       ///< Lenses per inch of the strips, with the dpi stored in the file.
-    double effectiveViews = 0;     ///< At most the pixels per lens.
-    double zoneDegrees = 0;        ///< Exact zone, by the mean over the lens.
-    double depthBudget = 0;        ///< Total depth before and behind the print without doubled contours, millimeters.
-    std::vector<double> ownShare;  ///< Share of each view at its own angle; the rest is cross-talk.
-};
-/// Returns the numbers. `storedDpi` is the resolution along the row as stored in the file.
-[[nodiscard]] PrintNumbers numbersOf(const PrintLayout&, double storedDpi);
-
-/// Returns full sentences on expected defects.
-[[nodiscard]] std::vector<std::string> warningsOf(const PrintLayout&);
 
 }  // namespace vitrine::printing

@@ -2,7 +2,10 @@
 
 #include "exhibits/framework/table/value_text.h"
 #include "exhibits/printing/print_json.h"
+#include "exhibits/printing/print_marks.h"
+#include "exhibits/printing/soft_proof.h"
 #include "render/failure.h"
+#include "render/files/read_file.h"
 #include "render/image/picture_stream.h"
 
 #include <cmath>
@@ -11,6 +14,7 @@
 namespace vitrine::printing {
 namespace {
 
+constexpr std::size_t mostProfileBytes = 64U << 20U;
 constexpr double flipZone = 40;  ///< Degrees; sheets for depth have about 30, sheets for flips about 50.
 
 PrintLayout layoutOf(const ParameterValues& values, const PrintViews* views)
@@ -34,11 +38,26 @@ ParameterValues chartValues(ParameterValues values)
 {
     values.set(printTable().origin, ViewOrigin::chart);
     values.set(printTable().border, 0.0);
+    for (const auto& mark :
+         {printTable().cropMarks, printTable().registrationMarks, printTable().colorBar, printTable().pitchStrip})
+        values.set(mark, false);
     values.set(printTable().compensate, false);
     return values;
 }
 
-PrintFile printFile(const ParameterValues& values, const std::filesystem::path& path)
+std::string outputProfile(const ParameterValues& values)
+{
+    const std::string& file = values[printTable().outputProfile];
+    if (file.empty()) return {};
+    std::string profile = render::readFile(file, mostProfileBytes);
+    if (profile.empty() || render::profileChannels(profile) == 0)
+        throw Failure(ErrorKind::usage, file +
+                                            ": this is no ICC profile of red, green and blue or of four inks; give a "
+                                            "file (.icc) of the printer or of a color space.");
+    return profile;
+}
+
+PrintFile printFile(const ParameterValues& values, const std::filesystem::path& path, const std::string* profile)
 {
     const PrintTable& table = printTable();
     PrintFile file;
@@ -48,19 +67,25 @@ PrintFile printFile(const ParameterValues& values, const std::filesystem::path& 
     // Only vertical lenses can be cut between.
     file.tileWidth = isChart(values) || values[table.direction] != 0 ? 0 : values[table.tileWidth] * 1000;
     file.threads = interlacingThreads();
+    file.outputProfile = profile ? *profile : outputProfile(values);
+    file.conversion = {values[table.intent], values[table.blackPoint], file.bits};
     return file;
 }
 
-PrintPlan printPlan(const ParameterValues& values, const PrintViews* views, const std::filesystem::path& path)
+PrintPlan printPlan(const ParameterValues& values, const PrintViews* views, const std::filesystem::path& path,
+                    const std::string* profile)
 {
     PrintPlan plan;
     try {
         const bool chart = isChart(values);
         const PrintLayout layout = layoutOf(values, views);
         if (chart) static_cast<void>(chartOf(values, layout));
-        const std::vector<std::int64_t> cuts = tileCuts(layout, printFile(values, path).tileWidth);
+        const PrintFile file = printFile(values, path, profile);
+        const int channels = render::profileChannels(file.outputProfile);
+        static_cast<void>(PrintMarks(layout));
+        const std::vector<std::int64_t> cuts = tileCuts(layout, file.tileWidth);
         for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
-            render::requireStreamSides(path, cuts[i + 1] - cuts[i], layout.height());
+            render::requireStream(path, {cuts[i + 1] - cuts[i], layout.height(), channels, file.bits});
         plan.numbers = numbersOf(layout, render::storedDpi(path, layout.settings().dpiX));
         plan.warnings = warningsOf(layout);
         const bool upright = std::abs(values[printTable().direction]) < std::numbers::pi / 4;
@@ -71,7 +96,7 @@ PrintPlan printPlan(const ParameterValues& values, const PrintViews* views, cons
         const std::string stretched = !chart && views ? stretchWarning(layout, views->full()) : std::string();
         if (!stretched.empty()) plan.warnings.push_back(stretched);
         plan.bytes =
-            static_cast<double>(layout.width()) * static_cast<double>(layout.height()) * 3 * (bitsOf(values) / 8);
+            static_cast<double>(layout.width()) * static_cast<double>(layout.height()) * channels * (file.bits / 8);
         plan.layout = layout;
     } catch (const Failure& failure) {
         plan = {};
@@ -83,8 +108,12 @@ PrintPlan printPlan(const ParameterValues& values, const PrintViews* views, cons
 std::shared_ptr<const PrintPreview> printPreview(const ParameterValues& values, std::shared_ptr<const PrintViews> views)
 {
     const PrintLayout layout = layoutOf(values, views.get());
-    if (views) return std::make_shared<PrintPreview>(layout, std::move(views));
-    return std::make_shared<PrintPreview>(layout, chartOf(values, layout));
+    if (!views) return std::make_shared<PrintPreview>(layout, chartOf(values, layout));
+    const PrintFile file = printFile(values, {});
+    std::shared_ptr<const SoftProof> proof;
+    if (!file.outputProfile.empty())
+        proof = std::make_shared<SoftProof>(views->profile(), file.outputProfile, file.conversion);
+    return std::make_shared<PrintPreview>(layout, std::move(views), std::move(proof));
 }
 
 std::string printText(const ParameterValues& values, const PrintViews* views, const std::filesystem::path& path,
@@ -113,7 +142,7 @@ StagedPrint stagedPrint(const ParameterValues& values, const PrintViews* views, 
 {
     const PrintLayout layout = layoutOf(values, views);
     if (!views) return stagedChart(layout, chartOf(values, layout), file);
-    file.profile = views->profile();
+    if (!views->profile().empty()) file.profile = views->profile();
     return stagedPrint(layout, views->full(), file);
 }
 

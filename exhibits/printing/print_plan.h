@@ -2,6 +2,7 @@
 
 #include "exhibits/printing/crosstalk.h"
 #include "exhibits/printing/print_file.h"
+#include "exhibits/printing/print_numbers.h"
 #include "exhibits/printing/print_preview.h"
 #include "exhibits/printing/print_table.h"
 #include "exhibits/printing/print_views.h"
@@ -22,15 +23,23 @@ struct PrintPlan {
     PrintNumbers numbers{};               ///< Numbers of the print, with the resolution stored in the file.
     double bytes = 0;                     ///< Size of the file, uncompressed.
 };
+/// Reads the ICC profile into which the values convert the print; empty if there is none. Throws Failure naming the
+/// file.
+[[nodiscard]] std::string outputProfile(const ParameterValues&);
+
 /// Returns the plan of a print, or of a chart where that is the origin. The file's name determines the format.
 /// Impossible settings do not throw, they become `refusal`. Without views, their number is that in the values.
-[[nodiscard]] PrintPlan printPlan(const ParameterValues&, const PrintViews*, const std::filesystem::path&);
+/// `profile` is what `outputProfile` returns; it is read here if it is null.
+[[nodiscard]] PrintPlan printPlan(const ParameterValues&, const PrintViews*, const std::filesystem::path&,
+                                  const std::string* profile = nullptr);
 
 /// Returns the values for a chart, which has its own border and views.
 [[nodiscard]] ParameterValues chartValues(ParameterValues);
 
 /// Returns path and format of the files of such a print; the description is still missing.
-[[nodiscard]] PrintFile printFile(const ParameterValues&, const std::filesystem::path&);
+/// `profile`: as for `printPlan`. Throws Failure if it cannot be read.
+[[nodiscard]] PrintFile printFile(const ParameterValues&, const std::filesystem::path&,
+                                  const std::string* profile = nullptr);
 
 /// Returns a preview of the print, or of the chart if there are no views. Throws Failure if `printPlan` refuses.
 [[nodiscard]] std::shared_ptr<const PrintPreview> printPreview(const ParameterValues&,

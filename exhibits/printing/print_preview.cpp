@@ -10,13 +10,17 @@ constexpr int eyeLines = 360;  // The height of a preview on a large screen.
 
 }  // namespace
 
-PrintPreview::PrintPreview(const PrintLayout& layout, std::shared_ptr<const PrintViews> views)
-    : layout_(layout), views_(std::move(views))
+PrintPreview::PrintPreview(const PrintLayout& layout, std::shared_ptr<const PrintViews> views,
+                           std::shared_ptr<const SoftProof> proof)
+    : layout_(layout), views_(std::move(views)), proof_(std::move(proof)), marks_(layout)
 {
     interlacer_.emplace(layout_, views_->full());
 }
 
-PrintPreview::PrintPreview(const PrintLayout& layout, Chart chart) : layout_(layout), chart_(std::move(chart)) {}
+PrintPreview::PrintPreview(const PrintLayout& layout, Chart chart)
+    : layout_(layout), marks_(layout), chart_(std::move(chart))
+{
+}
 
 LensGrid PrintPreview::lenses() const
 {
@@ -38,6 +42,8 @@ CodedPicture PrintPreview::raster(const Region& region) const
         chart_->fill(region, picture.rgb.data());
     else
         interlacer_->fill(region, picture.rgb.data());
+    marks_.draw(region, picture.rgb.data());
+    if (proof_) proof_->apply(picture.rgb);
     return picture;
 }
 
@@ -54,7 +60,9 @@ CodedPicture PrintPreview::seen(const Eye& eye, int side) const
         const Interlacer small(layout_, views_->small());
         lines_ = std::make_unique<EyeLines>(layout_, small, eyeLines);
     });
-    return lines_->seen(eye, side);
+    CodedPicture seen = lines_->seen(eye, side);
+    if (proof_) proof_->apply(seen.rgb);
+    return seen;
 }
 
 }  // namespace vitrine::printing

@@ -2,7 +2,9 @@
 
 #include "exhibits/printing/chart.h"
 #include "exhibits/printing/eye_lines.h"
+#include "exhibits/printing/print_marks.h"
 #include "exhibits/printing/print_views.h"
+#include "exhibits/printing/soft_proof.h"
 
 #include <memory>
 #include <mutex>
@@ -19,14 +21,16 @@ struct LensGrid {
 /// Preview of a print or chart that computes only the viewed parts. Thread-safe.
 class PrintPreview {
 public:
-    PrintPreview(const PrintLayout&, std::shared_ptr<const PrintViews>);
+    /// `proof` may be null: colors are then shown as they are before they are converted.
+    PrintPreview(const PrintLayout&, std::shared_ptr<const PrintViews>, std::shared_ptr<const SoftProof> proof = {});
     PrintPreview(const PrintLayout&, Chart);
 
     [[nodiscard]] std::int64_t width() const { return layout_.width(); }
     [[nodiscard]] std::int64_t height() const { return layout_.height(); }
     /// Returns the lenses on the raster as written, mirrored or not.
     [[nodiscard]] LensGrid lenses() const;
-    /// Returns a part of the raster, exactly as in an 8-bit file. The region must be inside the raster.
+    /// Returns a part of the raster with its marks, exactly as in an 8-bit file, or with the colors that the printer
+    /// makes of it. The region must be inside the raster.
     [[nodiscard]] CodedPicture raster(const Region&) const;
     /// Returns the eye that looks at the center of the print from `right` of its normal and from `above` it, in
     /// radians. `distance` is in millimeters.
@@ -38,6 +42,8 @@ public:
 private:
     PrintLayout layout_;
     std::shared_ptr<const PrintViews> views_;  ///< Null for a chart.
+    std::shared_ptr<const SoftProof> proof_;
+    PrintMarks marks_;
     std::optional<Interlacer> interlacer_;
     std::optional<Chart> chart_;
     mutable std::once_flag linesMade_;

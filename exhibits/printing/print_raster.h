@@ -1,12 +1,13 @@
 #pragma once
 
 #include "exhibits/printing/print_layout.h"
-#include "render/files/strict_json.h"
 #include "render/image/image.h"
 #include "render/image/picture_rows.h"
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace vitrine::printing {
@@ -44,20 +45,5 @@ private:
     std::vector<std::uint16_t> part_;  ///< One row of a tile.
     std::string doubt_;
 };
-
-/// Description of a print, and doubts about it.
-struct PrintDescription {
-    render::JsonDocument document;
-    /// One or two full sentences if the file beside the print describes another print; otherwise empty.
-    std::string doubt{};
-};
-
-/// Returns the description inside a print, which was written with its pixels. The file beside it is used if the print
-/// has lost its own. Throws Failure naming the file if there is neither.
-[[nodiscard]] PrintDescription printDescription(const std::filesystem::path&);
-
-/// Opens a print made by `writePrint`: TIFF or PNG, with its description inside or beside it. For a print in tiles, any
-/// of them or the name without a number may be given. Throws Failure naming the file.
-[[nodiscard]] PrintRaster readPrint(const std::filesystem::path&);
 
 }  // namespace vitrine::printing

@@ -64,7 +64,9 @@ bool parameterActs(const ParameterInfo& parameter, const ParameterValues& values
         return isAmong(table.fitting, table.every, table.pingPong) == (from != ViewOrigin::shown);
     }
     if (parameter.group == "Chart" && !chart) return false;
-    if (chart && isAmong(table.border, table.compensate)) return false;
+    if (chart && isAmong(table.border, table.compensate, table.cropMarks, table.registrationMarks, table.colorBar,
+                         table.pitchStrip))
+        return false;
     return !parameter.actsWhen || holds(*parameter.actsWhen, values);
 }
 
@@ -198,6 +200,8 @@ PrintSettings printSettings(const ParameterValues& values, int views)
     s.method = values[table.method];
     s.guard = values[table.guard];
     s.border = mm(values[table.border]);
+    s.marks = {values[table.cropMarks], values[table.registrationMarks], values[table.colorBar],
+               values[table.pitchStrip]};
     s.inkSpread = mm(values[table.inkSpread]);
     s.compensate = values[table.compensate];
     s.dither = values[table.dither] && values[table.bits] == PrintBits::eight;  // 16 bits need none.

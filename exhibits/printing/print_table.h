@@ -7,6 +7,7 @@
 #include "exhibits/printing/view_place.h"
 #include "render/image/picture_formats.h"
 #include "render/image/picture_stream.h"
+#include "render/image/profile_conversion.h"
 
 #include <cstdint>
 #include <limits>
@@ -43,8 +44,8 @@ struct PrintTable final : Parameters {
                "Origin of the views: rendered from what is shown, read from pictures, or cut from a grid of views; or "
                "a calibration chart.");
     File files = file("files",
-                      "Views to print: a folder of pictures, or the picture files, in order from left to right. "
-                      "Unrelated pictures make a flip.",
+                      "Views to print: a folder of pictures, the picture files in order from left to right, or a "
+                      "video, whose frames are the views. Unrelated pictures make a flip.",
                       several(), option("views"), implies(origin, ViewOrigin::files));
     Count quiltColumns = count("quiltColumns", 8, Range{1, 1000, logarithmic}.soft(1, 64),
                                "Picture with a grid of views: number of columns and rows, and the file. If its size is "
@@ -69,7 +70,8 @@ struct PrintTable final : Parameters {
                                      "(crop), whole between white margins (fit), or distorted (stretch).",
                                      option("fit"));
     Count every = count("every", 1, Range{1, 1e6, logarithmic}.soft(1, 100),
-                        "Interval at which pictures are taken: 3 takes every third, for example of a video's frames.");
+                        "Interval at which pictures are taken: 3 takes every third, for example of a video's frames.",
+                        labeled("Interval of pictures"));
     Toggle pingPong =
         toggle("pingPong", false,
                "Append the pictures in reverse order (1 2 3 4 3 2), so that the views repeat without a jump.");
@@ -159,6 +161,16 @@ struct PrintTable final : Parameters {
                       option("bleed-mm", millimeter));
     Real border = real("border", 0, millimeter, Range{0, 1}.soft(0, 0.05),
                        "White paper around trim and bleed, on every side.", option("border-mm", millimeter));
+    Toggle cropMarks =
+        toggle("cropMarks", false,
+               "Crop marks: lines in the border at the corners of the trim, for the cutter. They need 5 mm "
+               "of border, as all marks do.");
+    Toggle registrationMarks =
+        toggle("registrationMarks", false, "Crosses in circles in the border at the middle of each side.");
+    Toggle colorBar = toggle("colorBar", false, "Bar of the inks, their mixtures and grays in the border below.");
+    Toggle pitchStrip = toggle("pitchStrip", false,
+                               "Strip of lines at the pitch of the lenses in the border: under the sheet it is evenly "
+                               "gray or black where the lenses lie right.");
     Real dotsPerInch =
         real("dotsPerInch", 720, none, Range{1, 100000, logarithmic}.soft(150, 5760),
              "Printed dots per inch: the native resolution of the printer or a whole fraction of it.", option("dpi"));
@@ -206,6 +218,20 @@ struct PrintTable final : Parameters {
     Choice<render::StreamCompression> compression =
         choice("compression", render::StreamCompression::none, {"none", "deflate"},
                "Compression of a TIFF: every print shop reads files without it (none). PNG is always compressed.");
+    File outputProfile = file(
+        "outputProfile",
+        "ICC profile of the printer or of a color space into which the print is converted: of red, green and blue, "
+        "or of four inks (CMYK), which TIFF and PDF can hold. Without it, prints are in sRGB, or in the profile "
+        "of their pictures.",
+        extensions("icc icm"), option("profile"));
+    Choice<render::RenderingIntent> intent =
+        choice("intent", render::RenderingIntent::relative, {"perceptual", "relative", "saturation", "absolute"},
+               "Treatment of colors that the printer cannot show: all move closer together (perceptual), only those "
+               "change (relative), vividness is kept (saturation), or the tint of the paper is imitated (absolute).",
+               whenGiven(outputProfile));
+    Toggle blackPoint =
+        toggle("blackPoint", true, "Match the darkest color of the printer to black, so that shadows keep their steps.",
+               whenGiven(outputProfile), labeled("Black point compensation"));
     Real tileWidth =
         real("tileWidth", 0, millimeter, Range{0, 100}.soft(0, 1),
              "Width of the files into which the print is divided; the cuts lie between lenses. Auto: one file.",

@@ -7,6 +7,8 @@
 #include "exhibits/printing/view_files.h"
 #include "render/failure.h"
 #include "render/image/image_io.h"
+#include "render/image/rec709.h"
+#include "render/video/video_frames.h"
 
 #include <algorithm>
 #include <array>
@@ -72,16 +74,56 @@ render::Image readView(const std::filesystem::path& file, const ViewColors& colo
     return image;
 }
 
+/// A picture, or a frame of a video.
+struct ViewSource {
+    std::filesystem::path file{};
+    std::optional<std::size_t> frame{};  ///< From 0.
+
+    [[nodiscard]] std::string name() const
+    {
+        return file.filename().string() + (frame ? ", frame " + std::to_string(*frame) : std::string());
+    }
+};
+
+/// Returns the pictures, and every frame of the videos, in order.
+std::vector<ViewSource> sourcesOf(const std::vector<std::filesystem::path>& files)
+{
+    std::vector<ViewSource> sources;
+    for (const std::filesystem::path& file : files) {
+        if (!render::isReadVideo(file)) {
+            sources.push_back({file, {}});
+            continue;
+        }
+        const std::size_t frames = render::countFrames(file);
+        for (std::size_t frame = 0; frame < frames; ++frame) sources.push_back({file, frame});
+    }
+    return sources;
+}
+
 /// Views that are read into the shape of the print.
 struct ReadingViews {
     const ParameterValues& values;
     ViewPlaces places;
     std::shared_ptr<PrintViews> views;
+    mutable std::unique_ptr<render::VideoFrameReader> video{};  ///< The video that was read last.
+    mutable std::filesystem::path videoFile{};
 
     ReadingViews(const ParameterValues& of, std::size_t pictures, ViewUse use)
         : values(of), places(viewPlaces(of[printTable().places])), views(std::make_shared<PrintViews>(use))
     {
         if (use == ViewUse::print) requirePictures(places, static_cast<int>(pictures));
+    }
+    /// Reads a frame of a video. Throws Failure if the video has fewer.
+    [[nodiscard]] render::Image frameOf(const ViewSource& source, const Progress& progress, double part) const
+    {
+        require(progress, part);
+        if (!video || videoFile != source.file) {
+            video = std::make_unique<render::VideoFrameReader>(source.file);
+            videoFile = source.file;
+        }
+        if (std::optional<render::Image> image = video->frame(*source.frame)) return std::move(*image);
+        throw Failure(ErrorKind::file, "Cannot read " + source.file.string() + ": it ends before frame " +
+                                           std::to_string(*source.frame) + "; choose another video.");
     }
     /// `picture` is its number among all given pictures, from 1.
     void add(render::Image image, int picture, const std::string& name) const
@@ -138,20 +180,27 @@ std::shared_ptr<const PrintViews> readFiles(const ParameterValues& values, const
     const std::vector<std::string> names = picturesOf(values);
     if (names.empty()) throw Failure(ErrorKind::usage, "There are no views; choose a folder or pictures.");
     std::vector<std::string> notes;
-    const std::vector<std::filesystem::path> files = viewFiles(names, &notes);
-    const ReadingViews reading(values, files.size(), use);
+    const std::vector<ViewSource> all = sourcesOf(viewFiles(names, &notes));
+    const ReadingViews reading(values, all.size(), use);
     for (const std::string& note : notes) reading.views->addNote(note);
-    const std::vector<std::size_t> numbers = chosenOf(files.size(), values, use);
-    std::vector<std::filesystem::path> chosen;
-    for (const std::size_t i : numbers) chosen.push_back(files[i]);
-    const ViewColors colors = viewColors(chosen);
+    const std::vector<std::size_t> numbers = chosenOf(all.size(), values, use);
+    std::vector<ViewSource> chosen;
+    std::vector<std::filesystem::path> pictures;
+    for (const std::size_t i : numbers) {
+        chosen.push_back(all[i]);
+        if (!all[i].frame) pictures.push_back(all[i].file);
+    }
+    ViewColors colors = viewColors(pictures);
+    if (pictures.size() < chosen.size() && colors.keep && !pictures.empty() && !render::isSrgbProfile(colors.profile))
+        colors = {false, {}, "The pictures have a color profile and the video has none; all are converted to sRGB."};
     reading.views->addNote(colors.note);
     std::set<std::pair<int, int>> sizes;
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         const double part = static_cast<double>(i) / static_cast<double>(chosen.size());
-        render::Image image = readView(chosen[i], colors, progress, part, *reading.views);
+        render::Image image = chosen[i].frame ? reading.frameOf(chosen[i], progress, part)
+                                              : readView(chosen[i].file, colors, progress, part, *reading.views);
         sizes.emplace(image.width, image.height);
-        reading.add(std::move(image), static_cast<int>(numbers[i]) + 1, chosen[i].filename().string());
+        reading.add(std::move(image), static_cast<int>(numbers[i]) + 1, chosen[i].name());
     }
     if (sizes.size() > 1) reading.views->addNote("The views differ in size; each is scaled to the print.");
     reading.views->setProfile(colors.profile);

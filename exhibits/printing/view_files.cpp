@@ -63,7 +63,7 @@ std::vector<fs::path> picturesIn(const fs::path& folder, std::vector<fs::path>* 
     std::vector<fs::path> files;
     for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
         if (!at->is_regular_file(error) || at->path().filename().string()[0] == '.') continue;
-        if (render::formatNamed(at->path()))
+        if (const auto* format = render::formatNamed(at->path()); format && format->isRead)
             files.push_back(at->path());
         else if (others && render::lowerExtension(at->path()) != ".json")
             others->push_back(at->path());

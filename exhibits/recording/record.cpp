@@ -86,9 +86,9 @@ fs::path framePath(const fs::path& pattern, int k)
     return pattern.parent_path() / name.replace(place.begin, place.end - place.begin, number);
 }
 
-Recording::Recording(const Museum& museum, render::RenderBackend& backend, SceneState sceneState, std::size_t subject,
+Recording::Recording(const Museum& museum, render::RenderBackend& backend, RecordedScene scene,
                      RecordingRequest request, fs::path out, RecordingShare share)
-    : museum_(museum), backend_(backend), sceneState_(std::move(sceneState)), subject_(subject),
+    : museum_(museum), backend_(backend), sceneState_(std::move(scene.state)), subject_(scene.subject),
       request_(std::move(request)), out_(std::move(out)), share_(std::move(share))
 {
     if (const std::string why = whyNotRecordable(request_, out_); !why.empty()) throw Failure(ErrorKind::usage, why);

@@ -30,6 +30,12 @@ struct RecordingShare {
     std::filesystem::path from = {};      ///< Frames drawn earlier, "folder/%04d.png"; for a video only.
 };
 
+/// Scene state to record, and the exhibit that is shown.
+struct RecordedScene {
+    SceneState state;
+    std::size_t subject = 0;
+};
+
 /// Draws all frames into a video, or into PNG or OpenEXR files, step by step. Each file contains all settings as a
 /// preset; that of a frame includes its camera.
 ///
@@ -39,8 +45,8 @@ class Recording {
 public:
     /// Museum and backend must outlive it. Throws Failure for what `whyNotRecordable` refuses, like render::VideoFile,
     /// and if the frames' folder cannot be created.
-    Recording(const Museum&, render::RenderBackend&, SceneState, std::size_t subject, RecordingRequest,
-              std::filesystem::path out, RecordingShare = {});
+    Recording(const Museum&, render::RenderBackend&, RecordedScene, RecordingRequest, std::filesystem::path out,
+              RecordingShare = {});
     ~Recording();
     Recording(const Recording&) = delete;
     Recording& operator=(const Recording&) = delete;

@@ -225,7 +225,7 @@ CameraPath tourPath(const Obstacles& obstacles, const Tour& tour)
 
 Tour museumTour(const Museum& museum, const SceneState& sceneState)
 {
-    const Obstacles obstacles = museum.obstacles(sceneState);
+    const Obstacles obstacles = museum.surroundings().obstacles(sceneState);
     Tour tour{"The museum", {}, true, Pace::constant};
     tour.bookmarks.push_back({std::string(museum.hall().title()), museum.bestView(hallIndex, sceneState.hall())});
     const auto add = [&](const std::string& name, const render::Camera& next) {

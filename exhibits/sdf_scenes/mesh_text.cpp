@@ -2,6 +2,7 @@
 
 #include "render/files/zip_file.h"
 #include "render/image/srgb.h"
+#include "render/text/escaped.h"
 #include "render/version.h"
 
 #include <algorithm>
@@ -38,22 +39,6 @@ std::string onOneLine(std::string text)
     std::replace_if(
         text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
     return text;
-}
-
-std::string xmlText(const std::string& text)
-{
-    std::string escaped;
-    for (const char c : onOneLine(text)) {
-        if (c == '&')
-            escaped += "&amp;";
-        else if (c == '<')
-            escaped += "&lt;";
-        else if (c == '>')
-            escaped += "&gt;";
-        else
-            escaped += c;
-    }
-    return escaped;
 }
 
 /// Colors of a mesh, each once, and the index of that of each vertex.
@@ -127,8 +112,8 @@ std::string modelXml(const SceneMesh& mesh, const std::string& name)
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model unit=\"millimeter\" xml:lang=\"en-US\" "
         "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" "
         "xmlns:m=\"http://schemas.microsoft.com/3dmanufacturing/material/2015/02\">\n<metadata name=\"Title\">" +
-        xmlText(name) + "</metadata>\n<metadata name=\"Application\">Vitrine " +
-        xmlText(std::string(render::programVersion())) + "</metadata>\n<resources>\n<m:colorgroup id=\"1\">\n";
+        escaped(onOneLine(name)) + "</metadata>\n<metadata name=\"Application\">Vitrine " +
+        escaped(render::programVersion()) + "</metadata>\n<resources>\n<m:colorgroup id=\"1\">\n";
     for (const auto& codes : colors.all) xml += "<m:color color=\"" + hexColor(codes) + "FF\"/>\n";
     xml += "</m:colorgroup>\n<object id=\"2\" type=\"model\" pid=\"1\" pindex=\"0\">" + meshXml(mesh, colors) +
            "</object>\n</resources>\n<build><item objectid=\"2\" transform=\"1 0 0 0 1 0 0 0 1";

@@ -462,8 +462,10 @@ double GridCells::clearance(std::size_t cell, const glm::dvec3& p) const
 }
 
 GridCells pruneCells(const SceneProgram& program, const SceneConstants& words, std::span<const Step> steps,
-                     const render::Box& box, const glm::ivec3& count, double tolerance, const PruneBudget& budget)
+                     const CellGrid& grid, double tolerance, const PruneBudget& budget)
 {
+    const auto& box = grid.box;
+    const glm::ivec3 count = grid.count;
     BudgetLeft left(budget);
     GridCells cells;
     cells.box = box;

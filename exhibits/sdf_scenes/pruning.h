@@ -128,10 +128,15 @@ struct PruneBudget {
     std::uint64_t evaluations = std::numeric_limits<std::uint64_t>::max();  ///< Number of shape evaluations.
 };
 
-/// Prunes steps of a program for every cell of a finite box, from large parts of it to small ones. Parts that are far
+/// Division of a finite box into cells.
+struct CellGrid {
+    render::Box box;
+    glm::ivec3 count{1};  ///< Cells along each axis.
+};
+
+/// Prunes steps of a program for every cell of the grid, from large parts of it to small ones. Parts that are far
 /// from every surface are not subdivided.
 [[nodiscard]] GridCells pruneCells(const SceneProgram&, const SceneConstants&, std::span<const Step> steps,
-                                   const render::Box&, const glm::ivec3& count, double tolerance = Pruner::asShaders,
-                                   const PruneBudget& = {});
+                                   const CellGrid&, double tolerance = Pruner::asShaders, const PruneBudget& = {});
 
 }  // namespace vitrine::scenes

@@ -168,7 +168,7 @@ std::shared_ptr<const SceneGrid> sceneGrid(const SceneProgram& program, const Sc
         for (int cells = across;; cells /= 2) {
             const double cell = 1.1 * longest / cells;
             const glm::ivec3 count = glm::max(glm::ivec3(glm::ceil(2.0 * box.halfSize() / cell - 1e-9)), glm::ivec3(1));
-            near->cells = pruneCells(program, words, rest.steps, box, count, Pruner::asShaders, budget);
+            near->cells = pruneCells(program, words, rest.steps, {box, count}, Pruner::asShaders, budget);
             // If small blocks exclude hardly any shapes, larger ones exclude even fewer.
             const bool holdsAll = near->cells.evaluations > near->cells.looks * shapes / 4;
             if (near->cells.whole || holdsAll || cells < 2 * fewestCells) break;

@@ -63,27 +63,6 @@ std::string endlessPart(const SceneField& field)
                   "distance is known");
 }
 
-render::Box meshedBox(const SceneField& scene, const MeshRequest& request)
-{
-    render::Box box = scene.box();
-    if (request.part) box = {glm::max(box.low, request.part->low), glm::min(box.high, request.part->high)};
-    if (box.empty())
-        throw Failure(ErrorKind::usage, "Nothing of the scene lies between --low and --high; give other corners.");
-    const glm::dvec3 size = box.high - box.low;
-    if (!std::isfinite(size.x + size.y + size.z))
-        throw Failure(ErrorKind::usage, "The scene has no end: " + endlessPart(scene) +
-                                            ". Say with --low and --high what part of it is to be meshed.");
-    // Only the occupied part: the bounds of many blended operands are much larger.
-    const render::Box occupied = occupiedBox(scene.program(), scene.words(), scene.program().steps(), box);
-    if (!occupied.empty()) box = occupied;
-    const double reach = std::max({glm::length(box.low), glm::length(box.high)});
-    if (request.cell < finestCell * reach)
-        throw Failure(ErrorKind::usage, "Cells of " + text(request.cell) +
-                                            " m are too small for a scene that reaches " + text(reach) +
-                                            " m; give --cell " + text(roundedUp(finestCell * reach)) + "m or more.");
-    return box;
-}
-
 /// Runs `work` for 0 to count - 1 on all processors, and calls `progress` meanwhile. Returns false if that canceled.
 template <typename Work>
 bool inParallel(std::size_t count, std::size_t threads, const MeshProgress& progress, double from, double to,
@@ -107,6 +86,27 @@ bool inParallel(std::size_t count, std::size_t threads, const MeshProgress& prog
 }
 
 }  // namespace
+
+render::Box meshedBox(const SceneField& scene, const MeshRequest& request)
+{
+    render::Box box = scene.box();
+    if (request.part) box = {glm::max(box.low, request.part->low), glm::min(box.high, request.part->high)};
+    if (box.empty())
+        throw Failure(ErrorKind::usage, "Nothing of the scene lies between --low and --high; give other corners.");
+    const glm::dvec3 size = box.high - box.low;
+    if (!std::isfinite(size.x + size.y + size.z))
+        throw Failure(ErrorKind::usage, "The scene has no end: " + endlessPart(scene) +
+                                            ". Say with --low and --high what part of it is to be meshed.");
+    // Only the occupied part: the bounds of many blended operands are much larger.
+    const render::Box occupied = occupiedBox(scene.program(), scene.words(), scene.program().steps(), box);
+    if (!occupied.empty()) box = occupied;
+    const double reach = std::max({glm::length(box.low), glm::length(box.high)});
+    if (request.cell < finestCell * reach)
+        throw Failure(ErrorKind::usage, "Cells of " + text(request.cell) +
+                                            " m are too small for a scene that reaches " + text(reach) +
+                                            " m; give --cell " + text(roundedUp(finestCell * reach)) + "m or more.");
+    return box;
+}
 
 struct SceneMesher::Work {
     MeshField field;

@@ -32,6 +32,10 @@ struct MeshRequest {
     std::uint64_t mostBytes = 1U << 30U;  ///< Memory limit.
 };
 
+/// Returns the occupied box of the scene or of its part. Throws Failure (ErrorKind::usage) for an infinite scene
+/// without a part, for a part without anything, and for cells too small for float32.
+[[nodiscard]] render::Box meshedBox(const SceneField&, const MeshRequest&);
+
 /// Size of a mesh, estimated before it is made.
 struct MeshPlan {
     glm::ivec3 cells{0};

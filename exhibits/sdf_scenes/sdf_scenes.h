@@ -78,9 +78,10 @@ public:
     [[nodiscard]] ParameterValues standAloneValues(const ParameterValues&) const override;
     [[nodiscard]] StandAloneNumbers standAloneNumbers(const ParameterValues&) const override;
 
-private:
     /// Returns the scene of the values' table; the first scene if that has none.
     [[nodiscard]] const scenes::ShownScene& shown(const ParameterValues&) const;
+
+private:
     /// Returns all numbers of the scene at a time of the exhibit's clock. The parameter `look` replaces the file's look
     /// if it names one.
     [[nodiscard]] std::vector<double> numbersAt(const ParameterValues&, double time) const;

@@ -70,6 +70,11 @@ void addBalls(std::vector<NodeKind>& kinds)
          .extent = [](const double* v) {
              return evenExtent({v[0] + v[1], v[1], v[0] + v[1]});
          }});
+}
+
+void addBentTubes(std::vector<NodeKind>& kinds)
+{
+    const auto add = [&](NodeKind kind) { kinds.push_back(std::move(kind)); };
     add({.name = "cappedTorus",
          .help = "An arc of a torus in the xy plane, centered at +y, with round ends.",
          .fields = {angle("halfAngle", 60, 0, 180, "Angle from +y to each end of the arc."),
@@ -176,6 +181,7 @@ std::vector<NodeKind> solidKinds()
     std::vector<NodeKind> kinds;
     addBoxes(kinds);
     addBalls(kinds);
+    addBentTubes(kinds);
     addCylinders(kinds);
     addCones(kinds);
     return kinds;
@@ -333,6 +339,10 @@ void addBetweenPoints(std::vector<NodeKind>& kinds)
                              return segmentExtent(vec3At(v, 0), vec3At(v, 3), std::min(v[6], most));
                          },
                      .fault = faultOfSegment});
+}
+
+void addSheets(std::vector<NodeKind>& kinds)
+{
     kinds.push_back(
         {.name = "triangle",
          .help = "A thin sheet with three corners.",
@@ -378,6 +388,7 @@ std::vector<NodeKind> furtherSolidKinds()
     addPrisms(kinds);
     addBallParts(kinds);
     addBetweenPoints(kinds);
+    addSheets(kinds);
     kinds.push_back(
         {.name = "noise",
          .help = "Everything where smooth noise is below a level; infinite.",

@@ -24,7 +24,7 @@ using scenes::Scene;
 using scenes::SceneConstants;
 using scenes::SceneProgram;
 
-constexpr double endless = 1e6;  // Boxes end here, meters.
+constexpr double boxesEnd = 1e6;  // Meters from the origin.
 
 constexpr const char* sceneFunctions = R"(
 // Rotation around z, then y, then x.
@@ -318,8 +318,8 @@ SceneNumberWriter::Samples SceneNumberWriter::sampled(const std::vector<Interval
             SceneConstants made = program_.words(scene_.numbersAt(t, settings[k]));
             if (!made.extents.empty()) {
                 const render::Box& box = made.extents.front().box;
-                samples.box.low = glm::min(samples.box.low, glm::max(box.low, glm::dvec3(-endless)));
-                samples.box.high = glm::max(samples.box.high, glm::min(box.high, glm::dvec3(endless)));
+                samples.box.low = glm::min(samples.box.low, glm::max(box.low, glm::dvec3(-boxesEnd)));
+                samples.box.high = glm::max(samples.box.high, glm::min(box.high, glm::dvec3(boxesEnd)));
             }
             samples.words.push_back(std::move(made.words));
         }
@@ -331,8 +331,8 @@ bool isBoundedLike(const render::Box& box, const render::Box& other)
 {
     bool isBounded = true;
     for (int axis = 0; axis < 3; ++axis) {
-        isBounded = isBounded && (box.low[axis] > -endless || other.low[axis] <= -endless);
-        isBounded = isBounded && (box.high[axis] < endless || other.high[axis] >= endless);
+        isBounded = isBounded && (box.low[axis] > -boxesEnd || other.low[axis] <= -boxesEnd);
+        isBounded = isBounded && (box.high[axis] < boxesEnd || other.high[axis] >= boxesEnd);
     }
     return isBounded;
 }

@@ -42,7 +42,11 @@ ExportedShader exportedShader(const Work& work, const YourShaderTable& table, co
             input.low[c] = std::min(input.low[c], input.initial[c]);
             input.high[c] = std::max(input.high[c], input.initial[c]);
         }
-        const bool isFile = input.type == InputType::image && !rows.empty();
+        const bool isShown = !table.sourceOf(i, values).empty();
+        const bool isFile = input.type == InputType::image && !rows.empty() && !isShown;
+        if (isShown)
+            exported.notes.push_back(message(
+                "“{1}” shows a picture that only the museum has; the exported shader begins without it.", input.name));
         exported.ofInputs.emplace_back(
             isFile ? filePath(table.rows()[rows[0]], std::get<std::string>(values.row(rows[0]))) : std::string());
     }

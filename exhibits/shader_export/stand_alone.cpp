@@ -147,8 +147,7 @@ private:
     [[nodiscard]] std::string numberLines();
     [[nodiscard]] std::string rowInput(std::size_t row);
     Json& newInput(const std::string& name, const char* type, std::string_view label);
-    void numberInput(const std::string& name, std::string_view label, Unit, double initial, double low, double high,
-                     std::optional<double> exact = {});
+    void numberInput(const StandAloneNumbers::Input&);
     [[nodiscard]] std::string colorFunction() const;
     [[nodiscard]] static std::string compact(const std::string& text);
     [[nodiscard]] bool uses(const std::string& member) const { return members_.contains(member); }
@@ -304,9 +303,10 @@ std::string AloneWriter::blockText(const GlslItem& item)
 void AloneWriter::chooseNames()
 {
     for (const StandAloneNumbers::Input& input : picture_.numbers.inputs) {
-        numberNames_[input.name] = freeName(input.name);
-        taken_.insert(numberNames_[input.name]);
-        numberInput(numberNames_[input.name], input.label, input.unit, input.initial, input.low, input.high);
+        StandAloneNumbers::Input named = input;
+        named.name = numberNames_[input.name] = freeName(input.name);
+        taken_.insert(named.name);
+        numberInput(named);
     }
 }
 
@@ -342,9 +342,9 @@ std::string AloneWriter::frameLines()
     };
     const std::string turn = freeName("orbit"), tilt = freeName("tilt"), away = freeName("nearness");
     const double pi = 3.14159265358979323846;
-    numberInput(turn, "Orbit", Unit::degree, 0, -pi, pi);
-    numberInput(tilt, "Tilt", Unit::degree, 0, -pi / 3, pi / 3);
-    numberInput(away, "Distance", Unit::none, 1, 0.25, 3);
+    numberInput({turn, "Orbit", Unit::degree, 0, -pi, pi});
+    numberInput({tilt, "Tilt", Unit::degree, 0, -pi / 3, pi / 3});
+    numberInput({away, "Distance", Unit::none, 1, 0.25, 3});
     const double pivot = picture_.numbers.pivotDistance.value_or(2.0);
     std::string text =
         "    // The camera, around a point " + floatText(static_cast<float>(pivot)) + " m in front of it.\n";
@@ -410,14 +410,14 @@ Json& AloneWriter::newInput(const std::string& name, const char* type, std::stri
     return inputs_.back();
 }
 
-void AloneWriter::numberInput(const std::string& name, std::string_view label, Unit unit, double initial, double low,
-                              double high, std::optional<double> exact)
+void AloneWriter::numberInput(const StandAloneNumbers::Input& input)
 {
+    const auto& [name, label, unit, initial, low, high, exact] = input;
     static const std::map<Unit, std::string> units{
         {Unit::degree, "deg"}, {Unit::second, "s"}, {Unit::meter, "m"}, {Unit::percent, "%"}};
     Json& json = newInput(name, "float", label);
     const auto known = units.find(unit);
-    const auto inUnit = [&](double x) { return known == units.end() ? x : shown(x, unit); };
+    const auto inUnit = [&](double x) { return known == units.end() ? x : shown(x, input.unit); };
     json["MIN"] = inUnit(std::min(low, initial));
     json["MAX"] = inUnit(std::max(high, initial));
     json["DEFAULT"] = inUnit(initial);
@@ -468,7 +468,8 @@ std::string AloneWriter::rowInput(std::size_t row)
     }
     default: break;
     }
-    numberInput(name, title, info.unit, *number, info.range.softLow, info.range.softHigh, info.qualityReference);
+    numberInput(
+        {name, std::string(title), info.unit, *number, info.range.softLow, info.range.softHigh, info.qualityReference});
     return name + factorOf(info.unit);
 }
 

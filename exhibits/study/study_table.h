@@ -37,7 +37,8 @@ struct StudyTable final : Parameters {
                          tuple("size", 'x'));
     Toggle alone = toggle(
         "alone", false,
-        "Measure the exhibit without the hall, in the environment's light: quicker, but without sun and shadows.");
+        "Measure the exhibit without the hall, in the environment's light: quicker, but without sun and shadows.",
+        labeled("Without the hall"));
     Toggle asSet =
         toggle("asSet", false, "Do not adjust other parameters or skip views to make the studied parameter visible.",
                labeled("Keep all settings"));
@@ -53,7 +54,8 @@ struct StudyTable final : Parameters {
 
     Group findGroup = group("Choice");
     Choice<StudyFind> choosing = choice("find", StudyFind::nothing, {"nothing", "cheapest", "best"},
-                                        "Setting to choose: the cheapest within an error, or the best within a time.");
+                                        "Setting to choose: the cheapest within an error, or the best within a time.",
+                                        labeled("Setting to find"));
     Real maxError =
         real("maxError", 0.02, none, Range{0, 1e6}.soft(0, 1),
              "Largest error allowed in any view: the cheapest setting within it is chosen.", labeled("Largest error"),

@@ -14,8 +14,10 @@ namespace {
 
 constexpr std::string_view prefix = "guest_";
 
+constexpr int usedByNoVersion = 1000;
+
 /// Words that GLSL 4.50 reserves, with the version that reserved them first. A text of an older version may use them as
-/// names. 1000: words that no version uses, which are names everywhere.
+/// names. `usedByNoVersion`: words that are names everywhere.
 const std::map<std::string_view, int>& reservedSince()
 {
     static const std::map<std::string_view, int> words = [] {
@@ -31,7 +33,7 @@ const std::map<std::string_view, int>& reservedSince()
               "extern",   "external",  "interface", "long",  "short",     "half",     "fixed",  "unsigned",
               "superp",   "input",     "output",    "hvec2", "hvec3",     "hvec4",    "fvec2",  "fvec3",
               "fvec4",    "filter",    "sizeof",    "cast",  "namespace", "using"})
-            all.emplace(word, 1000);
+            all.emplace(word, usedByNoVersion);
         return all;
     }();
     return words;
@@ -77,12 +79,26 @@ bool isBlanked(std::string_view word)
            word == "iUniform" || word.starts_with("iChannel");
 }
 
+/// Returns the reserved words that a text uses as types or qualifiers, whatever its version: those before another word,
+/// as in `uvec2 size`. No name stands there.
+std::set<std::string_view> keywordsOf(const Tokens& tokens)
+{
+    std::set<std::string_view> keywords;
+    for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
+        const auto reserved = reservedSince().find(tokens.text(i));
+        if (reserved == reservedSince().end() || reserved->second >= usedByNoVersion) continue;
+        if (tokens[i].directive == 0 && tokens[i + 1].kind == Token::Kind::word) keywords.insert(reserved->first);
+    }
+    return keywords;
+}
+
 /// Translates one piece of the visitor's code. The number of lines stays the same.
 class Translator {
 public:
     Translator(const Shader& shader, const CodePiece& piece, bool isVertex)
         : shader_(shader), text_(piece.text), tokens_(piece.text), isVertex_(isVertex),
-          version_(versionOf(Tokens(shader.files[piece.file].text), shader.form))
+          version_(versionOf(Tokens(shader.files[piece.file].text), shader.form)),
+          keywords_(keywordsOf(Tokens(shader.files[piece.file].text)))
     {
     }
 
@@ -157,7 +173,8 @@ private:
         if (text == "texture" && tokens_.text(i + 1) != "(" && (version_ < 130 || shader_.inputNamed("texture")))
             return std::string(prefix) + "texture";
         const auto reserved = reservedSince().find(text);
-        if (reserved != reservedSince().end() && reserved->second > version_) return programName(text);
+        if (reserved != reservedSince().end() && reserved->second > version_ && !keywords_.contains(text))
+            return programName(text);
         return std::string(text);
     }
 
@@ -166,6 +183,7 @@ private:
     const Tokens tokens_;
     const bool isVertex_;
     const int version_;
+    const std::set<std::string_view> keywords_;
     std::string out_;
     std::size_t at_ = 0;
     int depth_ = 0;

@@ -3,6 +3,9 @@
 #include "exhibits/your_shader/guest_keys.h"
 #include "exhibits/your_shader/guest_work.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace vitrine::guest {
 namespace {
 
@@ -72,6 +75,20 @@ ParameterChanges keyedAt(const YourShaderTable& table, const ParameterValues& va
                          double time)
 {
     return {{table.keys.row, withKey(values[table.keys], code, isDown, time)}};
+}
+
+std::optional<ParameterChanges> pushedAt(const YourShaderTable& table, const ParameterValues& values,
+                                         std::size_t parameter, double time)
+{
+    for (std::size_t i = 0; table.work && i < table.ofInputs.size(); ++i) {
+        if (table.work->shader->inputs[i].type != InputType::event || table.ofInputs[i].front() != parameter) continue;
+        const double rate = values[table.rate];
+        const double next = (std::floor(std::max(time, 0.0) * rate + 1e-6) + 1) / rate;
+        ParameterChanges changes{{parameter, next}};
+        if (!values[table.animate]) changes.emplace_back(table.moment.row, next);
+        return changes;
+    }
+    return std::nullopt;
 }
 
 }  // namespace vitrine::guest

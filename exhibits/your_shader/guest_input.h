@@ -25,4 +25,9 @@ namespace vitrine::guest {
 [[nodiscard]] ParameterChanges keyedAt(const YourShaderTable&, const ParameterValues&, int code, bool isDown,
                                        double time);
 
+/// Returns the changes that the button of an event makes at a time of the shader, in seconds: the event is pressed in
+/// the next step, and if time stands still, it advances to that step. Nothing if the parameter is no event.
+[[nodiscard]] std::optional<ParameterChanges> pushedAt(const YourShaderTable&, const ParameterValues&,
+                                                       std::size_t parameter, double time);
+
 }  // namespace vitrine::guest

@@ -5,6 +5,7 @@
 #include "exhibits/your_shader/guest_built_in.h"
 #include "exhibits/your_shader/guest_glsl.h"
 #include "exhibits/your_shader/guest_keys.h"
+#include "exhibits/your_shader/guest_pictures.h"
 #include "exhibits/your_shader/guest_sound.h"
 #include "exhibits/your_shader/size_expression.h"
 #include "render/hash.h"
@@ -25,19 +26,6 @@ constexpr std::int64_t mostBufferBytes = std::int64_t{1} << 30U;
 std::string_view viewOf(const render::Bytes& bytes)
 {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
-std::shared_ptr<const render::Texture> blackTexture()
-{
-    static const auto black = [] {
-        auto made = std::make_shared<render::Texture>();
-        made->name = "black";
-        made->width = made->height = 1;
-        made->bytes = {0, 0, 0, 255};
-        made->mipmaps = false;
-        return made;
-    }();
-    return black;
 }
 
 /// Plans the steps of one work.
@@ -103,6 +91,8 @@ private:
                                                                const StepTime&) const;
     [[nodiscard]] std::shared_ptr<const render::Texture> textureOf(const PassPicture&, const StepTime&) const;
     [[nodiscard]] glm::ivec2 sizeOf(const PassPicture&) const;
+    /// Returns the picture of another exhibit that a pass reads; null: it reads something else.
+    [[nodiscard]] const ShownPicture* shownBy(const PassPicture&) const;
     [[nodiscard]] render::Pass passOf(std::size_t i, std::int64_t step, const StepTime&, int face) const;
     [[nodiscard]] WorkPicture picture(std::int64_t step) const;
 
@@ -219,8 +209,16 @@ glm::ivec2 WorkPlan::sizeOf(const PassPicture& picture) const
 {
     if (picture.isTarget()) return sizes_[picture.index];
     if (isBuiltIn(picture.from)) return sizeOfBuiltIn(picture.from);
+    if (const ShownPicture* shown = shownBy(picture)) return shown->size;
     const auto texture = textureOf(picture, {});
     return {texture->width, texture->height};
+}
+
+const ShownPicture* WorkPlan::shownBy(const PassPicture& picture) const
+{
+    if (picture.from != PassPicture::From::input || picture.index >= shot_.ofInputs.size()) return nullptr;
+    const std::optional<ShownPicture>& shown = shot_.ofInputs[picture.index].shown;
+    return shown ? &*shown : nullptr;
 }
 
 glm::ivec2 WorkPlan::sizeIn(std::size_t pass, std::string_view name) const
@@ -261,6 +259,8 @@ std::uint64_t WorkPlan::identity(double rate) const
         for (const LoadedPicture& picture : *pictures) hash.addValue(picture.id);
     const bool goesOn = !plan_.allSlices && shot_.values[shot_.table.afterChange] == ShaderChange::goesOn;
     if (!work_.isKept || goesOn) return hash.value();
+    for (const LoadedPicture& picture : shot_.ofInputs)
+        if (picture.shown) hash.addValue(picture.shown->key);
     // Each input counts by the value of its parameter. The value of an event in the shader differs from step to step.
     for (const std::vector<std::size_t>& rows : shot_.table.ofInputs)
         for (const std::size_t row : rows) {
@@ -332,18 +332,18 @@ std::shared_ptr<const render::Texture> WorkPlan::textureOf(const PassPicture& pi
     using From = PassPicture::From;
     switch (picture.from) {
     case From::keyboard: return keyboardPicture(keys_, time);
-    case From::file: return shot_.files[picture.index].texture ? shot_.files[picture.index].texture : blackTexture();
+    case From::file: return shot_.files[picture.index].texture ? shot_.files[picture.index].texture : blackPicture();
     case From::input:
     case From::waveform:
     case From::spectrum: break;
-    default: return blackTexture();
+    default: return blackPicture();
     }
     const LoadedPicture& loaded = shot_.ofInputs[picture.index];
     const Input& input = work_.shader->inputs[picture.index];
     const int columns = input.high.empty() ? soundColumns : static_cast<int>(std::clamp(input.high[0], 1.0, 4096.0));
     if (input.type == InputType::audio) return waveformPicture(loaded.sound.get(), columns, time.seconds);
     if (input.type == InputType::spectrum) return spectrumPicture(loaded.sound.get(), columns, time.seconds);
-    return loaded.texture ? loaded.texture : blackTexture();
+    return loaded.texture ? loaded.texture : blackPicture();
 }
 
 std::vector<render::SampledTexture> WorkPlan::inputsOf(const WorkPass& pass, std::int64_t step,
@@ -356,6 +356,8 @@ std::vector<render::SampledTexture> WorkPlan::inputsOf(const WorkPass& pass, std
             inputs.push_back({picture.unit, imageOf(picture.index, picture.from == From::thisStep ? step : step + 1)});
         else if (isBuiltIn(picture.from))
             inputs.push_back({picture.unit, planBuiltIn(picture.from, plan_)});
+        else if (const ShownPicture* shown = shownBy(picture))
+            inputs.push_back({picture.unit, shown->image});
         else
             inputs.push_back({picture.unit, textureOf(picture, time)});
     }
@@ -401,6 +403,8 @@ void WorkPlan::planStep(const std::string& namePrefix, const std::string& reason
     render::Hash key;
     key.addValue(identity(time.rate)).addValue(step);
     if (work_.readsKeys) key.add(shot_.values[shot_.table.keys]);
+    for (const LoadedPicture& picture : shot_.ofInputs)
+        if (picture.shown) key.add(picture.shown->image).addValue(picture.shown->key);
     for (std::size_t i = 0; i < work_.passes.size(); ++i) {
         const Target& target = work_.targets[work_.passes[i].target];
         // Only the last step shows a picture.

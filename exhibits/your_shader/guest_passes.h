@@ -17,11 +17,12 @@
 
 namespace vitrine::guest {
 
-/// Picture or sound from a file, with its state.
+/// Picture or sound of an input: from a file, with its state, or the planned picture of another exhibit.
 struct LoadedPicture {
     std::shared_ptr<const render::Texture> texture;
     std::uint64_t id = 0;
     std::shared_ptr<const render::Sound> sound = {};
+    std::optional<ShownPicture> shown = {};  ///< Replaces `texture`.
 };
 
 /// Everything needed to plan the picture of a work.

@@ -62,4 +62,17 @@ std::shared_ptr<const render::Texture> testPicture(bool mipmaps)
     return mipmaps ? withMipmaps : without;
 }
 
+std::shared_ptr<const render::Texture> blackPicture()
+{
+    static const auto black = [] {
+        auto made = std::make_shared<render::Texture>();
+        made->name = "black";
+        made->width = made->height = 1;
+        made->bytes = {0, 0, 0, 255};
+        made->mipmaps = false;
+        return made;
+    }();
+    return black;
+}
+
 }  // namespace vitrine::guest

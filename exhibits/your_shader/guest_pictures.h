@@ -15,4 +15,7 @@ namespace vitrine::guest {
 /// Returns the picture of inputs that name no file: rings and diagonals in colors, 512 x 512 pixels.
 [[nodiscard]] std::shared_ptr<const render::Texture> testPicture(bool mipmaps);
 
+/// Returns one black pixel, for pictures that do not exist.
+[[nodiscard]] std::shared_ptr<const render::Texture> blackPicture();
+
 }  // namespace vitrine::guest

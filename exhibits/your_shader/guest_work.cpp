@@ -227,7 +227,8 @@ private:
     Finding error_;
 };
 
-std::shared_ptr<const WorkReading> readNow(const fs::path& path, const std::string& text)
+std::shared_ptr<const WorkReading> readNow(const fs::path& path, const std::string& text,
+                                           const std::vector<PictureSource>& sources)
 {
     auto reading = std::make_shared<WorkReading>();
     const auto see = [&](const fs::path& file) { reading->files.emplace_back(file, render::fileState(file)); };
@@ -246,7 +247,7 @@ std::shared_ptr<const WorkReading> readNow(const fs::path& path, const std::stri
         if (work) {
             for (const fs::path& file : work->files) see(file);
             reading->findings = checked.shader->notes;
-            reading->table = std::make_shared<const YourShaderTable>(std::move(work));
+            reading->table = std::make_shared<const YourShaderTable>(std::move(work), sources);
             return reading;
         }
         reading->findings = checked.errors;
@@ -280,12 +281,22 @@ std::shared_ptr<const Work> makeWork(const CheckedShader& checked, const fs::pat
     return Maker(checked, path).make(errors);
 }
 
-std::shared_ptr<const WorkReading> readWork(const fs::path& path, render::AssetStore& assets, const std::string& text)
+bool Work::readsPicture(std::size_t input) const
+{
+    return std::any_of(passes.begin(), passes.end(), [&](const WorkPass& pass) {
+        return std::any_of(pass.pictures.begin(), pass.pictures.end(), [&](const PassPicture& picture) {
+            return picture.from == PassPicture::From::input && picture.index == input;
+        });
+    });
+}
+
+std::shared_ptr<const WorkReading> readWork(const fs::path& path, render::AssetStore& assets, const std::string& text,
+                                            const std::vector<PictureSource>& sources)
 {
     using Made = render::AssetStore::Made<WorkReading>;
-    const auto make = [&] { return Made{readNow(path, text), (1U << 16U) + 2 * text.size()}; };
+    const auto make = [&] { return Made{readNow(path, text, sources), (1U << 16U) + 2 * text.size()}; };
     // The first reading finds the files. If one of these changed, a further reading has their states in its key.
-    std::string key = path.string() + '\n' + text;
+    std::string key = std::to_string(sources.size()) + '\n' + path.string() + '\n' + text;
     std::shared_ptr<const WorkReading> reading;
     for (int further = 0; further < 8; ++further) {
         const auto made = assets.made<WorkReading>("your_shader.work", key, make);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "exhibits/framework/scene/shows_pictures.h"
 #include "exhibits/your_shader/guest_shader.h"
 #include "exhibits/your_shader/shader_check.h"
 #include "render/files/asset_store.h"
@@ -77,6 +78,9 @@ struct Work {
     bool readsKeys = false;
     bool isKept = false;   ///< A step depends on the step before.
     std::uint64_t id = 0;  ///< Hash of its programs.
+
+    /// Returns whether a pass reads the picture of this input.
+    [[nodiscard]] bool readsPicture(std::size_t input) const;
 };
 
 /// Makes the work of a shader that was checked without errors. Returns null and adds to `errors` if it reads something
@@ -94,8 +98,9 @@ struct WorkReading {
 };
 
 /// Reads and translates the file at `path`, or `text` in its place if that is not empty. Returns the same object until
-/// one of its files changes. Thread-safe.
+/// one of its files changes. `sources`: pictures that its inputs may show. Thread-safe.
 [[nodiscard]] std::shared_ptr<const WorkReading> readWork(const std::filesystem::path& path, render::AssetStore&,
-                                                          const std::string& text = {});
+                                                          const std::string& text = {},
+                                                          const std::vector<PictureSource>& sources = {});
 
 }  // namespace vitrine::guest

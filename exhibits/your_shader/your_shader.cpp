@@ -84,6 +84,38 @@ guest::LoadedPicture soundFrom(const std::string& path, const ParameterInfo& par
     return {nullptr, read.id, read.value};
 }
 
+constexpr const char* firstPicturePass = "your_shader/first picture";
+
+/// Returns whether the window has not shown this edited shader yet. Its first picture in the hall has half the width,
+/// so that an edit is seen soon; the next frame has the whole one.
+bool isFirstPicture(const guest::Work& work, const render::PersistentState& kept, const render::FramePlan& plan)
+{
+    if (plan.allSlices || plan.runEverything || work.isKept) return false;
+    const auto shown = kept.slices.find(firstPicturePass);
+    return shown == kept.slices.end() || shown->second.hash != work.id;
+}
+
+/// Returns the pass that records that an edited shader was shown. It takes two frames.
+render::Pass recordOfFirstPicture(const guest::Work& work)
+{
+    render::Pass pass;
+    pass.name = firstPicturePass;
+    pass.reason = "the shader is new, and its first picture is small";
+    pass.phase = render::PassPhase::simulate;
+    pass.work = render::Work::simulation;
+    pass.writes = {"your_shader.shown"};
+    pass.contentHash = work.id;
+    pass.sliceCount = 2;
+    return pass;
+}
+
+/// Returns the values without the inputs of the shader.
+ParameterValues commonValues(const YourShaderTable& table, const ParameterValues& values)
+{
+    std::vector<std::string> notes;
+    return underTable(values, {std::shared_ptr<const Parameters>(), &table}, notes);
+}
+
 /// Returns the parameters of the first shader, which is only read here: its translation takes a process of its own.
 std::shared_ptr<const YourShaderTable> firstTable()
 {
@@ -142,7 +174,7 @@ DynamicParameters YourShader::dynamicParameters(const ParameterValues& values, r
     const bool isFirst = text.empty() && (file.empty() || file == Table::firstShader);
     if (isFirst && first_) return {first_, {}};
     const ParameterInfo& row = table_.rows()[text.empty() ? table_.file.row : table_.document.row];
-    const auto reading = guest::readWork(pathOf(values), assets, text);
+    const auto reading = guest::readWork(pathOf(values), assets, text, sources_);
     if (reading->table) return {reading->table, {}};
     return {nullptr, reading->why.empty() ? Message() : unreadableFile(row, title(), reading->why)};
 }
@@ -184,7 +216,7 @@ EditedText YourShader::withText(const ParameterValues& values, const std::string
                                 render::AssetStore& assets) const
 {
     const std::string written = text.empty() ? "\n" : text;  // An empty document would be none.
-    const auto reading = guest::readWork(pathOf(values), assets, written);
+    const auto reading = guest::readWork(pathOf(values), assets, written, sources_);
     EditedText edited{values, reading->table != nullptr, {}};
     for (const guest::Finding& each : reading->findings)
         edited.findings.push_back({each.file, each.line, each.column, each.isError, each.sentence});
@@ -222,7 +254,7 @@ std::shared_ptr<const PreparedPart> YourShader::prepare(const PrepareContext& co
     auto part = std::make_shared<PreparedShader>(context.values);
     const ParameterInfo& row = table_.rows()[table_.file.row];
     if (!part->table().work) {
-        const auto first = guest::readWork(render::asset("shaders") / Table::firstShader, context.assets);
+        const auto first = guest::readWork(render::asset("shaders") / Table::firstShader, context.assets, {}, sources_);
         if (!first->table) {
             if (!first->why.empty())
                 part->unreadable.push_back(
@@ -253,7 +285,7 @@ std::shared_ptr<const PreparedPart> YourShader::prepare(const PrepareContext& co
         part->ofInputs.emplace_back();
         if (table.ofInputs[i].empty()) continue;
         const std::size_t at = table.ofInputs[i].front();
-        if (table.rows()[at].kind != Kind::file) continue;
+        if (table.rows()[at].kind != Kind::file || !table.sourceOf(i, part->values).empty()) continue;
         const auto read = table.work->shader->inputs[i].type == guest::InputType::image ? &pictureFrom : &soundFrom;
         part->ofInputs.back() =
             read(std::get<std::string>(part->values.row(at)), table.rows()[at], title(), context.assets, *part);
@@ -267,34 +299,93 @@ std::shared_ptr<const PreparedPart> YourShader::prepare(const PrepareContext& co
     return part;
 }
 
+void YourShader::offerPictures(std::vector<PictureSource> sources)
+{
+    sources_ = std::move(sources);
+}
+
+std::vector<std::string> YourShader::shownPictures(const ParameterValues& values) const
+{
+    const auto& table = static_cast<const Table&>(values.table());
+    std::vector<std::string> sources;
+    for (std::size_t i = 0; table.work && i < table.ofInputs.size(); ++i)
+        if (const std::string source = table.sourceOf(i, values); !source.empty() && table.work->readsPicture(i))
+            sources.push_back(source);
+    return sources;
+}
+
+glm::ivec2 YourShader::screenSize(const ParameterValues& values, std::optional<glm::ivec2> alone) const
+{
+    const int width = values[table_.screenWidth];
+    return alone ? glm::max(*alone, glm::ivec2(1)) : glm::ivec2(width, std::max(width * 2 / 3, 1));
+}
+
+glm::ivec2 YourShader::pictureSize(const ParameterValues& values, std::optional<glm::ivec2> alone) const
+{
+    const glm::ivec2 size = screenSize(values, alone);
+    const double scale = std::min(1.0, static_cast<double>(values[table_.pictureSide]) / std::max(size.x, size.y));
+    return glm::max(glm::ivec2(glm::round(glm::dvec2(size) * scale)), glm::ivec2(1));
+}
+
 void YourShader::plan(const PlanContext& context, render::FramePlan& plan) const
 {
-    planFrom(context, {}, plan);
+    if (shownPictures(context.values).empty())
+        planFrom(context, {}, plan);
+    else
+        planShowing(context, {}, {}, plan);
 }
 
 void YourShader::planFrom(const PlanContext& context, const render::PersistentState& kept,
                           render::FramePlan& plan) const
 {
     const auto* prepared = static_cast<const PreparedShader*>(context.prepared);
+    planScreen(context, kept, prepared ? prepared->ofInputs : std::vector<guest::LoadedPicture>(), plan);
+}
+
+void YourShader::planShowing(const PlanContext& context, const render::PersistentState& kept,
+                             const PlanPicture& picture, render::FramePlan& plan) const
+{
+    const auto* prepared = static_cast<const PreparedShader*>(context.prepared);
+    if (!prepared || !prepared->table().work) return planFrom(context, kept, plan);
+    if (!picture) {
+        render::Pass dark =
+            portalPass("your_shader/screen", "it shows this picture, and is dark in it",
+                       commonValues(table_, prepared->values), "your_shader/screen.frag", screenPortal(), context);
+        dark.inputs.push_back({UNIT_EXHIBIT_A, guest::blackPicture()});
+        return plan.add(std::move(dark));
+    }
+    std::vector<guest::LoadedPicture> ofInputs = prepared->ofInputs;
+    const YourShaderTable& table = prepared->table();
+    for (std::size_t i = 0; i < ofInputs.size(); ++i) {
+        const std::string source = table.sourceOf(i, prepared->values);
+        if (source.empty() || !table.work->readsPicture(i)) continue;
+        ofInputs[i].shown = picture(source, plan);
+        if (!ofInputs[i].shown)
+            plan.warn("your_shader/picture of " + source,
+                      "There is no exhibit “" + source + "” here; a black picture takes its place.");
+    }
+    planScreen(context, kept, ofInputs, plan);
+}
+
+void YourShader::planScreen(const PlanContext& context, const render::PersistentState& kept,
+                            const std::vector<guest::LoadedPicture>& ofInputs, render::FramePlan& plan) const
+{
+    const auto* prepared = static_cast<const PreparedShader*>(context.prepared);
     if (!prepared || !prepared->table().work || prepared->isLeftOff)
         return plan.skip("your_shader/screen", "it is not loaded");
     const ParameterValues& values = prepared->values;
-    const int width = values[table_.screenWidth];
-    const guest::WorkShot shot{*prepared->table().work,
-                               prepared->table(),
-                               values,
-                               prepared->ofInputs,
-                               prepared->files,
-                               context.alone ? glm::max(plan.view.raster.size, glm::ivec2(1))
-                                             : glm::ivec2(width, std::max(width * 2 / 3, 1)),
-                               shaderTime({values, context.time}),
-                               !context.alone};
+    const guest::Work& work = *prepared->table().work;
+    glm::ivec2 size =
+        screenSize(values, context.alone ? std::optional(plan.view.raster.size) : std::optional<glm::ivec2>());
+    const bool isEdited = !context.alone && !values[table_.document].empty();
+    if (isEdited && isFirstPicture(work, kept, plan)) size = glm::max(size / 2, glm::ivec2(1));
+    const guest::WorkShot shot{
+        work,          prepared->table(), values, ofInputs, prepared->files, size, shaderTime({values, context.time}),
+        !context.alone};
     const std::optional<guest::WorkPicture> picture = guest::planWork(shot, kept, plan);
     if (!picture) return;
-    std::vector<std::string> notes;
-    const ParameterValues common = underTable(values, {std::shared_ptr<const Parameters>(), &table_}, notes);
-    render::Pass pass =
-        portalPass("your_shader/screen", "in view", common, "your_shader/screen.frag", screenPortal(), context);
+    render::Pass pass = portalPass("your_shader/screen", "in view", commonValues(table_, values),
+                                   "your_shader/screen.frag", screenPortal(), context);
     pass.inputs.push_back({UNIT_EXHIBIT_A, picture->image});
     if (values[table_.markInvalid]) {
         pass.shader.defines.push_back("MARKED_IMAGES " + std::to_string(picture->floats.size()));
@@ -302,13 +393,19 @@ void YourShader::planFrom(const PlanContext& context, const render::PersistentSt
             pass.inputs.push_back({i == 0 ? UNIT_EXHIBIT_B : UNIT_EXHIBIT_C, picture->floats[i]});
     }
     pass.reads = picture->reads;
+    if (isEdited && !work.isKept) {
+        render::Pass record = recordOfFirstPicture(work);
+        pass.reads.insert(pass.reads.end(), record.writes.begin(), record.writes.end());
+        plan.add(std::move(record));
+    }
     plan.add(std::move(pass));
 }
 
 void YourShader::wasDrawn(const render::FrameReport& report) const
 {
     const bool ranPasses = std::any_of(report.ran.begin(), report.ran.end(), [](const render::StepReport& step) {
-        return step.name.starts_with("your_shader/") && step.name != "your_shader/screen";
+        return step.name.starts_with("your_shader/") && step.name != "your_shader/screen" &&
+               !step.name.starts_with("your_shader/picture of ");
     });
     if (ranPasses) guest::CrashGuard::ofProcess().drawn();
 }
@@ -345,6 +442,11 @@ ParameterChanges YourShader::keyed(const ExhibitState& state, int code, bool isD
 {
     return guest::keyedAt(static_cast<const Table&>(state.values.table()), state.values, code, isDown,
                           shaderTime(state));
+}
+
+std::optional<ParameterChanges> YourShader::pushed(const ExhibitState& state, std::size_t parameter) const
+{
+    return guest::pushedAt(static_cast<const Table&>(state.values.table()), state.values, parameter, shaderTime(state));
 }
 
 }  // namespace vitrine

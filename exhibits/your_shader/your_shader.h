@@ -2,6 +2,7 @@
 
 #include "exhibits/framework/scene/continues_state.h"
 #include "exhibits/framework/scene/exhibit.h"
+#include "exhibits/framework/scene/shows_pictures.h"
 #include "exhibits/framework/scene/takes_input.h"
 #include "exhibits/framework/scene/text_document.h"
 #include "exhibits/your_shader/your_shader_table.h"
@@ -12,6 +13,9 @@
 #include <vector>
 
 namespace vitrine {
+namespace guest {
+struct LoadedPicture;
+}
 
 /// A shader that a visitor brings, on a screen in a frame. Start reading with guest_shader.h (what a shader is),
 /// guest_work.h (what is drawn of it) and guest_passes.h (steps and buffers).
@@ -19,6 +23,7 @@ class YourShader final : public Exhibit,
                          public HasSurroundings,
                          public TableFromFiles,
                          public ContinuesState,
+                         public ShowsPictures,
                          public HasText,
                          public TakesInput {
 public:
@@ -56,6 +61,11 @@ public:
     [[nodiscard]] std::vector<TextTemplate> templates() const override;
 
 private:
+    void offerPictures(std::vector<PictureSource>) override;
+    [[nodiscard]] std::vector<std::string> shownPictures(const ParameterValues&) const override;
+    [[nodiscard]] glm::ivec2 pictureSize(const ParameterValues&, std::optional<glm::ivec2> alone) const override;
+    void planShowing(const PlanContext&, const render::PersistentState& kept, const PlanPicture&,
+                     render::FramePlan&) const override;
     void wasDrawn(const render::FrameReport&) const override;
     [[nodiscard]] std::optional<std::size_t> gripUnder(const ExhibitState&, const render::Ray&,
                                                        double reach) const override;
@@ -63,12 +73,19 @@ private:
                                            const render::Ray&) const override;
     [[nodiscard]] bool takesKeys(const ExhibitState&) const override;
     [[nodiscard]] ParameterChanges keyed(const ExhibitState&, int code, bool isDown) const override;
+    [[nodiscard]] std::optional<ParameterChanges> pushed(const ExhibitState&, std::size_t parameter) const override;
+    /// Plans the shader with the pictures of its inputs, and the screen that shows it.
+    void planScreen(const PlanContext&, const render::PersistentState& kept,
+                    const std::vector<guest::LoadedPicture>& ofInputs, render::FramePlan&) const;
+    /// Returns the size of the shader's picture. `alone`: as for `pictureSize`.
+    [[nodiscard]] glm::ivec2 screenSize(const ParameterValues&, std::optional<glm::ivec2> alone) const;
     /// Returns the time that the shader shows, in seconds.
     [[nodiscard]] double shaderTime(const ExhibitState&) const;
     /// Returns the path of the shader that the values name, or of the first one.
     [[nodiscard]] std::filesystem::path pathOf(const ParameterValues&) const;
 
     Table table_;
+    std::vector<PictureSource> sources_;  ///< Pictures that inputs may show.
     std::shared_ptr<const Table> first_;  ///< With the inputs of the first shader; null if it cannot be read.
 };
 

@@ -9,6 +9,7 @@
 #include <cctype>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 #include <string>
 
@@ -81,6 +82,7 @@ std::vector<std::string> endingsOf(const Input& input)
     case InputType::color:
         return input.glslType == "vec4" ? std::vector<std::string>{"", "Alpha"} : std::vector<std::string>{""};
     case InputType::event: return {"At"};
+    case InputType::image: return {"", "Source"};
     default: return {""};
     }
 }
@@ -123,14 +125,24 @@ glm::dvec3 linearColor(const std::vector<double>& encoded)
 
 }  // namespace
 
-YourShaderTable::YourShaderTable(std::shared_ptr<const guest::Work> of) : work(std::move(of))
+YourShaderTable::YourShaderTable(std::shared_ptr<const guest::Work> of, std::vector<PictureSource> sources)
+    : ofAllInputs_(countOf(*of->shader, sources)), work(std::move(of)), sources_(std::move(sources))
 {
     addInputs(*work->shader);
 }
 
-YourShaderTable::YourShaderTable(const guest::Shader& shader)
+YourShaderTable::YourShaderTable(const guest::Shader& shader) : ofAllInputs_(countOf(shader, {}))
 {
     addInputs(shader);
+}
+
+std::size_t YourShaderTable::countOf(const guest::Shader& shader, const std::vector<PictureSource>& sources)
+{
+    YourShaderTable all;
+    all.sources_ = sources;
+    all.addInputs(shader);
+    return std::accumulate(all.ofInputs.begin(), all.ofInputs.end(), std::size_t{0},
+                           [](std::size_t sum, const auto& rows) { return sum + rows.size(); });
 }
 
 void YourShaderTable::addInputs(const guest::Shader& shader)
@@ -147,7 +159,7 @@ std::vector<std::size_t> YourShaderTable::addInput(const Input& input)
     switch (input.type) {
     case InputType::toggle:
         return {toggle(name, !input.initial.empty() && input.initial[0] != 0, "Switch that the shader reads.", label,
-                       essential())
+                       nextOfInputs())
                     .row};
     case InputType::choice: {
         const auto isInitial = [&](const guest::InputChoice& choice) { return choice.value == input.initial[0]; };
@@ -157,35 +169,60 @@ std::vector<std::size_t> YourShaderTable::addInput(const Input& input)
         const auto index = [&](auto found) { return static_cast<int>(found - input.choices.begin()); };
         const std::string_view help = "Choice that the shader reads.";
         if (exact == input.choices.end())
-            return {choice(name, index(initial), labelsOf(input), help, label, essential()).row};
-        return {choice(name, index(initial), labelsOf(input), help, label, essential(), quality(index(exact))).row};
+            return {choice(name, index(initial), labelsOf(input), help, label, nextOfInputs()).row};
+        return {choice(name, index(initial), labelsOf(input), help, label, nextOfInputs(), quality(index(exact))).row};
     }
     case InputType::event:
         return {real(name + "At", -1, Unit::second, Range{-1, 1e6}.soft(-1, 60),
                      "Time at which the button of this event is pressed, for one step.", label, reads(-1, "never"),
-                     essential())
+                     nextOfInputs())
                     .row};
     case InputType::color: {
         std::vector<std::size_t> rows{
-            color(name, linearColor(input.initial), "Color that the shader reads.", label, essential()).row};
+            color(name, linearColor(input.initial), "Color that the shader reads.", label, nextOfInputs()).row};
         if (input.glslType == "vec4")
             rows.push_back(real(name + "Alpha", std::clamp(input.initial.back(), 0.0, 1.0), Unit::none, {0, 1},
-                                "Opacity of the color.", labeled(named + " alpha"), essential())
+                                "Opacity of the color.", labeled(named + " alpha"), nextOfInputs())
                                .row);
         return rows;
     }
     case InputType::image:
         if (input.source == "buffer" || input.glslType != "sampler2D") return {};
-        return {this->Parameters::file(name, "Picture that the shader reads; empty: a test picture.",
-                                       extensions(render::readEndings()), label, essential())
-                    .row};
+        return addPicture(name, named);
     case InputType::audio:
     case InputType::spectrum:
         return {this->Parameters::file(name, "Sound that the shader reads, WAV or FLAC; empty: silence.",
-                                       extensions(render::soundEndings), label, essential())
+                                       extensions(render::soundEndings), label, nextOfInputs())
                     .row};
     default: return addNumbers(input, name, named);
     }
+}
+
+std::vector<std::size_t> YourShaderTable::addPicture(const std::string& name, const std::string& label)
+{
+    const auto addFile = [&](std::optional<Condition> acts) {
+        return this
+            ->Parameters::file(name, "Picture that the shader reads; empty: a test picture.",
+                               extensions(render::readEndings()), labeled(label), nextOfInputs(), acts)
+            .row;
+    };
+    if (sources_.empty()) return {addFile(std::nullopt)};
+    std::vector<std::string> names{"file"};
+    for (const PictureSource& source : sources_) names.push_back(source.title);
+    const std::string sourceName = name + "Source";
+    const Choice<int> source =
+        choice(sourceName, 0, names,
+               "Source of the picture: a file; the hall at its first view, from your place, or out of this screen; or "
+               "another exhibit by itself, with its present settings. This screen is black in pictures of the hall.",
+               labeled(label + " source"), nextOfInputs());
+    return {addFile(whenLater(sourceName, 0)), source.row};
+}
+
+std::string YourShaderTable::sourceOf(std::size_t input, const ParameterValues& values) const
+{
+    if (!work || work->shader->inputs[input].type != InputType::image || ofInputs[input].size() < 2) return {};
+    const auto choice = static_cast<std::size_t>(std::get<double>(values.row(ofInputs[input][1])));
+    return choice == 0 || choice > sources_.size() ? std::string() : sources_[choice - 1].name;
 }
 
 std::vector<std::size_t> YourShaderTable::addNumbers(const Input& input, const std::string& name,
@@ -204,13 +241,14 @@ std::vector<std::size_t> YourShaderTable::addNumbers(const Input& input, const s
         if (isWhole) {
             const auto initial = static_cast<int>(std::lround(std::clamp(input.initial[i], -1e9, 1e9)));
             rows.push_back(
-                exact ? count(name + endings[i], initial, range, help, labeled(shownAs), essential(), *exact).row
-                      : count(name + endings[i], initial, range, help, labeled(shownAs), essential()).row);
+                exact ? count(name + endings[i], initial, range, help, labeled(shownAs), nextOfInputs(), *exact).row
+                      : count(name + endings[i], initial, range, help, labeled(shownAs), nextOfInputs()).row);
         } else {
             const double initial = stored(input.initial[i], unit);
             rows.push_back(
-                exact ? real(name + endings[i], initial, unit, range, help, labeled(shownAs), essential(), *exact).row
-                      : real(name + endings[i], initial, unit, range, help, labeled(shownAs), essential()).row);
+                exact
+                    ? real(name + endings[i], initial, unit, range, help, labeled(shownAs), nextOfInputs(), *exact).row
+                    : real(name + endings[i], initial, unit, range, help, labeled(shownAs), nextOfInputs()).row);
         }
     }
     return rows;

@@ -49,7 +49,8 @@ StoredHead headFor(std::string_view source)
 {
     Hash hash;
     hash.add(source);
-    for (const GLenum name : {GL_RENDERER, GL_VERSION, GL_VENDOR})
+    constexpr GLenum names[] = {GL_RENDERER, GL_VERSION, GL_VENDOR};
+    for (const GLenum name : names)
         if (const GLubyte* text = glGetString(name)) hash.add(reinterpret_cast<const char*>(text));
     StoredHead head;
     head.key = hash.value();

@@ -316,6 +316,20 @@ struct Renderer::State {
             kept.passes[pass.name] = *pass.contentHash;
     }
 
+    /// Returns whether the outputs have to be drawn again: a fallback program drew the pass or an image that it reads.
+    /// Notes them in `provisional`.
+    bool isProvisional(const Pass& pass, const ProgramInUse& used, std::set<std::string>& provisional)
+    {
+        const std::vector<std::string> read = inputsOf(pass), written = outputsOf(pass);
+        const bool is = !used.fallback.empty() || std::any_of(read.begin(), read.end(), [&](const std::string& image) {
+            return provisional.contains(image);
+        });
+        if (!is) return false;
+        provisional.insert(written.begin(), written.end());
+        kept.passes.erase(pass.name);
+        return true;
+    }
+
     /// Records that an unbounded pass is not drawn, or only in part.
     void leaveOut(const Pass& pass, FrameReport& report)
     {
@@ -336,6 +350,7 @@ struct Renderer::State {
         const auto building = plan.allSlices ? ProgramCache::Building::isWaitedFor : ProgramCache::Building::goesOn;
         programs.begin(plan.passes(), building);
         std::size_t next = 0;
+        std::set<std::string> provisional;
         try {
             for (; next < plan.passes().size(); ++next) {
                 const Pass& pass = plan.passes()[next];
@@ -351,7 +366,7 @@ struct Renderer::State {
                 if (pass.unbounded && abandoned()) throw Abandoned();  // It may have ended between two bands.
                 if (pass.unbounded && unbounded.isOver())
                     leaveOut(pass, report);
-                else if (used.fallback.empty())
+                else if (!isProvisional(pass, used, provisional))
                     remember(pass, plan, lost);
                 report.unfinished = report.unfinished || used.building;
                 const std::string& how = used.fallback.empty() ? used.specialized : used.fallback;

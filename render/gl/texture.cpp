@@ -30,7 +30,7 @@ TextureName create(GLenum target)
 
 int mipLevels(int width, int height)
 {
-    return std::bit_width(static_cast<unsigned>(std::max({width, height, 1})));
+    return static_cast<int>(std::bit_width(static_cast<unsigned>(std::max({width, height, 1}))));
 }
 
 struct PixelFormat {

@@ -83,7 +83,7 @@ public:
     template <BlockStruct T> std::size_t put(const T& block)
     {
         const std::size_t begin = align(16);
-        T::visitFields(block, [this](const char*, const auto& field) { put(field); });
+        T::visitFields(block, [this](const char*, const auto& field) { this->put(field); });
         align(16);
         return begin;
     }

@@ -93,13 +93,13 @@ void halveChannel(const Channel& channel, const Value* from, int width, int heig
 
 /// The same for all channels at once, if both sides are even, the usual case: the mean of four texels in integers.
 template <typename Linear, typename Code>
-void halveEven(const std::uint8_t* from, int width, int height, std::size_t channels, std::uint8_t* to, Linear linear,
-               Code code)
+void halveEven(const Texture& texture, const std::uint8_t* from, std::uint8_t* to, Linear linear, Code code)
 {
-    const std::size_t stride = static_cast<std::size_t>(width) * channels;
-    for (int y = 0; y < height / 2; ++y, from += 2 * stride) {
+    const auto channels = static_cast<std::size_t>(texture.channels);
+    const std::size_t stride = static_cast<std::size_t>(texture.width) * channels;
+    for (int y = 0; y < texture.height / 2; ++y, from += 2 * stride) {
         const std::uint8_t* at = from;
-        for (int x = 0; x < width / 2; ++x, at += 2 * channels)
+        for (int x = 0; x < texture.width / 2; ++x, at += 2 * channels)
             for (std::size_t c = 0; c < channels; ++c)
                 *to++ = code((linear(at[c]) + linear(at[c + channels]) + linear(at[c + stride]) +
                               linear(at[c + channels + stride]) + 2) /
@@ -114,12 +114,11 @@ void halveLayer(const Texture& from, const std::uint8_t* in, std::uint8_t* out)
     const bool colors = from.sRgb && channels > 1;
     if (even && !colors)
         return halveEven(
-            in, from.width, from.height, channels, out, [](std::uint8_t code) { return static_cast<int>(code); },
+            from, in, out, [](std::uint8_t code) { return static_cast<int>(code); },
             [](int mean) { return static_cast<std::uint8_t>(mean); });
     if (even && channels == 3)
         return halveEven(
-            in, from.width, from.height, channels, out,
-            [&t = srgbTables()](std::uint8_t code) { return static_cast<int>(t.linear[code]); },
+            from, in, out, [&t = srgbTables()](std::uint8_t code) { return static_cast<int>(t.linear[code]); },
             [&t = srgbTables()](int mean) { return t.code[static_cast<std::size_t>(mean)]; });
     for (std::size_t c = 0; c < channels; ++c) {
         if (colors && c < 3)

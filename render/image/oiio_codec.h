@@ -6,6 +6,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -24,16 +25,19 @@ struct OiioTarget {
     double pixelsPerInch = 0;  ///< 0: not stored.
 };
 
-/// Options of a TIFF that is written a few rows at a time: RGB, 8 or 16 bits, sRGB-encoded.
+/// Options of a TIFF or PDF that is written a few rows at a time: codes of RGB or of inks, 8 or 16 bits.
 struct OiioRowTarget {
     std::string path;
     int width = 0;
     int height = 0;
     int bits = 8;
-    std::string compression = "none";  ///< "none" or "zip".
+    int channels = 3;                  ///< 3 for RGB, 4 for CMYK, whose codes are 0 for no ink.
+    std::string compression = "none";  ///< TIFF: "none" or "zip".
     double dpiX = 0, dpiY = 0;         ///< Stored as rational numbers of dots per inch.
-    std::string description{};         ///< ASCII, for ImageDescription.
-    std::string profile{};             ///< ICC profile; empty: none.
+    std::string description{};         ///< ASCII, for ImageDescription, or the JSON attached to a PDF.
+    std::string profile{};             ///< ICC profile; empty: none. A PDF must have one.
+    /// Boxes of a PDF's page in pixels from the top left corner: left, top, right, bottom. Unset: the whole page.
+    std::optional<std::array<double, 4>> trim{}, bleed{};
 };
 
 /// Writer of an open file. Each function returns a half sentence that says what went wrong; empty: success.
@@ -54,6 +58,7 @@ public:
     [[nodiscard]] virtual std::string read(int first, int count, void* rows) noexcept = 0;
 
     int width = 0, height = 0, channels = 0, bits = 8;
+    bool isInks = false;  ///< The channels are cyan, magenta, yellow and black.
     std::string description{};
     int orientation = 1;    ///< 1 to 8, see `orient`.
     std::string profile{};  ///< ICC profile; empty: none.
@@ -97,7 +102,11 @@ public:
     /// Creates a TIFF to be written by rows; a BigTIFF if its pixels take more than 4000 MiB.
     [[nodiscard]] virtual std::string openRows(const OiioRowTarget&, std::unique_ptr<OiioRows>& out) noexcept = 0;
 
-    /// Opens a file written by `openRows` and compares size, resolution and some rows.
+    /// Creates a PDF of one page, with the picture at its exact size, to be written by rows. The description is
+    /// attached as a file, and the profile is the page's output intent too (ISO 32000, 14.11.5).
+    [[nodiscard]] virtual std::string openPdfRows(const OiioRowTarget&, std::unique_ptr<OiioRows>& out) noexcept = 0;
+
+    /// Opens a TIFF written by `openRows` and compares size, resolution and some rows.
     [[nodiscard]] virtual std::string checkRows(const OiioRowTarget&, const std::vector<WrittenRow>&) noexcept = 0;
 
     /// Reads the ICC profile of a file; empty if there is none.
@@ -125,5 +134,5 @@ public:
 }  // namespace vitrine::render
 
 /// The module's only exported symbol. Returns null unless `version` is `vitrineOiioVersion`.
-inline constexpr int vitrineOiioVersion = 5;
+inline constexpr int vitrineOiioVersion = 6;
 extern "C" vitrine::render::OiioCodec* vitrineOiio(int version);

@@ -49,6 +49,7 @@ const std::vector<PictureFileFormat>& pictureFormats()
         {ImageFormat::webp, "WebP", {".webp"}, "webp", {}, "image/webp"},
         {ImageFormat::bmp, "BMP", {".bmp"}, "", {}, "image/bmp"},
         {ImageFormat::gif, "GIF", {".gif"}, "", {}, "image/gif"},
+        {ImageFormat::pdf, "PDF", {".pdf"}, "", {}, "", false, true, false},
     };
     return formats;
 }
@@ -142,6 +143,13 @@ std::string_view streamedEndings()
     return endings;
 }
 
+std::string_view readStreamEndings()
+{
+    static const std::string endings =
+        allEndings([](const PictureFileFormat& format) { return format.isStreamed && format.isRead; });
+    return endings;
+}
+
 std::string_view settingsEndings()
 {
     static const std::string endings =
@@ -151,13 +159,18 @@ std::string_view settingsEndings()
 
 std::string_view readEndings()
 {
-    static const std::string endings = allEndings([](const PictureFileFormat&) { return true; });
+    static const std::string endings = allEndings([](const PictureFileFormat& format) { return format.isRead; });
     return endings;
 }
 
 const std::string& readFormats()
 {
-    static const std::string names = alternatives(pictureFormats(), &PictureFileFormat::name);
+    static const std::string names = [] {
+        std::vector<std::string_view> read;
+        for (const PictureFileFormat& format : pictureFormats())
+            if (format.isRead) read.push_back(format.name);
+        return alternatives(read);
+    }();
     return names;
 }
 

@@ -10,8 +10,8 @@
 namespace vitrine::render {
 
 /// Supported file formats. All others are refused: Debian's OpenImageIO has its own decoders for them (BMP, GIF, DPX,
-/// PSD, ...), which are known to be unsafe. WebP is decoded by libwebp, BMP and GIF by FFmpeg.
-enum class ImageFormat : std::uint8_t { png, jpeg, tiff, exr, hdr, webp, bmp, gif };
+/// PSD, ...), which are known to be unsafe. WebP is decoded by libwebp, BMP and GIF by FFmpeg. PDF is only written.
+enum class ImageFormat : std::uint8_t { png, jpeg, tiff, exr, hdr, webp, bmp, gif, pdf };
 
 /// `exr` stores 32-bit floats. `exrHalf` stores R, G, B and A as 16-bit floats, other channels as 32-bit. `jpeg` is
 /// lossy (quality 92, no chroma subsampling); transparent pictures are blended over white.
@@ -33,9 +33,10 @@ struct PictureFileFormat {
     std::string_view mediaType;                ///< "image/png". Empty: web browsers do not read the format.
     bool isLinear = false;                     ///< Holds linear light as floats.
     bool isStreamed = false;                   ///< Written row by row, as prints are (`PictureStream`).
+    bool isRead = true;                        ///< Pictures are read from it.
 };
 
-/// All formats that are read, in the order in which they are named to people.
+/// All formats, in the order in which they are named to people.
 [[nodiscard]] const std::vector<PictureFileFormat>& pictureFormats();
 
 /// Returns the declaration of the format.
@@ -65,8 +66,10 @@ struct PictureFileFormat {
 [[nodiscard]] std::string writtenExtensions(std::optional<int> bits = std::nullopt);
 /// Returns the extensions of streamed formats as a text for people: ".png or .tif".
 [[nodiscard]] std::string streamedExtensions();
-/// Returns all extensions of streamed formats in the form of `ParameterInfo::extensions`: "png tif tiff".
+/// Returns all extensions of streamed formats in the form of `ParameterInfo::extensions`: "png tif tiff pdf".
 [[nodiscard]] std::string_view streamedEndings();
+/// Returns those of them that are read, too: "png tif tiff".
+[[nodiscard]] std::string_view readStreamEndings();
 /// Returns all extensions of written formats, which carry settings, in the form of `ParameterInfo::extensions`.
 [[nodiscard]] std::string_view settingsEndings();
 /// Returns all extensions of readable formats in the form of `ParameterInfo::extensions`: "png jpg jpeg tif".

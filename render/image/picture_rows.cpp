@@ -33,6 +33,7 @@ PictureRows::PictureRows(const std::filesystem::path& path) : path_(path)
         bits_ = tiff_->bits;
         channels_ = static_cast<std::size_t>(tiff_->channels);
         json_ = tiff_->description;
+        if (tiff_->isInks) beginInks();
     } else {
         throw Failure(ErrorKind::file, "Cannot read " + path.string() + ": it is neither a TIFF nor a PNG.");
     }
@@ -41,6 +42,16 @@ PictureRows::PictureRows(const std::filesystem::path& path) : path_(path)
         check("it says that it is to be shown turned or mirrored, so that its lenses lie elsewhere; use the file as it "
               "was written");
     stored_.resize(static_cast<std::size_t>(width_) * channels_ * static_cast<std::size_t>(bits_ / 8));
+}
+
+void PictureRows::beginInks()
+{
+    if (profileChannels(tiff_->profile) != 4)
+        check("its colors are inks (CMYK) without an ICC profile that says how they look; embed the printer's profile, "
+              "or "
+              "save it as RGB");
+    inks_.emplace(tiff_->profile, srgbProfile(), ConversionSettings{.bits = bits_});
+    converted_.resize(static_cast<std::size_t>(width_) * 3 * static_cast<std::size_t>(bits_ / 8));
 }
 
 void PictureRows::check(const std::string& why) const
@@ -59,15 +70,18 @@ void PictureRows::readRow(std::int64_t row, std::uint16_t* out)
     } else {
         check(tiff_->read(static_cast<int>(row), 1, stored_.data()));
     }
-    const bool gray = channels_ < 3;
+    if (inks_) inks_->apply(stored_.data(), converted_.data(), static_cast<std::size_t>(width_));
+    const std::vector<char>& codes = inks_ ? converted_ : stored_;
+    const std::size_t channels = inks_ ? 3 : channels_;
+    const bool gray = channels < 3;
     for (std::size_t x = 0; x < static_cast<std::size_t>(width_); ++x) {
         for (std::size_t c = 0; c < 3; ++c) {
-            const std::size_t at = x * channels_ + (gray ? 0 : c);
+            const std::size_t at = x * channels + (gray ? 0 : c);
             std::uint16_t code = 0;
             if (bits_ == 16)
-                std::memcpy(&code, stored_.data() + at * 2, 2);
+                std::memcpy(&code, codes.data() + at * 2, 2);
             else
-                code = static_cast<std::uint16_t>(static_cast<unsigned char>(stored_[at]) * 257U);
+                code = static_cast<std::uint16_t>(static_cast<unsigned char>(codes[at]) * 257U);
             *out++ = code;
         }
     }

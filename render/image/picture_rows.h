@@ -2,10 +2,12 @@
 
 #include "render/image/oiio_codec.h"
 #include "render/image/png_row_reader.h"
+#include "render/image/profile_conversion.h"
 
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,8 +24,11 @@ public:
     /// Description of the print that `PictureStream` wrote; empty if there is none. The text is untrusted.
     [[nodiscard]] const std::string& json() const { return json_; }
 
-    /// ICC profile of its codes; empty: none.
-    [[nodiscard]] std::string profile() const { return png_ ? png_->profile() : tiff_->profile; }
+    /// ICC profile of its codes; empty: none. Inks are converted to sRGB when they are read.
+    [[nodiscard]] std::string profile() const
+    {
+        return png_ ? png_->profile() : inks_ ? std::string() : tiff_->profile;
+    }
 
     /// Reads `count` rows from row `first` on as 16-bit RGB codes (8-bit ones times 257); `out` holds width * count *
     /// 3. Rows in rising order are fast; going back restarts at the top. Throws Failure naming the file if it is
@@ -31,12 +36,15 @@ public:
     void read(std::int64_t first, std::int64_t count, std::uint16_t* out);
 
 private:
+    void beginInks();
     void readRow(std::int64_t row, std::uint16_t* out);
     void check(const std::string& why) const;
 
     std::filesystem::path path_;
     std::unique_ptr<PngRowReader> png_;
     std::unique_ptr<OiioRowReader> tiff_;
+    std::optional<ProfileConversion> inks_;  ///< From the inks of a TIFF to sRGB.
+    std::vector<char> converted_;            ///< One row of it.
     std::int64_t width_ = 0;
     std::int64_t height_ = 0;
     int bits_ = 8;

@@ -18,10 +18,15 @@ namespace {
 constexpr std::int64_t tiffSide = 1 << 20;  // OpenImageIO does not read larger TIFF files.
 constexpr std::int64_t keptRows = 16;
 
-bool isPng(const std::filesystem::path& path)
+bool is(ImageFormat wanted, const std::filesystem::path& path)
 {
     const PictureFileFormat* format = formatNamed(path);
-    return format && format->format == ImageFormat::png;
+    return format && format->format == wanted;
+}
+
+bool isPng(const std::filesystem::path& path)
+{
+    return is(ImageFormat::png, path);
 }
 
 const char* nameOf(StreamCompression compression)
@@ -35,12 +40,20 @@ const char* nameOf(StreamCompression compression)
 
 }  // namespace
 
-void requireStreamSides(const std::filesystem::path& path, std::int64_t width, std::int64_t height)
+void requireStream(const std::filesystem::path& path, const StreamShape& shape)
 {
+    if (isPng(path) && shape.channels != 3)
+        throw Failure(ErrorKind::usage, "Cannot write " + path.string() +
+                                            ": a PNG cannot hold inks (CMYK); give a name that ends in .tif or .pdf.");
+    // OpenImageIO writes inks with 8 bits only.
+    if (is(ImageFormat::tiff, path) && shape.channels == 4 && shape.bits != 8)
+        throw Failure(ErrorKind::usage, "Cannot write " + path.string() +
+                                            ": a TIFF of inks (CMYK) has 8 bits per channel; choose 8 bits, or give a "
+                                            "name that ends in .pdf.");
     const std::int64_t most = isPng(path) ? 2147483647 : tiffSide;
-    if (width > most || height > most) {
-        throw Failure(ErrorKind::usage, "Cannot write " + path.string() + ": " + std::to_string(width) + " x " +
-                                            std::to_string(height) +
+    if (shape.width > most || shape.height > most) {
+        throw Failure(ErrorKind::usage, "Cannot write " + path.string() + ": " + std::to_string(shape.width) + " x " +
+                                            std::to_string(shape.height) +
                                             " pixels are too many for this format, which ends at " +
                                             std::to_string(most) + " per side; print it in parts.");
     }
@@ -49,8 +62,9 @@ void requireStreamSides(const std::filesystem::path& path, std::int64_t width, s
 std::uint64_t streamBytes(const std::filesystem::path& path, const StreamSpec& spec)
 {
     constexpr double most = 1e19;  // The largest 16-bit PNG has more bytes than 64 bits can count.
-    const double bytes = static_cast<double>(spec.width) * static_cast<double>(spec.height) * 3 * (spec.bits / 8);
-    const bool packed = isPng(path) || spec.compression != StreamCompression::none;
+    const double bytes =
+        static_cast<double>(spec.width) * static_cast<double>(spec.height) * spec.channels * (spec.bits / 8);
+    const bool packed = isPng(path) || is(ImageFormat::pdf, path) || spec.compression != StreamCompression::none;
     return static_cast<std::uint64_t>(std::min(packed ? bytes / 4 : bytes, most));
 }
 
@@ -65,7 +79,7 @@ PictureStream::PictureStream(const std::filesystem::path& path, const StreamSpec
     if (!std::filesystem::is_directory(folder, error))
         throw Failure(ErrorKind::file, "Cannot write " + path.string() + ": there is no folder " + folder.string() +
                                            "; create it first.");
-    requireStreamSides(path, spec.width, spec.height);
+    requireStream(path, {spec.width, spec.height, spec.channels, spec.bits});
     requireSpace(path, streamBytes(path, spec), ops);
     if (isPng(path)) {
         pngRows_ = std::make_unique<PngRows>(PngRowTarget{part_->path().string(), spec.width, spec.height, spec.bits,
@@ -79,12 +93,17 @@ PictureStream::PictureStream(const std::filesystem::path& path, const StreamSpec
              static_cast<int>(spec.width),
              static_cast<int>(spec.height),
              spec.bits,
+             spec.channels,
              nameOf(spec.compression),
              spec.dpiX,
              spec.dpiY,
              asciiJson(spec.json),
-             spec.profile};
-    if (const std::string why = oiioCodec().openRows(tiff_, tiffRows_); !why.empty()) refuse(why);
+             spec.profile,
+             spec.trim,
+             spec.bleed};
+    const std::string why =
+        is(ImageFormat::pdf, path) ? oiioCodec().openPdfRows(tiff_, tiffRows_) : oiioCodec().openRows(tiff_, tiffRows_);
+    if (!why.empty()) refuse(why);
 }
 
 void PictureStream::refuse(const std::string& why) const
@@ -98,9 +117,10 @@ void PictureStream::write(const void* rows, std::int64_t count)
     const std::string why = pngRows_ ? pngRows_->write(rows, count)
                                      : tiffRows_->write(rows, static_cast<int>(done_), static_cast<int>(count));
     if (!why.empty()) refuse(why);
-    if (tiffRows_) {
+    if (is(ImageFormat::tiff, path_)) {
         // Rows spread over the picture, including the last one: on a full disk the end is missing.
-        const std::size_t stride = static_cast<std::size_t>(spec_.width) * 3 * static_cast<std::size_t>(spec_.bits / 8);
+        const std::size_t stride =
+            static_cast<std::size_t>(spec_.width) * static_cast<std::size_t>(spec_.channels * spec_.bits / 8);
         const std::int64_t step = spec_.height / keptRows + 1;
         for (std::int64_t y = 0; y < count; ++y) {
             const std::int64_t row = done_ + y;
@@ -116,13 +136,14 @@ void PictureStream::write(const void* rows, std::int64_t count)
 void PictureStream::finish()
 {
     if (std::string why = pngRows_ ? pngRows_->close() : tiffRows_->close(); !why.empty()) refuse(why);
-    if (!tiffRows_) return;
+    if (!is(ImageFormat::tiff, path_)) return;
     if (const std::string why = oiioCodec().checkRows(tiff_, kept_); !why.empty()) refuse(why);
 }
 
 double storedDpi(const std::filesystem::path& path, double dpi)
 {
     if (isPng(path)) return std::round(dpi / 0.0254) * 0.0254;
+    if (is(ImageFormat::pdf, path)) return dpi;
     return static_cast<double>(static_cast<float>(dpi));
 }
 

@@ -46,8 +46,8 @@ Profile opened(const std::string& bytes)
 
 cmsUInt32Number formatOf(bool gray, bool alpha)
 {
-    return FLOAT_SH(1U) | COLORSPACE_SH(gray ? PT_GRAY : PT_RGB) | EXTRA_SH(alpha ? 1U : 0U) |
-           CHANNELS_SH(gray ? 1U : 3U) | BYTES_SH(4U);
+    return FLOAT_SH(1U) | COLORSPACE_SH(gray ? cmsUInt32Number{PT_GRAY} : cmsUInt32Number{PT_RGB}) |
+           EXTRA_SH(alpha ? 1U : 0U) | CHANNELS_SH(gray ? 1U : 3U) | BYTES_SH(4U);
 }
 
 std::shared_ptr<void> transformFrom(const Profile& from, bool gray, bool alpha)

@@ -44,6 +44,17 @@ public:
     [[nodiscard]] virtual std::string close() noexcept = 0;
 };
 
+/// Reader of the frames of a video, in order. Each function returns a half sentence that says what went wrong; empty:
+/// success.
+class VideoReader {
+public:
+    virtual ~VideoReader() = default;
+    /// Passes over the next frame.
+    [[nodiscard]] virtual std::string skip() noexcept = 0;
+    /// Reads the next frame as 8-bit codes of red, green and blue, row 0 at the top. `isEnd`: there is none.
+    [[nodiscard]] virtual std::string next(StoredPicture& out, bool& isEnd) noexcept = 0;
+};
+
 /// Interface of the FFmpeg module. Like OiioCodec, it is in a library of its own, which is opened on first use.
 class VideoCodec {
 public:
@@ -60,6 +71,11 @@ public:
     [[nodiscard]] virtual std::string readStill(std::string_view bytes, bool isGif, StoredPicture& out) noexcept = 0;
     /// Decodes a WAV or FLAC file. Returns the problem like `readComment`.
     [[nodiscard]] virtual std::string readSound(const std::string& path, Sound& out) noexcept = 0;
+    /// Counts the frames of a video without decoding them. Returns the problem like `readComment`.
+    [[nodiscard]] virtual std::string countFrames(const std::string& path, std::size_t& out) noexcept = 0;
+    /// Opens a video to read its frames. Returns the problem like `readComment`.
+    [[nodiscard]] virtual std::string openReader(const std::string& path,
+                                                 std::unique_ptr<VideoReader>& out) noexcept = 0;
     /// Version of the loaded libavcodec: "59.37.100".
     [[nodiscard]] virtual const char* libraryVersion() const noexcept = 0;
 };
@@ -70,5 +86,5 @@ public:
 }  // namespace vitrine::render
 
 /// The module's only exported symbol. Returns null unless `version` is `vitrineVideoVersion`.
-inline constexpr int vitrineVideoVersion = 4;
+inline constexpr int vitrineVideoVersion = 5;
 extern "C" vitrine::render::VideoCodec* vitrineVideo(int version);

@@ -114,8 +114,7 @@ PowerLaw fitPowerLaw(std::span<const double> x, std::span<const double> y, doubl
     law.points = u.size();
     law.slope = uv / uu;
     law.offset = meanV - law.slope * meanU;
-    constexpr double infinite = std::numeric_limits<double>::infinity();
-    law.slopeInterval = {-infinite, infinite, 1};
+    law.slopeInterval = {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), 1};
     if (u.size() == 2) return law;
     double residual = 0;
     for (std::size_t i = 0; i < u.size(); ++i) residual += std::pow(v[i] - law.offset - law.slope * u[i], 2);

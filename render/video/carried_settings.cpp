@@ -100,7 +100,8 @@ std::string commentOf(const fs::path& path, VideoFormat format)
 
 bool mayCarrySettings(const fs::path& path)
 {
-    return formatNamed(path) || videoFormatOf(path);
+    const PictureFileFormat* format = formatNamed(path);
+    return (format && format->isRead) || videoFormatOf(path);
 }
 
 std::string carriedSettingsEndings()

@@ -15,10 +15,17 @@ float localWindow(float distance, float range)
     return inside * inside;
 }
 
+// Cone falloff at `away` from the light, before it is limited to 0 to 1 and squared, times `distance`: the length of
+// `away`.
+float localConeMargin(LocalLightEntry light, vec3 away, float distance)
+{
+    return light.coneScale * dot(light.axis, away) - distance * (light.coneScale * light.coneCosine - 1.0);
+}
+
 // Share of a light's intensity in this direction from it (unit): smooth from 1 to 0 at the edge of its cone.
 float localCone(LocalLightEntry light, vec3 fromLight)
 {
-    float share = clamp(1.0 - (light.coneCosine - dot(light.axis, fromLight)) * light.coneScale, 0.0, 1.0);
+    float share = clamp(localConeMargin(light, fromLight, 1.0), 0.0, 1.0);
     return share * share;
 }
 
@@ -36,8 +43,7 @@ bool localReaches(LocalLightEntry light, vec3 place)
 {
     vec3 away = place - light.position;
     float squared = dot(away, away);
-    float ahead = light.coneScale * dot(light.axis, away);
-    bool inCone = safeSqrt(squared) * (light.coneScale * light.coneCosine - 1.0) < ahead;
+    bool inCone = localConeMargin(light, away, safeSqrt(squared)) > 0.0;
     return inCone && (light.range <= 0.0 || squared < light.range * light.range);
 }
 

@@ -1,5 +1,5 @@
 // A lake at night: one ray per pixel, which water reflects further. One ray towards the moon starts where it ends,
-// another one from the water that it hit first. Permutations: SHOW (0 the picture, 1 heights, 2 normals, 3 parts);
+// another one from the water that it hit first. Permutations: SHOW, one of SHOW_PICTURE and further;
 // LEGS, number of rays in sequence; BOUNCES, number of these on water; REFERENCE, the shading of the reference;
 // REPETITION, which cells around a point are searched; LANTERNS, WAVES, MIST, MOON, STARS, PANORAMA; MOON_ON_WATER, if
 // lanterns shadow the water from the moon.
@@ -56,7 +56,7 @@ struct Gathered {
 
 vec3 skyAround(vec3 d, Leg leg, float pixel)
 {
-#if SHOW != 0
+#if SHOW != SHOW_PICTURE
     return vec3(0.02, 0.022, 0.03);
 #elif defined(REFERENCE)
     return referenceSky(d);
@@ -82,9 +82,9 @@ Gathered meetLantern(Gathered before, Leg leg, LanternWalk walk, float pixel)
     vec3 world = axes * n;
     vec3 p = leg.ray.origin + d * walk.distance;
     float left = mistLeft(leg.ray.origin, d, walk.distance);
-#if SHOW == 2
+#if SHOW == SHOW_NORMALS
     now.radiance += leg.weight * (0.5 + 0.5 * world) * 0.6;
-#elif SHOW != 0
+#elif SHOW != SHOW_PICTURE
     now.radiance += leg.weight * partColor(walk.part) * (0.35 + 0.3 * max(world.y, -world.z));
 #else
 #ifdef REFERENCE
@@ -191,14 +191,14 @@ Mirror meetWater(Leg from, float t, float pixel)
     return m;
 }
 
-#if SHOW == 1 || SHOW == 2
+#if SHOW == SHOW_HEIGHTS || SHOW == SHOW_NORMALS
 // Heights or normals of the water, as colors.
 vec3 waterShown(Leg leg, float t)
 {
     vec3 p = leg.ray.origin + leg.ray.direction * t;
     vec2 cone = coneWidth(leg.ray, t);
     vec2 ahead = leg.ray.direction.xz / max(length(leg.ray.direction.xz), 1e-5);
-#if SHOW == 1
+#if SHOW == SHOW_HEIGHTS
     float h = clamp(lakeAt(p.xz).height * parameters.exaggeration / 0.2075, -1.0, 1.0);
     return mix(vec3(0.02, 0.05, 0.3), vec3(0.9, 0.75, 0.35), 0.5 + 0.5 * h);
 #else
@@ -301,10 +301,10 @@ PortalSeen portalSeen(PortalRay eye)
                 sum.radiance += leg.weight * skyAround(leg.ray.direction, leg, eye.footprint);
                 ends = true;
             } else {
-#if SHOW == 1 || SHOW == 2
+#if SHOW == SHOW_HEIGHTS || SHOW == SHOW_NORMALS
                 sum.radiance += leg.weight * waterShown(leg, t);
                 ends = true;
-#elif SHOW == 3
+#elif SHOW == SHOW_PARTS
                 sum.radiance += leg.weight * vec3(0.02, 0.06, 0.1);
                 ends = true;
 #else

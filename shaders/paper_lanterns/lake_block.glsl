@@ -16,6 +16,12 @@
 #define REPEAT_3X3 2
 #define REPEAT_CELL_WALL 3
 
+// Values of the permutation SHOW: the parameter "show".
+#define SHOW_PICTURE 0
+#define SHOW_HEIGHTS 1
+#define SHOW_NORMALS 2
+#define SHOW_PARTS 3
+
 #define LAKE_FIELDS(FIELD, ARRAY) \
     FIELD(vec2, corner)          /* low corner of cell (0, 0) of the lattice */ \
     FIELD(float, cell)           /* width of a cell */ \

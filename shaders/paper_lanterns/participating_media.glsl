@@ -72,7 +72,7 @@ LanternWalk withPoint(LanternWalk before, LanternRay ray, Lantern l, float near)
     float coarse = clamp(max(widths.x, widths.y) / lake.paperRadius, 0.0, 1.0);
     float profile = mix(paperProfile(aside, clamp(y, 0.0, lake.paperHeight)), 1.0, coarse);
     float left = mistLeft(ray.origin, ray.direction, near);
-#if SHOW == 0
+#if SHOW == SHOW_PICTURE
     vec3 glow = mix(mistLight(), l.glow * profile, left);
 #else
     vec3 glow = PAPER_SHOWN;
@@ -102,7 +102,7 @@ vec4 farLanterns(LanternRay ray, float end)
     float ratio = exp2(log2(to / from) / float(places));
     float middle = 0.5 * lake.paperHeight;
     float density = lake.fill * 2.0 * lake.paperRadius / (lake.cell * lake.cell) * length(vec2(ray.direction.x, ray.direction.z));
-#if SHOW == 0
+#if SHOW == SHOW_PICTURE
     vec3 glow = paperGlow(mix(0.55, flickerOf(0.0), 1.0 - lake.flickerApart), 0.0);
 #else
     vec3 glow = PAPER_SHOWN;
@@ -116,7 +116,7 @@ vec4 farLanterns(LanternRay ray, float end)
         float y = ray.origin.y + ray.direction.y * at;
         float covered = 1.0 - exp(-density * (next - t) * overlap(y - middle, middle, tall));
         vec3 light = glow;
-#if SHOW == 0
+#if SHOW == SHOW_PICTURE
         light = mix(mistLight(), glow, mistLeft(ray.origin, ray.direction, at));
 #endif
         seen.rgb += seen.a * covered * light;

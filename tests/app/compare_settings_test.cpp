@@ -152,6 +152,34 @@ TEST_F(CompareSettings, ComparesWithWhatTheExhibitOffers)
     refused(with("sdf_morph", {"initial", "--with", "mesh"}), {"not both"});
 }
 
+TEST_F(CompareSettings, PlansAndIsRunAgainByItsDocument)
+{
+    const std::string a = preset("a.json", R"({"morph": 0.1})"), b = preset("b.json", R"({"morph": 0.9})");
+    const Ended planned = compare(a, b, {"--dry-run", "--json", "--time", "2"});
+    ASSERT_EQ(planned.code, 0) << planned.err;
+    EXPECT_FALSE(std::filesystem::exists(out_));
+    const render::Json plan = render::parseJson(planned.out, "plan").root();
+    EXPECT_EQ(plan["job"], "comparison");
+    ASSERT_EQ(plan["files"].size(), 2U);
+    EXPECT_EQ(plan["files"][0]["path"], out_);
+    EXPECT_EQ(plan["facts"][1], (render::Json{{"label", "Parameters that differ"}, {"value", 1.0}}));
+
+    ASSERT_EQ(compare(a, b, {"--time", "2", "--gain", "16", "--eye", "1,1.5,3"}).code, 0);
+    const render::Json first = render::readJson(out_ + "/comparison.json").root();
+    const std::string again = folder_ / "again";
+    std::filesystem::remove(a);
+    std::filesystem::remove(b);
+    const Ended ended = test::vitrine({"compare-settings", "--like", out_, "--out", again, "--json"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    EXPECT_EQ(render::parseJson(ended.out, "report").root()["facts"][0]["value"], 1.0);
+    const render::Json second = render::readJson(again + "/comparison.json").root();
+    for (const char* key : {"a", "b", "size", "samples", "time", "seed", "camera", "rows", "errors", "counters"})
+        EXPECT_EQ(second[key], first[key]) << key;
+    EXPECT_EQ(second["time"], 2.0);
+    EXPECT_EQ(render::readFile(again + "/pictures/b.png", 16U << 20U), text("pictures/b.png"));
+    std::filesystem::remove_all(again);
+}
+
 TEST_F(CompareSettings, WhatCannotBeReadLeavesWhatIsThere)
 {
     const std::string good = preset("good.json", "{}"), bad = preset("bad.json", R"({"morph": "soup"})");

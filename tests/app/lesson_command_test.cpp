@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
+
 namespace {
 
 using namespace vitrine;
@@ -61,6 +64,58 @@ TEST(LessonCommand, PrintsTasksQuestionsAndAnswers)
     const Ended misspelled = test::vitrine({"lesson", "show", "furr"});
     EXPECT_EQ(misspelled.code, 2);
     EXPECT_NE(misspelled.err.find("did you mean fur?"), std::string::npos) << misspelled.err;
+}
+
+/// Returns how often a part occurs in a text.
+std::ptrdiff_t countOf(const std::string& text, const std::string& part)
+{
+    std::ptrdiff_t count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++count;
+    return count;
+}
+
+TEST(LessonCommand, ExportsAHandoutAndSlidesWithAPictureForEachStep)
+{
+    const test::TemporaryFolder folder;
+    const std::string file = folder / "own.md", out = folder / "handout";
+    std::string text = lessonFile(R"({"values": {"morph": 0}, "camera": "best"})");
+    text.insert(text.find("```json\n{\"val"), "### Try\nDrag [row:morph] & look.\n### Question\nWhy **so**?\n"
+                                              "### Answer\nBecause 1 < 2.\n");
+    text += "## Two\nMore.\n```json\n{\"values\": {\"morph\": 1}}\n```\n";
+    test::writeBytes(file, text);
+    const std::vector<std::string> command{"lesson", "export",    "sdf_morph", "--lesson", file, "--size",
+                                           "48x27",  "--samples", "1",         "--out",    out};
+    const Ended made = test::vitrine(command);
+    ASSERT_EQ(made.code, 0) << made.err;
+    const std::string page = test::bytesOf(out + "/handout.html"), slides = test::bytesOf(out + "/slides.html");
+    EXPECT_NE(page.find("Drag <strong>Morph</strong> &amp; look."), std::string::npos) << page;
+    EXPECT_NE(page.find("Why <strong>so</strong>?"), std::string::npos) << page;
+    EXPECT_EQ(countOf(page, "Because 1 &lt; 2."), 1);
+    EXPECT_GT(page.find("Because 1"), page.find("2. Two")) << "the answers are at the end";
+    EXPECT_EQ(countOf(page, "<img src=\"pictures/step-0"), 2);
+    EXPECT_EQ(countOf(slides, "<section"), 4) << "title, step, question, step";
+    const std::string one = test::bytesOf(out + "/pictures/step-01.png"),
+                      two = test::bytesOf(out + "/pictures/step-02.png");
+    EXPECT_NE(one, two) << "each step has its own settings";
+
+    // Answers where they are asked for, and the same folder again.
+    std::vector<std::string> without = command;
+    without.insert(without.end(), {"--answers", "none"});
+    ASSERT_EQ(test::vitrine(without).code, 0);
+    EXPECT_EQ(countOf(test::bytesOf(out + "/handout.html"), "Because"), 0);
+
+    EXPECT_EQ(test::vitrine({"lesson", "export", "hall", "--out", folder / "none"}).code, 2);
+    const Ended missing =
+        test::vitrine({"lesson", "export", "fur", "--lesson", folder / "none.md", "--out", folder / "x"});
+    EXPECT_EQ(missing.code, 2);
+    EXPECT_NE(missing.err.find("none.md"), std::string::npos) << missing.err;
+    // A folder with other things in it is not replaced.
+    std::filesystem::create_directories(folder / "mine");
+    test::writeBytes(folder / "mine/diary.txt", "mine");
+    std::vector<std::string> over = command;
+    over.back() = folder / "mine";
+    EXPECT_NE(test::vitrine(over).code, 0);
+    EXPECT_EQ(test::bytesOf(folder / "mine/diary.txt"), "mine");
 }
 
 TEST(LessonCommand, ListsTheLessonOfEveryExhibit)

@@ -3,6 +3,9 @@
 outside_readers.py exr FILE        OpenImageIO: matrices, channels and Cryptomatte agree with one another.
 outside_readers.py equal A B       Pillow: two pictures have the same pixels.
 outside_readers.py size FILE W H   Pillow: the size of a picture, - for standard input.
+outside_readers.py schema SCHEMA FILE...
+                                   jsonschema: each file is valid, and not once its values are of another type.
+outside_readers.py text FILE KEY     Pillow: prints a text of a PNG.
 outside_readers.py 3mf FILE N      zipfile, ElementTree and, if it is here, lib3mf: N triangles, millimeters, colors.
 
 Exit 77: the reader is not here."""
@@ -179,5 +182,29 @@ def three_mf(name, triangles):
         print("skipped: lib3mf is not here")
 
 
+def text(name, key):
+    image = pillow().open(name)
+    image.load()
+    print(image.text[key])
+
+
+def schema(name, *files):
+    try:
+        import jsonschema
+    except ImportError:
+        skip("python3-jsonschema")
+    with open(name) as file:
+        described = json.load(file)
+    jsonschema.Draft202012Validator.check_schema(described)
+    validator = jsonschema.Draft202012Validator(described)
+    for each in files:
+        with open(each) as file:
+            read = json.load(file)
+        validator.validate(read)
+        for key in read["values"]:
+            read["values"][key] = {"no": "value"}
+            assert not validator.is_valid(read), (each, key)
+
+
 if __name__ == "__main__":
-    {"exr": exr, "equal": equal, "size": size, "3mf": three_mf}[sys.argv[1]](*sys.argv[2:])
+    {"exr": exr, "equal": equal, "size": size, "3mf": three_mf, "schema": schema, "text": text}[sys.argv[1]](*sys.argv[2:])

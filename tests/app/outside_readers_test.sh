@@ -102,6 +102,38 @@ python 3mf "$folder/balls.3mf" "$triangles"
 "$vitrine" quilt sdf_morph --alone --columns 3 --rows 2 --size 24x32 --samples 1 --out "$folder/g.png" >/dev/null || exit 1
 python size "$folder/g_qs3x2a0.75.png" 72 64
 
+# A print as PDF: exact size, boxes, colors, attached settings, and the pixels of the PNG.
+for end in png pdf; do
+    "$vitrine" print --exhibit sdf_morph --samples 1 --view-size 60x40 --count 4 --lpi 40 --dpi 300 --width-mm 70 \
+        --height-mm 50 --bleed-mm 2 --border-mm 6 --crop-marks --registration-marks --pitch-strip --out "$folder/p.$end" \
+        >/dev/null || exit 1
+done
+if by qpdf; then qpdf --check "$folder/p.pdf" >/dev/null || fail "qpdf finds faults"; fi
+if by pdfinfo; then
+    pdfinfo -box "$folder/p.pdf" >"$folder/boxes" || fail "pdfinfo cannot read the file"
+    for line in "MediaBox: *0.00 *0.00 *243.84 *187.20" "BleedBox: *17.04 *17.04 *226.80 *170.16" \
+        "TrimBox: *22.7. *22.7. *221.1. *164.[45]."; do
+        grep -Eq "$line" "$folder/boxes" || fail "pdfinfo does not find $line"
+    done
+    pdfdetach -list "$folder/p.pdf" | grep -q "vitrine-print.json" || fail "pdfdetach finds no settings"
+    pdfimages -list "$folder/p.pdf" | grep -Eq "image +1016 +780 +icc +3 +8 .* 300 +300 " ||
+        fail "pdfimages finds another picture"
+    pdfimages -png "$folder/p.pdf" "$folder/from_pdf"
+    python equal "$folder/p.png" "$folder/from_pdf-000.png"
+    read_by=$((read_by + 1))
+fi
+
+# Presets, and settings of the whole museum, by their schema.
+for presets in "$here"/../../assets/presets/*/; do
+    exhibit=$(basename "$presets")
+    "$vitrine" preset schema "$exhibit" >"$folder/schema.json" || fail "preset schema $exhibit"
+    python schema "$folder/schema.json" "$presets"*.json
+done
+"$vitrine" preset schema >"$folder/schema.json" || fail "preset schema"
+"$vitrine" render sdf_morph --alone --set morph=0.5 --size 8x8 --samples 1 --out "$folder/h.png" >/dev/null || exit 1
+python text "$folder/h.png" vitrine:preset >"$folder/h.json"
+[ ! -s "$folder/h.json" ] || python schema "$folder/schema.json" "$folder/h.json"
+
 [ $failed -eq 0 ] || exit 1
 [ $read_by -gt 0 ] || exit 77
 echo "$read_by files were read"

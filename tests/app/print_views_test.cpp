@@ -13,6 +13,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -170,7 +171,7 @@ TEST(PrintExhibit, RefusesInOneSentenceAndLeavesNothing)
         EXPECT_FALSE(std::filesystem::exists(views)) << ended.err;
     }
     for (const char* out : {"p.jpg", "p"})
-        test::expectOneSentence(test::vitrine(printing(folder / out, mug)), {".png or .tif"});
+        test::expectOneSentence(test::vitrine(printing(folder / out, mug)), {".png, .tif or .pdf"});
     test::expectOneSentence(test::vitrine(printing(folder / "missing/p.tif", mug)), {"missing"});
     EXPECT_FALSE(std::filesystem::exists(views));
 }
@@ -351,10 +352,12 @@ TEST(PrintCommand, HasAnOptionForEachParameter)
     int options = 0;
     for (const jobs::JobOption& option : jobs::optionsOf(table)) {
         ++options;
-        EXPECT_NE(help.find(option.name + ' '), std::string::npos) << option.name;
+        // A toggle that is on by default has an option that switches it off.
+        const std::string off = "--no-" + option.name.substr(2) + ' ';
+        EXPECT_NE(std::min(help.find(option.name + ' '), help.find(off)), std::string::npos) << option.name;
         EXPECT_NE(help.find(jobs::typeText(table, option)), std::string::npos) << option.name;
     }
-    EXPECT_EQ(options, 48);
+    EXPECT_EQ(options, 55);
 }
 
 TEST(PrintCommand, TheLpiGivenBesideASheetIsTheMeasuredOne)

@@ -453,6 +453,26 @@ TEST(RenderCommand, WithoutAssetsSaysWhatToDo)
     test::expectOneSentence(ended, {"materials.json"});
 }
 
+TEST(RenderCommand, ABrokenPictureOfTheHallIsNamedAndIsNotNeededForAnExhibitAlone)
+{
+    const TemporaryFolder folder;
+    const std::filesystem::path assets = render::asset("models/materials.json").parent_path().parent_path();
+    const auto link = [&](const std::filesystem::path& from, const std::string& to, const std::string& without) {
+        std::filesystem::create_directories(folder / to);
+        for (const auto& each : std::filesystem::directory_iterator(from))
+            if (each.path().filename() != without)
+                std::filesystem::create_symlink(each.path(), folder / (to + "/" + each.path().filename().string()));
+    };
+    link(assets, "assets", "models");
+    link(assets / "models", "assets/models", "hall_light_sky.png");
+    test::writeBytes(folder / "assets/models/hall_light_sky.png", "not a picture");
+    const test::Environment changed{{"VITRINE_ASSETS", folder / "assets"}};
+    const Ended hall = test::vitrine(rendering("hall", folder / "x.png"), changed);
+    EXPECT_EQ(hall.code, 5);
+    test::expectOneSentence(hall, {"hall_light_sky.png"});
+    EXPECT_EQ(test::vitrine(rendering("sdf_morph", folder / "y.png", {"--alone"}), changed).code, 0);
+}
+
 std::string preset(const std::string& values)
 {
     return "{\"format\": \"vitrine-preset\", \"version\": 1, \"exhibit\": \"sdf_morph\", \"name\": \"Test\", "

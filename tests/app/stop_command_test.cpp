@@ -11,6 +11,9 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <exception>
+#include <filesystem>
+#include <iterator>
 #include <thread>
 
 namespace vitrine {
@@ -52,6 +55,18 @@ int stoppedBy(int signal, const Typed& arguments, const fs::path& folder, std::c
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
+/// Returns whether the only file of the folder is this picture, and whole: a signal may come between the last step of a
+/// command and the end of the program.
+bool holdsOnlyWhole(const fs::path& picture)
+{
+    const auto files = std::distance(fs::directory_iterator(picture.parent_path()), fs::directory_iterator());
+    try {
+        return files == 1 && !render::readImage(picture).pixels.empty();
+    } catch (const std::exception&) {
+        return false;
+    }
+}
+
 TEST(StopCommand, EveryCommandEndsWith130AndLeavesNothingHalfMade)
 {
     const TemporaryFolder given;
@@ -77,7 +92,7 @@ TEST(StopCommand, EveryCommandEndsWith130AndLeavesNothingHalfMade)
             EXPECT_TRUE(done || code == 130) << command.front() << " ended with " << code;
             EXPECT_FALSE(holdsPart(folder.path())) << command.front();
             if (!done && command.front() != "tour") {
-                EXPECT_TRUE(fs::is_empty(folder.path())) << command.front();
+                EXPECT_TRUE(fs::is_empty(folder.path()) || holdsOnlyWhole(words.back())) << command.front();
             }
         }
 }

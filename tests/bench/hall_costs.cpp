@@ -90,9 +90,6 @@ bool hallCosts(const Options& options)
     const std::size_t sdf = *museum.find("sdf_morph");
     FrameRequest near = entrance;
     near.camera = museum.bestView(sdf, sceneState.values[sdf]);
-    FrameRequest alone = entrance;
-    alone.alone = sdf;
-    alone.camera = museum.subject(sdf).bestView(sceneState.values[sdf]);
     const auto draw = [&](const char* name, const FrameRequest& request) {
         return frame(name, museum, sceneState, request, renderer);
     };
@@ -154,26 +151,6 @@ bool hallCosts(const Options& options)
     print("The turning mobile", mobile);
     std::printf("\nA frame with the mobile turning takes %.2f times as long as one with it at rest.\n",
                 median(mobile[1].cpu) / median(mobile[0].cpu));
-
-    std::vector<Row> variants;
-    const auto aloneRenderer = std::make_shared<render::gl::Renderer>();
-    const auto variant = [&](const char* name, const std::function<void(ParameterValues&)>& change) {
-        SceneState changed = sceneState;
-        change(changed.values[sdf]);
-        variants.push_back(frame(name, museum, changed, alone, aloneRenderer));
-    };
-    variant("as it stands", [](ParameterValues&) {});
-    variant("without cone pre-pass", [&](ParameterValues& v) { v.set(table.conePrepass, false); });
-    variant("without cone pre-pass and relaxation", [&](ParameterValues& v) {
-        v.set(table.conePrepass, false);
-        v.set(table.relaxation, SdfRelaxation::none);
-    });
-    variant("no bounces", [&](ParameterValues& v) { v.set(table.bounces, 0); });
-    variant("four bounces", [&](ParameterValues& v) { v.set(table.bounces, 4); });
-    variant("glass", [&](ParameterValues& v) { v.set(table.material, SdfMaterial::glass); });
-    variant("area shadow, 16 rays", [&](ParameterValues& v) { v.set(table.shadowMethod, SdfShadow::area); });
-    measure(variants, rounds);
-    print("The exhibit alone", variants);
     return true;
 }
 

@@ -1,12 +1,9 @@
 // Interlacing 16 views of 1200 x 800 into 4800 x 3200 (600 dpi, 40.15 LPI): the interlacer beside a plain copy
-// of the same bytes and beside a straightforward loop over the pixels; then a larger print into a file, with the
-// encoder working while the next rows are made, and one after the other.
+// of the same bytes and beside a straightforward loop over the pixels.
 
 #include "tests/bench/bench.h"
-#include "tests/support/write_print.h"
 
 #include "exhibits/printing/interlace.h"
-#include "exhibits/printing/print_file.h"
 #include "exhibits/printing/view_weights.h"
 #include "render/image/srgb.h"
 #include "render/measure/clock.h"
@@ -25,7 +22,6 @@ using namespace vitrine::printing;
 
 constexpr int viewCount = 16;
 int runs = 25;  // The best run counts, because the machine may do other work.
-constexpr int fileRuns = 3;
 
 ViewSet noisyViews()
 {
@@ -93,32 +89,6 @@ void plainLoop(const PrintLayout& layout, const ViewSet& views, std::vector<std:
     }
 }
 
-/// Writes a file to the folder for temporary files: first after making all rows, then while making them.
-void toFiles(const ViewSet& views, const Interlacer& maker, const PrintLayout& layout, std::vector<std::uint8_t>& out)
-{
-    const auto pixels = static_cast<double>(layout.width() * layout.height());
-    for (const char* name : {"vitrine-bench.tif", "vitrine-bench.png"}) {
-        const std::filesystem::path path = std::filesystem::temp_directory_path() / name;
-        report((std::string(name) + ", made, then written").c_str(), pixels,
-               [&] {
-                   maker.fill({0, 0, layout.width(), layout.height()}, out.data(), 1);
-                   const auto stride = static_cast<std::size_t>(layout.width()) * 3;
-                   stagedRaster(layout,
-                                {[&](const Region& region, std::uint8_t* rows) {
-                                     std::memcpy(rows, out.data() + static_cast<std::size_t>(region.y0) * stride,
-                                                 static_cast<std::size_t>(region.y1 - region.y0) * stride);
-                                 },
-                                 {}},
-                                {.path = path})
-                       .publish();
-               },
-               fileRuns);
-        report((std::string(name) + ", made while written").c_str(), pixels,
-               [&] { (void)writePrint(layout, views, {.path = path}); }, fileRuns);
-        std::filesystem::remove(path);
-    }
-}
-
 }  // namespace
 
 bool interlacing(const Options& options)
@@ -156,7 +126,6 @@ bool interlacing(const Options& options)
     report("preparing the columns (area)", pixels, [&] { const Interlacer again(area, views); });
     report(
         "straightforward loop (area), 1 thread", pixels, [&] { plainLoop(area, views, out); }, 1);
-    toFiles(views, areaMaker, area, out);
     std::printf("\nOne thread interlaces %.0f MPixel/s with the nearest view (goal: 1000) and %.0f with areas in "
                 "linear light (goal: 500).\n",
                 pixels / near / 1e6, pixels / mixed / 1e6);

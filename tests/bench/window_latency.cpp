@@ -1,11 +1,13 @@
 // Response time of the window to input, and its processor time while idle. Starts the program on a display, sends real
-// events (XTEST), and reads the screen until it shows the response. Another build can be measured beside this one:
+// events (XTEST), and reads the screen until it shows the response. A display without a window manager gets openbox.
+// Another build can be measured beside this one:
 //   xvfb-run -a -s "-screen 0 1600x1000x24" benchmarks window_latency [--program NAME=PATH]...
 
 #include "tests/bench/bench.h"
 
 #include "render/measure/clock.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/window_manager.h"
 
 #include <X11/Xlib.h>
 #include <X11/Xutil.h>
@@ -125,7 +127,8 @@ private:
 /// Running program whose window fills the screen, with its own settings folders.
 class Program {
 public:
-    Program(const Hands& hands, const std::string& path, const std::string& cache) : hands_(hands)
+    Program(const Hands& hands, const test::WindowManager& windows, const std::string& path, const std::string& cache)
+        : hands_(hands), windows_(windows)
     {
         child_ = ::fork();
         if (child_ == 0) {
@@ -153,7 +156,7 @@ public:
         for (int i = 0; i < 600; ++i, wait(0.1)) {
             const std::optional<Window> window = largest();
             if (!window) continue;
-            XMoveResizeWindow(hands_.display(), *window, 0, 0, 1600, 1000);
+            windows_.fill(*window);
             focus();
             return true;
         }
@@ -162,9 +165,7 @@ public:
     /// Gives the keyboard to the main window, even if a dialog is open.
     void focus() const
     {
-        if (const std::optional<Window> window = largest())
-            XSetInputFocus(hands_.display(), *window, RevertToParent, CurrentTime);
-        XSync(hands_.display(), False);
+        if (const std::optional<Window> window = largest()) windows_.activate(*window);
     }
     /// Returns the processor time of all its threads.
     [[nodiscard]] double cpuSeconds() const
@@ -191,25 +192,21 @@ public:
 private:
     [[nodiscard]] std::optional<Window> largest() const
     {
-        Window root = 0, parent = 0;
-        Window* children = nullptr;
-        unsigned count = 0;
         std::optional<Window> found;
         int area = 400 * 300;
-        XQueryTree(hands_.display(), DefaultRootWindow(hands_.display()), &root, &parent, &children, &count);
-        for (unsigned i = 0; i < count; ++i) {
+        for (const Window window : windows_.windows()) {
             XWindowAttributes about;
-            if (!XGetWindowAttributes(hands_.display(), children[i], &about) || about.map_state != IsViewable ||
+            if (!XGetWindowAttributes(hands_.display(), window, &about) || about.map_state != IsViewable ||
                 about.width * about.height <= area)
                 continue;
             area = about.width * about.height;
-            found = children[i];
+            found = window;
         }
-        if (children) XFree(children);
         return found;
     }
 
     const Hands& hands_;
+    const test::WindowManager& windows_;
     test::TemporaryFolder home_;
     pid_t child_;
 };
@@ -223,11 +220,12 @@ std::string spread(std::vector<double> times)
     return text;
 }
 
-constexpr Rect otherTab{1350, 52, 54, 16};
-constexpr Rect typed{1314, 84, 7, 18};  // Right of the text "exposure" and its cursor in the filter.
-constexpr Rect slider{1395, 150, 96, 12};
-constexpr Rect number{1508, 148, 50, 16};
-constexpr Rect measure{450, 646, 66, 16};
+constexpr Rect otherTab{1308, 58, 48, 20};
+constexpr Rect typed{560, 78, 80, 16};  // Part of the words that an empty search shows, which a typed letter removes.
+constexpr Rect slider{1393, 124, 97, 12};
+constexpr Rect number{1520, 121, 44, 16};
+constexpr Rect measure{455, 757, 58, 18};
+constexpr Rect exportButton{1262, 764, 60, 16};
 
 struct Answers {
     std::vector<double> menu, key, number;
@@ -236,17 +234,6 @@ struct Answers {
 void clickOn(const Hands& hands, const Rect& at)
 {
     hands.click(at.x + at.width / 2, at.y + at.height / 2);
-}
-
-/// Shows only the hall's parameter "Exposure" in the panel, with the cursor behind its name in the filter.
-void showExposure(const Hands& hands)
-{
-    clickOn(hands, otherTab);
-    wait(1);
-    hands.key(XK_f, {XK_Control_L}, 1);
-    hands.key(XK_a, {XK_Control_L});
-    hands.type("exposure");
-    wait(2);
 }
 
 /// Moves the slider's handle to and fro and releases it, so that refinement starts again.
@@ -275,23 +262,14 @@ Answers probe(const Hands& hands, const Program& program, int runs, const std::f
         wait(0.3);
         (void)hands.answer(menuArea, [&] { hands.key(XK_Escape); });
         again();
-        hands.key(XK_f, {XK_Control_L}, 0.5 + 0.041 * run);
-        hands.key(XK_End, {}, 0.3);
+        hands.key(XK_f, {XK_Control_L}, 1.5 + 0.041 * run);
         answers.key.push_back(hands.answer(typed, [&] { hands.key(XK_w); }));
         wait(0.3);
-        hands.key(XK_BackSpace, {}, 0.7);
+        hands.key(XK_Escape, {}, 0.7);
         answers.number.push_back(drag(hands, run % 2 == 0 ? 9 : -9));
         wait(0.3);
     }
     return answers;
-}
-
-void command(const Hands& hands, const char* name)
-{
-    hands.key(XK_p, {XK_Control_L, XK_Shift_L}, 1.5);
-    hands.type(name);
-    wait(1);
-    hands.key(XK_Return, {}, 2);
 }
 
 void printRow(const std::string& program, const char* state, const Answers& answers)
@@ -307,12 +285,13 @@ bool openAtTheMug(const Hands& hands, const Program& program)
     if (!program.open()) return false;
     wait(3);
     hands.key(XK_1, {XK_Alt_L}, 3);
-    showExposure(hands);
+    clickOn(hands, otherTab);
+    wait(2);
     return true;
 }
 
-bool measureAnswers(const Hands& hands, const std::string& name, const std::string& path, const std::string& cache,
-                    int runs)
+bool measureAnswers(const Hands& hands, const test::WindowManager& windows, const std::string& name,
+                    const std::string& path, const std::string& cache, int runs)
 {
     const auto nothing = [] {};
     const auto afresh = [&] {
@@ -326,28 +305,45 @@ bool measureAnswers(const Hands& hands, const std::string& name, const std::stri
     };
     const auto move = [&](const Program&) {
         hands.key(XK_2, {XK_Alt_L}, 2);
-        showExposure(hands);
+        clickOn(hands, otherTab);
     };
     const auto study = [&](const Program& p) {
-        command(hands, "Study");
+        hands.key(XK_k, {XK_Control_L}, 1.5);
+        hands.type("Study");
+        wait(1);
+        hands.key(XK_Return, {}, 2);
         p.focus();
         clickOn(hands, measure);
         wait(2);
     };
-    const auto exporting = [&](const Program&) {
-        hands.key(XK_e, {XK_Control_L, XK_Shift_L}, 2);
-        hands.key(XK_Return, {}, 1);
+    const auto beginExport = [&](KeySym key, std::vector<KeySym> held) {
+        hands.key(key, std::move(held), 6);
+        clickOn(hands, exportButton);
+        wait(1);
+    };
+    const auto exporting = [&](const Program&) { beginExport(XK_e, {XK_Control_L, XK_Shift_L}); };
+    const auto studyAndRecord = [&](const Program& p) {
+        study(p);
+        beginExport(XK_F12, {XK_Shift_L});
+    };
+    const auto afterManySteps = [&] {
+        for (int i = 0; i < 30; ++i) hands.key(XK_z, {XK_Control_L});
+        for (int i = 0; i < 20; ++i) hands.key(XK_z, {XK_Control_L, XK_Shift_L});
+        for (int i = 0; i < 10; ++i) hands.key(i % 2 == 0 ? XK_1 : XK_2, {XK_Alt_L});
     };
     const std::vector<State> states{
         {"still", [](const Program& p) { p.rest(90); }, nothing},
         {"moving", move, nothing},
         {"refining", [](const Program&) {}, afresh},
         {"studying", study, nothing},
+        {"studying and refining", study, afresh},
+        {"studying and recording", studyAndRecord, nothing},
         {"exporting a picture", exporting, nothing},
+        {"after 30 undos, 20 redos and ten visits", [](const Program&) {}, afterManySteps},
         {"rendering a print's views", [&](const Program&) { hands.key(XK_p, {XK_Control_L}, 4); }, nothing},
     };
     for (const State& state : states) {
-        const Program program(hands, path, cache);
+        const Program program(hands, windows, path, cache);
         if (!openAtTheMug(hands, program)) return false;
         state.enter(program);
         printRow(name, state.name, probe(hands, program, runs, state.again));
@@ -355,12 +351,12 @@ bool measureAnswers(const Hands& hands, const std::string& name, const std::stri
     return true;
 }
 
-bool measureIdle(const Hands& hands, const std::string& name, const std::string& path, const std::string& cache,
-                 double settle)
+bool measureIdle(const Hands& hands, const test::WindowManager& windows, const std::string& name,
+                 const std::string& path, const std::string& cache, double settle)
 {
     std::printf("| %s |", name.c_str());
     for (const KeySym key : {KeySym{0}, KeySym{XK_1}, KeySym{XK_2}, KeySym{XK_3}, KeySym{XK_4}}) {
-        const Program program(hands, path, cache);
+        const Program program(hands, windows, path, cache);
         if (!program.open()) return false;
         wait(3);
         if (key != 0) hands.key(key, {XK_Alt_L});
@@ -387,19 +383,26 @@ bool windowLatency(const Options& options)
         std::fprintf(stderr, "benchmarks: needs a display and libXtst.so.6 (Debian: libxtst6).\n");
         return false;
     }
+    const test::WindowManager windows(*hands.display());
+    if (!windows.problem().empty()) {
+        std::fprintf(stderr, "benchmarks: %s\n", windows.problem().c_str());
+        return false;
+    }
     const test::TemporaryFolder cache;
     bool shown = true;
     std::printf("Milliseconds from an event to its answer on the screen, window of 1600 x 1000 pixels: median (to "
                 "the longest) of %d. Goal: 100.\n\n",
                 runs);
-    std::printf("| program | while | click on File to its menu | key to the filter | slider to its number "
+    std::printf("| program | while | click on File to its menu | key to the search | slider to its number "
                 "|\n|---|---|---|---|---|\n");
-    for (const auto& [name, path] : programs) shown = shown && measureAnswers(hands, name, path, cache / "cache", runs);
+    for (const auto& [name, path] : programs)
+        shown = shown && measureAnswers(hands, windows, name, path, cache / "cache", runs);
     std::printf("\nSeconds of processor time in ten seconds in which nobody touches the window, by default values, "
                 "after %.0f s at most.\n\n",
                 settle);
     std::printf("| program | entrance | place 1 | place 2 | place 3 | place 4 |\n|---|---|---|---|---|---|\n");
-    for (const auto& [name, path] : programs) shown = shown && measureIdle(hands, name, path, cache / "cache", settle);
+    for (const auto& [name, path] : programs)
+        shown = shown && measureIdle(hands, windows, name, path, cache / "cache", settle);
     if (!shown) std::fprintf(stderr, "benchmarks: no window came.\n");
     return shown;
 }

@@ -1,6 +1,7 @@
 #include "exhibits/jobs/kit/given_values.h"
 #include "exhibits/printing/print_json.h"
-#include "exhibits/printing/print_raster.h"
+#include "exhibits/printing/print_numbers.h"
+#include "exhibits/printing/read_print.h"
 #include "exhibits/printing/view_files.h"
 #include "render/image/image_io.h"
 #include "render/image/picture_stream.h"

@@ -38,7 +38,7 @@ struct ContactTable final : Parameters {
 };
 
 /// A contact sheet: a whole job in one file, with a parameter of every trait.
-class ContactJob final : public jobs::Job {
+class ContactJob : public jobs::Job {
 public:
     struct Inputs final : jobs::JobInputs {
         std::vector<render::Image> pictures;

@@ -92,6 +92,7 @@ TEST(MadeFieldOnPaper, CompilesForAShapeAndNotForItsNumbers)
 {
     BallShot shot(madeMuseum(), "made");
     shot.inHall();
+    test::letTheSunIn(shot.hall());
     const auto planned = [&] { return test::planned(shot.museum, shot.sceneState, shot.request.frame); };
     const render::FramePlan first = planned();
     shot.values().set(madeTable().size, 0.31);

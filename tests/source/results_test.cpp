@@ -1,6 +1,7 @@
 // Measured tables in tests/bench/results: each belongs to a command that results.sh lists, and names a commit of the
 // history.
 
+#include "render/files/read_file.h"
 #include "tests/source/source_files.h"
 
 #include <gtest/gtest.h>
@@ -46,6 +47,20 @@ TEST(Results, AreOfCommandsThatCanBeRunAgain)
         EXPECT_TRUE(file.ends_with(".md")) << file << ": results are Markdown";
         EXPECT_TRUE(names.contains(file.substr(0, file.find_first_of("-.")))) << "results.sh makes no " << file;
     }
+}
+
+TEST(Benchmarks, StayShort)
+{
+    // A question that is answered loses its case.
+    constexpr std::size_t most = 1800;
+    std::size_t count = 0;
+    for (const auto& entry : fs::directory_iterator(fs::path(VITRINE_SOURCE_DIR) / "tests/bench")) {
+        const fs::path extension = entry.path().extension();
+        if (extension == ".cpp" || extension == ".h")
+            count += test::lines(render::readFile(entry.path(), 1U << 20U)).size();
+    }
+    EXPECT_GT(count, most / 2);
+    EXPECT_LE(count, most) << "lines in tests/bench; remove what is answered";
 }
 
 /// Returns the commit that the head of a result names; empty if it names none.

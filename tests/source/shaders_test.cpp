@@ -105,13 +105,22 @@ std::vector<std::string> conditionalCalls(const std::string& body, const std::se
 /// themselves or by a function that they call.
 std::set<std::string> functionsWithDerivatives(const std::vector<Function>& functions)
 {
+    static const std::regex call(R"(\b(\w+)\s*\()");
+    std::vector<std::set<std::string>> calls;
+    for (const Function& function : functions) {
+        const std::string& body = function.body;
+        std::set<std::string> called;
+        for (auto c = std::sregex_iterator(body.begin(), body.end(), call); c != std::sregex_iterator(); ++c)
+            called.insert((*c)[1]);
+        calls.push_back(std::move(called));
+    }
     std::set<std::string> names{"texture", "dFdx", "dFdy", "fwidth"};
     for (std::size_t before = 0; before != names.size();) {
         before = names.size();
-        for (const Function& function : functions)
-            for (const std::string& name : std::set<std::string>(names))
-                if (std::regex_search(function.body, std::regex("\\b" + name + R"(\s*\()")))
-                    names.insert(function.name);
+        for (std::size_t i = 0; i < functions.size(); ++i)
+            if (std::any_of(calls[i].begin(), calls[i].end(),
+                            [&](const std::string& name) { return names.contains(name); }))
+                names.insert(functions[i].name);
     }
     return names;
 }

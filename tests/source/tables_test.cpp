@@ -94,6 +94,19 @@ TEST(Tables, NamesAreUniqueAndFitForPresetsFlagsAndGlsl)
     }
 }
 
+TEST(Tables, NoTwoGroupsHaveTheSameTitle)
+{
+    for (const auto& [exhibit, table] : tables()) {
+        std::set<std::string_view> seen;
+        std::string_view before;
+        for (const ParameterInfo& parameter : table->rows()) {
+            if (parameter.group == before) continue;
+            before = parameter.group;
+            EXPECT_TRUE(seen.insert(before).second) << exhibit << ": two headings read " << before;
+        }
+    }
+}
+
 TEST(Tables, EveryExhibitSaysWhatItsAccuracyIs)
 {
     for (const auto& [exhibit, table] : tables()) {

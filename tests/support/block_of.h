@@ -17,7 +17,7 @@ public:
     {
         if constexpr (render::BlockStruct<T>) {
             at_.align(16);
-            T::visitFields(value, [this](const char*, auto& field) { get(field); });
+            T::visitFields(value, [this](const char*, auto& field) { this->get(field); });
             at_.align(16);
         } else if constexpr (requires { value.fill(value[0]); }) {
             at_.align(16);

@@ -3,6 +3,7 @@
 #include "exhibits/crepuscular_rays/crepuscular_rays_table.h"
 #include "exhibits/hall/hall_table.h"
 #include "exhibits/sdf_morph/sdf_morph_table.h"
+#include "tests/support/degree.h"
 
 namespace vitrine::test {
 
@@ -11,6 +12,14 @@ inline const HallTable& hallTable()
 {
     static const HallTable table;
     return table;
+}
+/// Position of the sun after `letTheSunIn`, in radians.
+inline constexpr double straightSunElevation = 19 * degree, straightSunAzimuth = -3 * degree;
+/// Puts the sun nearly straight in front of the window, where it shines on the exhibit in the middle of the hall.
+inline void letTheSunIn(ParameterValues& hall)
+{
+    hall.set(hallTable().sunElevation, straightSunElevation);
+    hall.set(hallTable().sunAzimuth, straightSunAzimuth);
 }
 inline const CrepuscularRaysTable& raysTable()
 {

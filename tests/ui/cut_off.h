@@ -23,8 +23,7 @@ inline QSize neededSize(const QWidget& widget)
     const bool mayElide = widget.sizePolicy().horizontalPolicy() == QSizePolicy::Ignored;
     if (const auto* label = qobject_cast<const QLabel*>(&widget)) {
         if (label->text().isEmpty()) return {0, 0};
-        // Names of parameters are elided in the middle; the tooltip has the full name.
-        if (qobject_cast<const ui::RowLabel*>(label)) return {0, line};
+        if (const auto* name = qobject_cast<const ui::RowLabel*>(label)) return {0, name->heightFor(name->width())};
         if (label->wordWrap()) return {0, label->heightForWidth(label->width())};
         return {mayElide ? 0 : label->sizeHint().width(), label->sizeHint().height()};
     }
@@ -85,6 +84,8 @@ inline QStringList cutOff(const QWidget& root)
             QString("%1 “%2”").arg(widget->metaObject()->className(), label    ? label->text().left(40)
                                                                       : button ? button->text()
                                                                                : widget->accessibleName());
+        if (const auto* name = qobject_cast<const ui::RowLabel*>(widget); name && !name->isWhole())
+            all << QString("%1 is elided at %2 x %3").arg(what).arg(name->width()).arg(name->height());
         if (widget->width() < needed.width() || widget->height() < needed.height())
             all << QString("%1 has %2 x %3 and needs %4 x %5")
                        .arg(what)

@@ -10,6 +10,7 @@
 #include "ui/viewport/gl_probe.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
+#include "ui/window/window_actions.h"
 
 #include <QAction>
 #include <QApplication>
@@ -27,6 +28,7 @@ namespace vitrine::test {
 class OpenWindow : public QObject {
 protected:
     std::unique_ptr<QTemporaryDir> home_;
+    std::shared_ptr<PlainMuseum> kept_;  // Museum with another exhibit; null: none.
     std::unique_ptr<PaintedGallery> gallery_;
     std::unique_ptr<ui::MainWindow> window_;
     /// Largest number of supersamples of a static picture. The window is painted once for each; two are enough to see
@@ -34,7 +36,8 @@ protected:
     int mostSamples_ = 2;
     static constexpr int asTheHallRequests = std::numeric_limits<int>::max();
 
-    /// Returns a further exhibit for the gallery; null: none.
+    /// Returns a further exhibit for the gallery; null: none. Its museum is kept for all functions, so that its files
+    /// are read once.
     [[nodiscard]] virtual std::unique_ptr<Exhibit> anotherExhibit() { return nullptr; }
 
     static void prepare()
@@ -58,15 +61,17 @@ protected:
     }
     void openWindow()
     {
-        gallery_ = std::make_unique<PaintedGallery>(anotherExhibit());
-        window_ = std::make_unique<ui::MainWindow>(gallery_->museum(), *gallery_);
-        window_->viewport().setLimits(mostSamples_, 0);
+        if (!kept_)
+            if (auto another = anotherExhibit()) kept_ = std::make_shared<PlainMuseum>(std::move(another));
+        gallery_ = std::make_unique<PaintedGallery>(kept_);
+        window_ = std::make_unique<ui::MainWindow>(gallery_->museum(), *gallery_, ui::makeWindowActions);
+        window_->viewport().pictures().setLimits(mostSamples_, 0);
         window_->resize(1200, 800);
         window_->show();
         QVERIFY(QTest::qWaitForWindowExposed(window_.get(), vitrine::test::patience));
         settle();
     }
-    void settle() { QTRY_VERIFY(window_->viewport().schedule().still()); }
+    void settle() { QTRY_VERIFY(window_->viewport().pictures().schedule().still()); }
     void closeWindow()
     {
         window_->close();

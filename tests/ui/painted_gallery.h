@@ -103,10 +103,9 @@ private:
 /// Museum of plain exhibits, and renderers whose picture has one color: its red is the roughness of exhibit 1.
 class PaintedGallery final : public ui::Renderers {
 public:
-    /// `another` is added after the plain exhibit, if it is not null.
-    explicit PaintedGallery(std::unique_ptr<Exhibit> another = nullptr)
+    /// Null: the museum that is shared by all galleries without another exhibit.
+    explicit PaintedGallery(std::shared_ptr<PlainMuseum> own = nullptr) : own_(std::move(own))
     {
-        if (another) own_ = std::make_unique<PlainMuseum>(std::move(another));
         exhibit().moves = false;
         exhibit().movesFor = 0;
         exhibit().changesIn = INFINITY;
@@ -272,7 +271,6 @@ public:
     std::vector<render::CulledPass> complaints;  ///< Complaints of all further frames.
 
 private:
-    /// Museum that is shared by all galleries without another exhibit.
     [[nodiscard]] PlainMuseum& shown()
     {
         static PlainMuseum shared;
@@ -284,7 +282,7 @@ private:
         return greenIsTheClock ? static_cast<float>(request.time / 2 - std::floor(request.time / 2)) : 0.45F;
     }
 
-    std::unique_ptr<PlainMuseum> own_;
+    std::shared_ptr<PlainMuseum> own_;
     float red_ = 0, green_ = 0.45F;
     mutable std::mutex mutex_;
     std::vector<FrameRequest> requests_, otherRequests_;

@@ -36,7 +36,7 @@ CompareOverlay::CompareOverlay(Viewport& viewport, const SettingsB& other, Pictu
     setAccessibleName(tr("Comparison of A and B"));
     setGeometry(viewport.rect());
     viewport.installEventFilter(this);
-    connect(&viewport, &Viewport::drawn, this, &CompareOverlay::renew);
+    connect(&viewport.pictures(), &ViewportPictures::drawn, this, &CompareOverlay::renew);
     connect(&viewport, &Viewport::looked, this, &CompareOverlay::renew);
     connect(&picture, &PictureB::drawn, this, &CompareOverlay::renew);
     connect(&picture, &PictureB::gone, this, [this] {
@@ -126,13 +126,14 @@ void CompareOverlay::renew()
 
 void CompareOverlay::computeDifference()
 {
-    const DifferenceKey key{viewport_.shown().cacheKey(), picture_.image().cacheKey(), mode_, gain()};
+    const DifferenceKey key{viewport_.pictures().shown().image().cacheKey(), picture_.image().cacheKey(), mode_,
+                            gain()};
     if (key == differenceKey_) return;
     // One difference at a time. Otherwise pictures that come faster than differences would cancel each one.
     differenceDue_ = job_->running();
     if (differenceDue_) return;
     differenceKey_ = key;
-    job_->start([this, a = viewport_.shown(), b = picture_.image(), mode = mode_,
+    job_->start([this, a = viewport_.pictures().shown().image(), b = picture_.image(), mode = mode_,
                  gain = gain()](const ProgressJob::Progress&) -> ProgressJob::Outcome {
         QImage made = differenceImage(a, b, mode, gain);
         return [this, mode, made = std::move(made)] {
@@ -195,7 +196,7 @@ void CompareOverlay::paintSideBySide(QPainter& painter)
     painter.fillRect(rect(), veil);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     for (const bool other : {false, true}) {
-        const QImage& image = other ? picture_.image() : viewport_.shown();
+        const QImage& image = other ? picture_.image() : viewport_.pictures().shown().image();
         painter.save();
         painter.setClipRect(pictureOf(other));
         painter.drawImage(pictureIn(image.size(), QRectF(pictureOf(other))), image);

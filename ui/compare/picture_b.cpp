@@ -11,8 +11,8 @@ namespace vitrine::ui {
 PictureB::PictureB(Viewport& viewport, Renderers& renderers, const SettingsB& other, QObject* parent)
     : QObject(parent), viewport_(viewport), renderers_(renderers), other_(other)
 {
-    connect(&viewport, &Viewport::drawn, this, &PictureB::follow);
-    connect(&viewport, &Viewport::filesChanged, this, &PictureB::order);
+    connect(&viewport.pictures(), &ViewportPictures::drawn, this, &PictureB::follow);
+    connect(&viewport.scene(), &PresentScene::filesChanged, this, &PictureB::order);
     connect(&other, &SettingsB::changed, this, [this] {
         failure_.clear();
         pictured_.reset();
@@ -34,15 +34,15 @@ bool PictureB::Sight::serves(const Sight& wanted) const
 
 PictureB::Sight PictureB::sight() const
 {
-    const FrameRequest& request = viewport_.shownRequest();
-    const DrawOrder& order = viewport_.shownOrder();
+    const FrameRequest& request = viewport_.pictures().shown().request();
+    const DrawOrder& order = viewport_.pictures().shown().order();
     return {request.camera,
             request.time,
             request.sincePressed,
-            viewport_.shown().size(),
+            viewport_.pictures().shown().image().size(),
             request.runEverything,
             order.scale,
-            order.scale == 1 && order.samples == viewport_.schedule().samples()};
+            order.scale == 1 && order.samples == viewport_.pictures().schedule().samples()};
 }
 
 void PictureB::follow(const render::FrameReport& report)
@@ -61,7 +61,7 @@ void PictureB::setWanted(bool wanted)
 {
     if (wanted == wanted_) return;
     wanted_ = wanted;
-    viewport_.setWholePictures(wanted);
+    viewport_.pictures().setWhole(wanted);
     if (wanted) {
         order();
         return;
@@ -94,21 +94,22 @@ void PictureB::fail(const QString& why)
 
 void PictureB::order()
 {
-    if (!wanted_ || !other_.isSet() || viewport_.shown().isNull()) return;
+    if (!wanted_ || !other_.isSet() || viewport_.pictures().shown().image().isNull()) return;
     const Sight wanted = sight();
     struct Work {
         SceneState sceneState;
         FrameRequest request;
         QSize screen;
     };
-    auto work = std::make_shared<Work>(Work{other_.sceneState(), viewport_.shownRequest(), wanted.screen});
+    auto work =
+        std::make_shared<Work>(Work{other_.sceneState(), viewport_.pictures().shown().request(), wanted.screen});
     const PictureQuality quality = pictureQuality(work->sceneState.hall());
     FrameRequest& request = work->request;
     request.raster.size = glm::max(glm::ivec2(glm::round(glm::dvec2(wanted.screen.width(), wanted.screen.height()) *
                                                          (wanted.scale * quality.resolutionScale))),
                                    glm::ivec2(1));
     request.sample = 0;
-    request.samples = wanted.idle ? std::min(quality.supersamples, viewport_.schedule().mostSamples()) : 1;
+    request.samples = wanted.idle ? std::min(quality.supersamples, viewport_.pictures().schedule().mostSamples()) : 1;
     // Its history may be outdated, and the picture is not drawn again.
     request.resetHistory = request.finished = true;
     request.idle = false;  // A may be idle while B has just changed.

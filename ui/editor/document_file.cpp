@@ -42,7 +42,7 @@ QString savingCause()
 
 DocumentFile::DocumentFile(Workbench& window, QObject* parent) : QObject(parent), window_(window)
 {
-    connect(&window.viewport(), &Viewport::filesChanged, this, &DocumentFile::filesChanged);
+    connect(&window.viewport().scene(), &PresentScene::filesChanged, this, &DocumentFile::filesChanged);
     connect(&window.history(), &History::changesSettled, this, &DocumentFile::noteFiles);
     noteFiles();
 }

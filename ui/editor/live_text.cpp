@@ -27,7 +27,7 @@ LiveText::LiveText(Workbench& window, QObject* parent) : QObject(parent), window
     timer_.setInterval(pause);
     timer_.setTimerType(Qt::PreciseTimer);
     connect(&timer_, &QTimer::timeout, this, &LiveText::check);
-    connect(&window.viewport(), &Viewport::filesChanged, this, &LiveText::load);
+    connect(&window.viewport().scene(), &PresentScene::filesChanged, this, &LiveText::load);
 }
 
 LiveText::~LiveText()

@@ -49,7 +49,7 @@ void ShaderCopy::copyTo(std::size_t exhibit, const QString& path)
 {
     if (writing_.valid() && writing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
     writing_ = std::async(std::launch::async, [this, exhibit, path, state = window_.history().sceneState(),
-                                               request = window_.viewport().presentRequest()] {
+                                               request = window_.viewport().scene().request()] {
         QString problem;
         QStringList notes;
         try {

@@ -282,7 +282,7 @@ void ShaderPanel::askForPasses()
     if (planning_.valid() && planning_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
     planning_ = std::async(std::launch::async,
                            [this, &museum = window_.museum(), exhibit = subject_,
-                            state = window_.history().sceneState(), request = window_.viewport().presentRequest()] {
+                            state = window_.history().sceneState(), request = window_.viewport().scene().request()] {
                                std::vector<PassText> passes;
                                QString whyNoCopy = tr("This is a shader of your own already.");
                                try {

@@ -100,7 +100,7 @@ QPointF PadCorners::placeOf(std::size_t corner)
 
 QPixmap PadCorners::pictureOnShow() const
 {
-    const QImage& picture = workbench_.viewport().shown();
+    const QImage& picture = workbench_.viewport().pictures().shown().image();
     return picture.isNull() ? QPixmap() : thumbnailOf(picture);
 }
 

@@ -26,7 +26,7 @@ Variations::Variations(Workbench& workbench, const ParameterPanel& panel, QObjec
     connect(&workbench.history(), &History::changesSettled, this, &Variations::changed);
     connect(&panel.choices(), &PanelChoices::changed, this, &Variations::changed);
     // Requests copy the viewport's, so they wait for its first picture.
-    connect(&workbench.viewport(), &Viewport::drawn, this, [this] {
+    connect(&workbench.viewport().pictures(), &ViewportPictures::drawn, this, [this] {
         if (waiting_) order();
     });
 }
@@ -86,7 +86,7 @@ void Variations::order()
     task_.cancel();
     Viewport& viewport = workbench_.viewport();
     const bool wanted = seen_ && made() && finished_ < count;
-    waiting_ = wanted && viewport.shown().isNull();
+    waiting_ = wanted && viewport.pictures().shown().image().isNull();
     if (!wanted || waiting_) return;
     struct Work {
         std::vector<SceneState> looks;
@@ -94,7 +94,8 @@ void Variations::order()
         FrameRequest request;
         QSize screen;
     };
-    auto work = std::make_shared<Work>(Work{{}, finished_, viewport.shownRequest(), viewport.shown().size()});
+    auto work = std::make_shared<Work>(
+        Work{{}, finished_, viewport.pictures().shown().request(), viewport.pictures().shown().image().size()});
     for (int i = finished_; i < count; ++i) {
         work->looks.push_back(workbench_.history().sceneState());
         work->looks.back().values[exhibit_] = values(i);

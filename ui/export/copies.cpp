@@ -13,7 +13,7 @@ namespace vitrine::ui {
 
 void copyPicture(Workbench& window)
 {
-    const QImage& picture = window.viewport().shown();
+    const QImage& picture = window.viewport().pictures().shown().image();
     if (picture.isNull()) return;  // There is no picture yet.
     QGuiApplication::clipboard()->setImage(picture);
     window.say(
@@ -23,10 +23,10 @@ void copyPicture(Workbench& window)
 
 QString commandLineOf(Workbench& window)
 {
-    const Viewport& viewport = window.viewport();
+    Viewport& viewport = window.viewport();
     QString line =
-        QString::fromStdString(renderCommand(window.museum(), window.history().sceneState(), viewport.presentRequest(),
-                                             viewport.schedule().samples(), "picture.png"));
+        QString::fromStdString(renderCommand(window.museum(), window.history().sceneState(), viewport.scene().request(),
+                                             viewport.pictures().schedule().samples(), "picture.png"));
     // The plaques in the picture depend on the language.
     const QString asked = QStringLiteral("vitrine --language %1 ").arg(languageCode());
     if (languageCode() != QLatin1String("en")) line.replace(0, static_cast<qsizetype>(sizeof "vitrine"), asked);

@@ -8,6 +8,7 @@
 
 #include <QHBoxLayout>
 #include <QListWidget>
+#include <QScreen>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -18,7 +19,8 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr int kindsWidth = 150;  // Pixels.
+constexpr int kindsWidth = 150;   // Pixels.
+constexpr int mostOfScreen = 18;  // Percent.
 constexpr int idRole = Qt::UserRole;
 
 QSettings exportPlaces()
@@ -34,10 +36,13 @@ ExportDialog::ExportDialog(std::vector<ExportKind> kinds, QWidget* parent)
 {
     setWindowTitle(tr("Export"));
     setWindowFlag(Qt::WindowMaximizeButtonHint);
+    list_->setObjectName(QStringLiteral("kinds"));
     list_->setAccessibleName(tr("Kind of export"));
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list_->setFrameShape(QFrame::NoFrame);
     list_->setSpacing(4);
+    list_->setWordWrap(true);
+    list_->setResizeMode(QListView::Adjust);
     for (const ExportKind& kind : kinds_) {
         auto* item = new QListWidgetItem(kind.title, list_);
         item->setData(idRole, kind.id);
@@ -53,14 +58,17 @@ ExportDialog::ExportDialog(std::vector<ExportKind> kinds, QWidget* parent)
     connect(list_, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
         if (item) showKind(item->data(idRole).toString());
     });
-    resize(1150, 680);  // With a title bar it fits 1280 x 720.
+    // With a title bar, the usual size fits 1280 x 720.
+    constexpr QSize around(32, 48);
+    resize(QSize(grown(1150, *this), grown(680, *this))
+               .boundedTo((screen()->availableSize() - around).expandedTo(QSize(1150, 680))));
     restorePlace(*this, exportPlaces().value(QStringLiteral("export/geometry")).toByteArray());
 }
 
 QWidget* ExportDialog::buildColumn()
 {
     auto* column = new QWidget(this);
-    growWidth(*column, kindsWidth);
+    growWidth(*column, kindsWidth, mostOfScreen);
     auto* layout = new QVBoxLayout(column);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);

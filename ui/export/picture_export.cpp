@@ -51,7 +51,7 @@ PictureRequest PictureExport::request() const
     request.frame.camera = widened(window_.history().sceneState().camera,
                                    static_cast<double>(exportRequest_.size.x) / std::max(exportRequest_.size.y, 1));
     request.frame.raster.size = exportRequest_.size;
-    request.frame.time = window_.viewport().time();
+    request.frame.time = window_.viewport().clock().time();
     request.frame.transparent = exportRequest_.transparent;
     if (exportRequest_.transparent) request.frame.cutOut = window_.chosen();
     request.frame.averageIn =

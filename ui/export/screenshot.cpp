@@ -57,7 +57,7 @@ void writeAtOnce(Workbench& window, QObject& parent, PictureExport& refined)
         job->deleteLater();
     });
     job->start([&window, job, &refined, path = refined.path(), preset = refined.preset(),
-                shown = window.viewport().shown()](const ProgressJob::Progress&) {
+                shown = window.viewport().pictures().shown().image()](const ProgressJob::Progress&) {
         render::writePicture(path, linearPicture(shown), render::PictureFormat::png8, {preset, {}, 0});
         return [&window, job, &refined, path] {
             saySaved(window, QString::fromStdString(path.string()));
@@ -78,9 +78,9 @@ void saveScreenshot(Workbench& window, QObject& parent)
     const double ratio = viewport.devicePixelRatioF();
     exportRequest.size = {std::max(1, static_cast<int>(std::lround(viewport.width() * ratio))),
                           std::max(1, static_cast<int>(std::lround(viewport.height() * ratio)))};
-    exportRequest.samples = viewport.schedule().samples();
-    exportRequest.asShown = viewport.pictureFinished();
-    exportRequest.replaces = !exportRequest.asShown && !viewport.shown().isNull();
+    exportRequest.samples = viewport.pictures().schedule().samples();
+    exportRequest.asShown = viewport.pictures().finished();
+    exportRequest.replaces = !exportRequest.asShown && !viewport.pictures().shown().image().isNull();
     auto* work = new PictureExport(window, exportRequest, &parent);
     QObject::connect(work, &PictureExport::failed, &parent, [&window](const QString& why) {
         window.setProblems(screenshotCause(), {});

@@ -131,10 +131,10 @@ void GamepadControl::walk(const PadState& pad, bool here)
         keys.pitch = -look.y * tiltSpeed;
         const double nearer = pullOf(pad.rightTrigger), farther = pullOf(pad.leftTrigger);
         keys.run = nearer > runsFrom || pad.held(PadButton::leftStick);
-        if (viewport_.mode() == CameraControl::Mode::orbit) keys.nearer = (nearer - farther) * zoomSpeed;
+        if (viewport_.visitor().mode() == CameraControl::Mode::orbit) keys.nearer = (nearer - farther) * zoomSpeed;
     }
     const bool moves = keys.moves();
-    if (moves || walking_) viewport_.setSticks(keys);
+    if (moves || walking_) viewport_.input().setSticks(keys);
     walking_ = moves;
 }
 
@@ -160,10 +160,10 @@ void GamepadControl::press(PadButton button, bool here, bool again)
 void GamepadControl::pressHere(PadButton button, bool again)
 {
     switch (button) {
-    case PadButton::a: viewport_.act(); return;
-    case PadButton::b: viewport_.walkOn(); return;
-    case PadButton::x: viewport_.press(); return;
-    case PadButton::y: viewport_.goBack(); return;
+    case PadButton::a: viewport_.interaction().act(); return;
+    case PadButton::b: viewport_.visitor().walkOn(); return;
+    case PadButton::x: viewport_.interaction().press(); return;
+    case PadButton::y: viewport_.visitor().goBack(); return;
     case PadButton::leftShoulder: emit exhibitAsked(-1); return;
     case PadButton::rightShoulder: emit exhibitAsked(1); return;
     case PadButton::start: emit pauseAsked(); return;

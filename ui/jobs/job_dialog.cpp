@@ -1,12 +1,12 @@
 #include "ui/jobs/job_dialog.h"
 
 #include "exhibits/framework/files/state_folder.h"
-#include "exhibits/framework/table/acting.h"
 #include "exhibits/jobs/kit/command_line.h"
 #include "exhibits/jobs/kit/job_document.h"
 #include "render/failure.h"
 #include "render/files/shell_word.h"
 #include "ui/jobs/job_preview.h"
+#include "ui/jobs/make_preview.h"
 #include "ui/kit/export_bar.h"
 #include "ui/kit/idle_undo.h"
 #include "ui/kit/ini_file.h"
@@ -39,8 +39,8 @@ namespace vitrine::ui {
 namespace {
 
 constexpr int jobPanelWidth = 376;
-constexpr int planAfter = 250;       // Milliseconds.
-constexpr double leastExpected = 3;  // Seconds from which the expected time is shown.
+constexpr int mostOfScreen = 38;     // Percent of the screen that the panel takes at most.
+constexpr double leastExpected = 3;  // Seconds from which the expected time is a number.
 
 // Cause of a problem in the message list. Problems of different causes are removed separately.
 QString jobExportCause()
@@ -57,9 +57,15 @@ QString jobPlaces()
     return QString::fromStdString((stateFolder() / "jobs.ini").string());
 }
 
+bool writesFolder(const jobs::Job& job)
+{
+    return job.needs().extensions.empty();
+}
+
+/// Returns the usual extension; empty for a folder.
 QString extensionOf(const jobs::Job& job)
 {
-    return text(job.needs().extensions.front());
+    return writesFolder(job) ? QString() : text(job.needs().extensions.front());
 }
 
 /// Returns the filter of a file dialog: "PNG (*.png);;TIF (*.tif)".
@@ -71,34 +77,15 @@ QString filtersOf(const jobs::Job& job)
     return filters.join(QStringLiteral(";;"));
 }
 
-/// Returns the files of parameters that have an effect.
-std::vector<std::string> filesOf(const ParameterValues& values)
-{
-    std::vector<std::string> files;
-    for (std::size_t i = 0; i < values.rows().size(); ++i)
-        if (values.rows()[i].kind == Kind::file)
-            files.push_back(acts(values, i) ? std::get<std::string>(values.row(i)) : std::string());
-    return files;
-}
-
 }  // namespace
-
-/// Outcome of planning on another thread.
-struct JobDialog::Planned {
-    ParameterValues values, draft;
-    std::shared_ptr<const jobs::JobInputs> inputs;
-    jobs::JobPlan plan;
-};
 
 JobDialog::JobDialog(const jobs::Job& job, SceneSource scene, Renderers& renderers, RenderThread& thread,
                      QWidget* parent)
-    : QDialog(parent), job_(job), scene_(std::move(scene)), setup_(job, this), draft_(renderers, thread, this),
-      full_(renderers, thread, this), plan_(this), show_(this)
+    : QDialog(parent), job_(job), setup_(job, this), planner_(job, std::move(scene), setup_, this),
+      full_(renderers, thread, this), preview_(makePreview(job, this)), draft_(job, renderers, thread, preview_, this)
 {
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(translatedText(job_.title()));
-    soon_.setSingleShot(true);
-    soon_.setInterval(planAfter);
     build();
     buildUndo();
     connectParts();
@@ -114,31 +101,18 @@ void JobDialog::build()
 {
     panel_ = new ParameterPanel(setup_.history(), this);
     panel_->showExhibit(0, text(job_.name()));
-    facts_ = new QLabel(this);
-    facts_->setTextFormat(Qt::PlainText);
-    facts_->setWordWrap(true);
-    preview_ = makePreview(job_.name(), this);
-    buildBar();
-
     if (preview_)
-        growWidth(*panel_, jobPanelWidth);
+        growWidth(*panel_, jobPanelWidth, mostOfScreen);
     else
         growMinimumWidth(*panel_, jobPanelWidth);
-    auto* content = new QWidget;
-    auto* right = new QVBoxLayout(content);
-    right->setContentsMargins(8, 8, 16, 16);
-    right->setSpacing(8);
-    if (preview_) right->addWidget(preview_, 1);
-    right->addWidget(facts_);
-    right->addWidget(export_);
     // Without a preview, the settings use its space.
     auto* sides = new QBoxLayout(preview_ ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
     sides->setSpacing(8);
     sides->addWidget(panel_, preview_ ? 0 : 1);
-    auto* room = new ScrollRoom(content, this);
-    sides->addWidget(room, preview_ ? 1 : 0);
+    QWidget* right = buildRight();
+    sides->addWidget(right, preview_ ? 1 : 0);
     messages_ = new MessageStrip(this);
-    messages_->lieOver(room);
+    messages_->lieOver(right);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
@@ -146,10 +120,28 @@ void JobDialog::build()
     resize(preview_ ? 1000 : 600, 680);  // With a title bar it fits 1280 x 720.
 }
 
+QWidget* JobDialog::buildRight()
+{
+    facts_ = new QLabel(this);
+    facts_->setObjectName(QStringLiteral("facts"));
+    facts_->setTextFormat(Qt::PlainText);
+    facts_->setWordWrap(true);
+    auto* content = new QWidget;
+    auto* results = new QVBoxLayout(content);
+    results->setContentsMargins(8, 8, 16, 8);
+    results->setSpacing(8);
+    if (preview_) results->addWidget(preview_, 1);
+    results->addWidget(facts_);
+    buildBar();
+    return scrolledAboveBar(content, export_, this);
+}
+
 void JobDialog::buildBar()
 {
-    export_ = new ExportBar({tr("Output file. Further files take its name, and the settings lie beside it."),
-                             translatedText(job_.title()), filtersOf(job_), extensionOf(job_)},
+    export_ = new ExportBar({writesFolder(job_)
+                                 ? tr("Output folder. The settings lie beside it.")
+                                 : tr("Output file. Further files take its name, and the settings lie beside it."),
+                             translatedText(job_.title()), filtersOf(job_), extensionOf(job_), writesFolder(job_)},
                             this);
     if (!job_.needs().carriesSettings) {
         QPushButton* load = export_->addButton(
@@ -179,32 +171,43 @@ void JobDialog::buildUndo()
 void JobDialog::connectParts()
 {
     connect(&setup_, &JobSetup::changed, this, &JobDialog::follow);
-    connect(&soon_, &QTimer::timeout, this, &JobDialog::plan);
-    connect(&plan_, &ProgressJob::failed, this, [this](const QString& why) {
-        inputs_.reset();
-        planned_.reset();
-        if (preview_) preview_->clear();
+    connect(&planner_, &JobPlanner::planned, this, &JobDialog::showPlan);
+    connect(&planner_, &JobPlanner::failed, this, [this](const QString& why) {
+        draft_.clear();
         facts_->clear();
-        messages_->setProblems(jobInputCause(), {why});
+        complain(why);
         showButtons();
     });
-    connect(&draft_, &JobRunner::finished, this, &JobDialog::showDraft);
-    connect(&draft_, &JobRunner::failed, this, &JobDialog::complain);
-    connect(&show_, &ProgressJob::failed, this, &JobDialog::complain);
+    connect(&draft_, &JobDraft::failed, this, &JobDialog::complain);
+    connect(&draft_, &JobDraft::shown, this, [this](const jobs::JobReport& report, const jobs::JobForecast& forecast) {
+        if (!planner_.plan()) return;
+        draftSays_ = forecast.seconds;
+        std::vector<jobs::Fact> facts = planner_.plan()->facts;
+        facts.insert(facts.end(), forecast.facts.begin(), forecast.facts.end());
+        // A draft without facts of its own only shows what there will be.
+        if (!report.facts.empty() && planner_.drawsAll(forecast))
+            showFacts(report.facts, report.warnings, false);
+        else
+            showFacts(facts, {}, true);
+    });
     connect(&full_, &JobRunner::progressed, export_, &ExportBar::showProgress);
     connect(&full_, &JobRunner::finished, this, [this](const JobRunner::Run& run) {
         const auto& files = run->report().files;
         const QString name = QString::fromStdString(files.front().string());
         const QString saved = files.size() > 1 ? tr("Saved %1. Files beside it: %2.").arg(name).arg(files.size() - 1)
                                                : tr("Saved %1.").arg(name);
-        messages_->say(MessageStrip::Mood::notice, saved, {}, {}, name);
+        const QString page = name + QStringLiteral("/index.html");
+        messages_->say(MessageStrip::Mood::notice, saved, {}, {}, QFileInfo::exists(page) ? page : name);
         export_->setPath(nextFreePath(path()));
         endExport(QString());
-        if (!preview_ && planned_) showFacts(run->report(), false);
+        if (!preview_ && planner_.plan()) showFacts(run->report().facts, run->report().warnings, false);
     });
     connect(&full_, &JobRunner::failed, this, [this](const QString& why) {
         endExport(tr("Nothing was written."));
         messages_->setProblems(jobExportCause(), {why});
+    });
+    connect(export_, &ExportBar::pathChanged, this, [this] {
+        if (!exporting() && QFileInfo(path()).suffix() != suffix_) follow();
     });
     connect(export_, &ExportBar::goAsked, this, &JobDialog::startExport);
     connect(export_, &ExportBar::exportAsked, this, &JobDialog::begin);
@@ -219,10 +222,11 @@ void JobDialog::recall()
     if (folder.isEmpty() || !QDir(folder).exists())
         folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
     // A recording is named after what it shows, a sprite sheet or mesh after the job.
-    const jobs::JobScene scene = scene_();
+    const jobs::JobScene scene = planner_.scene();
     const bool chooses = job_.needs().choosesSubject();
     const std::string_view name = chooses ? scene.museum->subject(scene.subject).name() : job_.name();
-    const QString path = QDir(folder).filePath(text(name) + QLatin1Char('.') + extensionOf(job_));
+    const QString ending = writesFolder(job_) ? QString() : QLatin1Char('.') + extensionOf(job_);
+    const QString path = QDir(folder).filePath(text(name) + ending);
     export_->setPath(QFileInfo::exists(path) ? nextFreePath(path) : path);
     setup_.recall();
 }
@@ -243,17 +247,19 @@ void JobDialog::complain(const QString& why)
 
 void JobDialog::follow()
 {
-    if (filesOf(setup_.values()) != files_) inputs_.reset();
+    draftSays_ = 0;
+    draftIsDue_ = false;
     draft_.cancel();
-    show_.stop();
-    soon_.start();
+    planner_.follow();
     showButtons();
 }
 
 void JobDialog::refresh()
 {
-    inputs_.reset();
-    follow();
+    draft_.cancel();
+    draftIsDue_ = false;
+    planner_.refresh();
+    showButtons();
 }
 
 std::filesystem::path JobDialog::output() const
@@ -261,61 +267,43 @@ std::filesystem::path JobDialog::output() const
     return path().toStdString();
 }
 
-jobs::JobOrder JobDialog::order(const ParameterValues& values) const
+void JobDialog::showPlan()
 {
-    const jobs::JobScene scene = scene_();
-    return {job_.withScene(values, scene), job_.sceneFor(values, scene), inputs_, {}, {}};
-}
-
-void JobDialog::plan()
-{
-    const ParameterValues values = setup_.values();
-    plan_.start([this, values, inputs = inputs_, scene = scene_(),
-                 &job = job_](const ProgressJob::Progress&) -> ProgressJob::Outcome {
-        const auto read = inputs ? inputs : job.read(job.withScene(values, scene));
-        const Planned planned{values, job.draft(values, *read), read, job.plan(values, scene, *read, {})};
-        return [this, planned] { takePlan(planned); };
-    });
-}
-
-void JobDialog::takePlan(const Planned& planned)
-{
-    if (!(planned.values == setup_.values())) return;  // Another one is on its way.
     complain({});
-    inputs_ = planned.inputs;
-    files_ = filesOf(planned.values);
-    planned_ = planned.plan;
-    drawn_ = planned.draft;
-    panel_->setOffers(planned_->offers);
+    const jobs::JobPlan& plan = *planner_.plan();
+    panel_->setOffers(plan.offers);
     showButtons();
-    showFacts({{}, planned_->facts, {}}, false);
-    if (!planned_->refusal.empty()) {
-        if (preview_) preview_->clear();
-        return;
-    }
-    if (preview_) draft_.start(job_, order(*drawn_));
+    showFacts(plan.facts, {}, false);
+    suffix_ = QFileInfo(path()).suffix();
+    if (plan.refusal.empty())
+        startDraft();
+    else
+        draft_.clear();
 }
 
-void JobDialog::showDraft(const JobRunner::Run& run)
+void JobDialog::startDraft()
 {
-    const bool whole = job_.plan(*drawn_, scene_(), *inputs_, {}).facts == planned_->facts;
-    show_.start([this, run, whole, all = setup_.values(), drawn = *drawn_,
-                 preview = preview_](const ProgressJob::Progress&) -> ProgressJob::Outcome {
-        return [this, run, whole, show = preview->prepare(*run, all, drawn)] {
-            show();
-            if (planned_) showFacts(whole ? run->report() : jobs::JobReport{{}, planned_->facts, {}}, !whole);
-        };
-    });
+    // A page that is not shown draws nothing; it catches up when it is shown.
+    draftIsDue_ = !isVisible();
+    if (draftIsDue_) return;
+    draft_.start(planner_.order(planner_.drawn()), job_.withScene(setup_.values(), planner_.scene()), output());
 }
 
-void JobDialog::showFacts(const jobs::JobReport& report, bool partly)
+void JobDialog::showEvent(QShowEvent* event)
 {
-    if (!planned_->refusal.empty()) {
-        facts_->setText(translatedText(planned_->refusal));
+    QDialog::showEvent(event);
+    if (draftIsDue_ && !planner_.busy() && planner_.plan()) startDraft();
+}
+
+void JobDialog::showFacts(const std::vector<jobs::Fact>& facts, const std::vector<std::string>& warnings, bool partly)
+{
+    const jobs::JobPlan& plan = *planner_.plan();
+    if (!plan.refusal.empty()) {
+        facts_->setText(translatedText(plan.refusal));
         return;
     }
     QStringList texts;
-    for (const jobs::Fact& fact : report.facts)
+    for (const jobs::Fact& fact : facts)
         texts << translatedText(fact.label) + QLatin1Char(' ') +
                      withDecimalSign(QString::fromStdString(valueText(fact)));
     QStringList lines{texts.join(QStringLiteral(" · "))};
@@ -323,26 +311,30 @@ void JobDialog::showFacts(const jobs::JobReport& report, bool partly)
     if (const double seconds = secondsExpected(); seconds >= leastExpected)
         lines << (seconds < 90 ? tr("It will take about %1 s.").arg(std::ceil(seconds))
                                : tr("It will take about %1 min.").arg(std::round(seconds / 60)));
-    for (const std::string& warning : planned_->warnings) lines << translatedText(warning);
-    for (const std::string& warning : report.warnings) lines << translatedText(warning);
+    else if (seconds > 0)
+        lines << tr("It will take less than %1 s.").arg(leastExpected);
+    for (const std::string& warning : plan.warnings) lines << translatedText(warning);
+    for (const std::string& warning : warnings) lines << translatedText(warning);
     facts_->setText(lines.join(QLatin1Char('\n')));
 }
 
 double JobDialog::secondsExpected() const
 {
-    const jobs::JobScene scene = scene_();
+    if (draftSays_ > 0) return draftSays_;
+    const jobs::JobScene scene = planner_.scene();
     return scene.usual.secondsPerSample * job_.effort(setup_.values(), scene);
 }
 
 void JobDialog::showButtons()
 {
-    export_->showPossible(exporting(), inputs_ && planned_ && planned_->refusal.empty());
+    const auto& plan = planner_.plan();
+    export_->showPossible(exporting(), planner_.hasInputs() && plan && plan->refusal.empty());
     panel_->setEnabled(!exporting());
 }
 
 bool JobDialog::settled() const
 {
-    return !plan_.running() && !soon_.isActive() && !draft_.running() && !show_.running();
+    return !planner_.busy() && !draft_.busy();
 }
 
 void JobDialog::setPath(const QString& path)
@@ -357,7 +349,7 @@ QString JobDialog::path() const
 
 QString JobDialog::commandLine() const
 {
-    jobs::JobOrder all = order(setup_.values());
+    jobs::JobOrder all = planner_.order(setup_.values());
     all.out = output();
     QString line = QStringLiteral("vitrine");
     for (const std::string& word : commandOf(job_, all))
@@ -378,7 +370,7 @@ void JobDialog::chooseDocument()
 void JobDialog::load(const QString& file)
 {
     try {
-        const jobs::JobDocument document = jobs::readDocument(file.toStdString(), job_, scene_().museum);
+        const jobs::JobDocument document = jobs::readDocument(file.toStdString(), job_, planner_.scene().museum);
         messages_->setProblems(jobExportCause(), {});
         for (const std::string& note : document.notes) messages_->say(MessageStrip::Mood::notice, translatedText(note));
         setup_.change(tr("Load settings"), document.values);
@@ -389,8 +381,8 @@ void JobDialog::load(const QString& file)
 
 void JobDialog::startExport()
 {
-    if (exporting() || !inputs_) return;
-    const jobs::JobPlan plan = job_.plan(setup_.values(), scene_(), *inputs_, output());
+    if (exporting() || !planner_.hasInputs()) return;
+    const jobs::JobPlan plan = planner_.planFor(output());
     if (refuse(plan)) return;
     ifStopped_ = plan.ifStopped.empty() ? tr("Canceled; no file was written.") : translatedText(plan.ifStopped);
     QStringList beside;
@@ -408,10 +400,10 @@ bool JobDialog::refuse(const jobs::JobPlan& plan)
 
 void JobDialog::begin()
 {
-    if (exporting() || !inputs_) return;
+    if (exporting() || !planner_.hasInputs()) return;
     // The scene or its files may have changed while the question about replacing a file was open.
-    if (refuse(job_.plan(setup_.values(), scene_(), *inputs_, output()))) return;
-    jobs::JobOrder all = order(setup_.values());
+    if (refuse(planner_.planFor(output()))) return;
+    jobs::JobOrder all = planner_.order(setup_.values());
     all.out = output();
     export_->showStatus(tr("Starting"));
     full_.start(job_, std::move(all));

@@ -1,20 +1,15 @@
 #pragma once
 
 #include "exhibits/jobs/kit/job.h"
+#include "ui/jobs/job_draft.h"
+#include "ui/jobs/job_planner.h"
 #include "ui/jobs/job_runner.h"
 #include "ui/jobs/job_setup.h"
 #include "ui/kit/message_strip.h"
-#include "ui/kit/progress_job.h"
 
 #include <QDialog>
-#include <QTimer>
 
 #include <filesystem>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
 
 class QLabel;
 
@@ -30,8 +25,7 @@ class JobDialog final : public QDialog {
     Q_OBJECT
 
 public:
-    /// Returns the scene as it is now. Its museum must outlive the dialog.
-    using SceneSource = std::function<jobs::JobScene()>;
+    using SceneSource = JobPlanner::SceneSource;
 
     /// All arguments must outlive the dialog. Plans and exports use the scene as it is when they begin.
     JobDialog(const jobs::Job&, SceneSource, Renderers&, RenderThread&, QWidget* parent);
@@ -58,27 +52,28 @@ public:
     void done(int result) override;
     void reject() override;
 
+protected:
+    void showEvent(QShowEvent*) override;
+
 signals:
     void exportBegun();
     /// Emitted at the end of an export. `written`: the files were written.
     void exportEnded(bool written);
 
 private:
-    struct Planned;
-
     void build();
+    [[nodiscard]] QWidget* buildRight();
     void buildBar();
     void buildUndo();
     void connectParts();
     void recall();
     void remember();
     void follow();
-    void plan();
-    void takePlan(const Planned&);
-    void showDraft(const JobRunner::Run&);
-    void showFacts(const jobs::JobReport&, bool partly);
+    void showPlan();
+    void startDraft();
+    void showFacts(const std::vector<jobs::Fact>&, const std::vector<std::string>& warnings, bool partly);
     void showButtons();
-    /// Returns how long the export will take, by the time of the window's pictures; 0: unknown.
+    /// Returns how long the export will take, by its draft or by the time of the window's pictures; 0: unknown.
     [[nodiscard]] double secondsExpected() const;
     void chooseDocument();
     /// Shows why the plan refuses the export, and returns whether it does.
@@ -87,26 +82,23 @@ private:
     void endExport(const QString& words);
     void complain(const QString&);
     [[nodiscard]] std::filesystem::path output() const;
-    [[nodiscard]] jobs::JobOrder order(const ParameterValues&) const;
 
     const jobs::Job& job_;
-    SceneSource scene_;
     JobSetup setup_;
-    JobRunner draft_, full_;
-    ProgressJob plan_, show_;
-    QTimer soon_;                                    ///< Delays the draft until a slider has stopped moving.
-    std::shared_ptr<const jobs::JobInputs> inputs_;  ///< Null while they are being read.
-    std::vector<std::string> files_;                 ///< Files that the inputs were read from.
-    QString ifStopped_;                              ///< Sentence on what remains of the export when it is stopped.
-    std::optional<jobs::JobPlan> planned_;
-    std::optional<ParameterValues> drawn_;  ///< Values of the draft.
+    JobPlanner planner_;
+    JobRunner full_;
+    double draftSays_ = 0;  ///< Seconds that the export will take, judged by its draft; 0: unknown.
+    QString ifStopped_;     ///< Sentence on what remains of the export when it is stopped.
     bool remembered_ = false;
+    bool draftIsDue_ = false;  ///< Whether a draft was left out because the page is hidden.
 
     MessageStrip* messages_;
     ParameterPanel* panel_;
     QLabel* facts_;
-    JobPreview* preview_;
     ExportBar* export_;
+    JobPreview* preview_;
+    JobDraft draft_;  ///< Declared after the preview that it fills.
+    QString suffix_;  ///< Extension of the output that the draft is judged for.
 };
 
 }  // namespace vitrine::ui

@@ -1,8 +1,6 @@
 #include "ui/jobs/job_preview.h"
 
 #include "render/image/srgb.h"
-#include "ui/jobs/picture_preview.h"
-#include "ui/jobs/sprite_preview.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,13 +18,6 @@ QImage imageWithOpacity(const render::Image& light)
             picture.setPixel(x, y, opacity > 0 ? qRgba(code(0), code(1), code(2), opacity) : 0U);
         }
     return picture;
-}
-
-JobPreview* makePreview(std::string_view job, QWidget* parent)
-{
-    if (job == "render") return new PicturePreview(parent);
-    if (job == "sprite") return new SpritePreview(parent);
-    return nullptr;
 }
 
 }  // namespace vitrine::ui

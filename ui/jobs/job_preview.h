@@ -28,7 +28,4 @@ public:
 /// Converts linear RGBA, or RGB, to display codes with straight alpha. Fully transparent pixels have no color.
 [[nodiscard]] QImage imageWithOpacity(const render::Image&);
 
-/// Creates the preview of the job of this name; null if the job has none.
-[[nodiscard]] JobPreview* makePreview(std::string_view job, QWidget* parent);
-
 }  // namespace vitrine::ui

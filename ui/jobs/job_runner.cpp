@@ -27,7 +27,12 @@ void JobRunner::start(const jobs::Job& job, jobs::JobOrder order)
     cancel();
     publishes_ = !order.out.empty();
     order.largestTile = RenderThread::taskTile;
-    order.backend = [&renderers = renderers_, times = job.needs().timesPasses] { return renderers.makeBackend(times); };
+    const auto machine = std::make_shared<render::Json>();
+    order.backend = [&renderers = renderers_, machine, times = job.needs().timesPasses] {
+        *machine = renderers.machine();
+        return renderers.makeBackend(times);
+    };
+    order.machine = [machine] { return *machine; };
     running_ = true;
     elapsed_.start();
     try {

@@ -1,6 +1,5 @@
 #include "ui/jobs/picture_preview.h"
 
-#include "exhibits/jobs/picture/picture_job.h"
 #include "ui/kit/theme.h"
 
 #include <QPainter>
@@ -19,12 +18,12 @@ PicturePreview::PicturePreview(QWidget* parent) : JobPreview(parent)
     setMinimumSize(240, 160);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setAccessibleName(tr("Preview"));
-    setToolTip(tr("The picture as it will be saved, smaller."));
+    setToolTip(tr("The result, smaller or coarser."));
 }
 
 std::function<void()> PicturePreview::prepare(const jobs::JobRun& run, const ParameterValues&, const ParameterValues&)
 {
-    QImage picture = imageWithOpacity(static_cast<const jobs::PictureRun&>(run).picture());
+    QImage picture = imageWithOpacity(run.previewPicture());
     return [this, picture = std::move(picture)] { setPicture(picture); };
 }
 

@@ -1,5 +1,6 @@
 #include "ui/kit/export_bar.h"
 
+#include "ui/kit/flow_layout.h"
 #include "ui/kit/replace_question.h"
 #include "ui/kit/time_left.h"
 #include "ui/kit/type_size.h"
@@ -14,31 +15,34 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <utility>
 
 namespace vitrine::ui {
 
 ExportBar::ExportBar(Words words, QWidget* parent)
     : QWidget(parent), words_(std::move(words)), path_(new QLineEdit(this)), browse_(new QToolButton(this)),
-      progress_(new QProgressBar(this)), status_(new QLabel(this)), buttons_(new QHBoxLayout)
+      progress_(new QProgressBar(this)), status_(new QLabel(this)), line_(new FlowLayout), buttons_(new QHBoxLayout)
 {
-    path_->setAccessibleName(tr("File"));
+    path_->setAccessibleName(words_.isFolder ? tr("Folder") : tr("File"));
     path_->setToolTip(words_.help);
     browse_->setText(QStringLiteral("…"));
-    browse_->setAccessibleName(tr("Choose a file"));
-    browse_->setToolTip(tr("Choose a file"));
+    browse_->setAccessibleName(words_.isFolder ? tr("Choose a folder") : tr("Choose a file"));
+    browse_->setToolTip(browse_->accessibleName());
     browse_->setFocusPolicy(Qt::StrongFocus);
     progress_->setRange(0, 1000);
     progress_->setTextVisible(false);
     progress_->setFixedHeight(4);
     progress_->setAccessibleName(tr("Progress"));
     status_->setTextFormat(Qt::PlainText);
+    status_->setWordWrap(true);
     buttons_->addWidget(status_, 1);
     stop_ = makeButton(tr("Close"));
     go_ = makeButton(tr("Export"));
-    for (QPushButton* button : {stop_, go_}) buttons_->addWidget(button);
-    growMinimumWidth(*stop_, 112);
-    growMinimumWidth(*go_, 112);
+    for (QPushButton* button : {stop_, go_}) {
+        buttons_->addWidget(button);
+        followType(*button, [button] { button->setMinimumWidth(std::max(112, button->sizeHint().width() + 16)); });
+    }
     layOut();
     connect(path_, &QLineEdit::textChanged, this, &ExportBar::pathChanged);
     connect(browse_, &QToolButton::clicked, this, &ExportBar::browse);
@@ -63,15 +67,29 @@ QPushButton* ExportBar::addButton(const QString& text, const QString& help)
 {
     QPushButton* button = makeButton(text);
     button->setToolTip(help);
-    buttons_->insertWidget(added_++, button);
+    added_ << button;
+    placeAdded();
     return button;
+}
+
+void ExportBar::placeAdded()
+{
+    int place = 0;
+    for (QPushButton* button : added_) {
+        line_->removeWidget(button);
+        buttons_->removeWidget(button);
+        if (isLargeType(*this))
+            line_->addWidget(button);
+        else
+            buttons_->insertWidget(place++, button);
+    }
 }
 
 void ExportBar::layOut()
 {
     auto* file = new QHBoxLayout;
     file->setSpacing(8);
-    auto* label = new QLabel(tr("File"), this);
+    auto* label = new QLabel(path_->accessibleName(), this);
     label->setBuddy(path_);
     file->addWidget(label);
     file->addWidget(path_, 1);
@@ -82,7 +100,9 @@ void ExportBar::layOut()
     layout->setSpacing(8);
     layout->addLayout(file);
     layout->addWidget(progress_);
+    layout->addLayout(line_);
     layout->addLayout(buttons_);
+    followType(*this, [this] { placeAdded(); });
 }
 
 QString ExportBar::path() const
@@ -136,11 +156,16 @@ void ExportBar::browse()
 {
     auto* dialog = new QFileDialog(this, words_.title, path_->text(), words_.filter);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(words_.suffix);
+    if (words_.isFolder) {
+        dialog->setFileMode(QFileDialog::Directory);
+        dialog->setOption(QFileDialog::ShowDirsOnly);
+    } else {
+        dialog->setAcceptMode(QFileDialog::AcceptSave);
+        dialog->setDefaultSuffix(words_.suffix);
+    }
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& chosen) {
         path_->setText(chosen);
-        replaced_ = chosen;  // The file dialog has already asked about replacing it.
+        if (!words_.isFolder) replaced_ = chosen;  // The file dialog has already asked about replacing it.
     });
     dialog->open();
 }

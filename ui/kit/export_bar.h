@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QList>
 #include <QStringList>
 #include <QWidget>
 
@@ -12,16 +13,19 @@ class QToolButton;
 
 namespace vitrine::ui {
 
-/// Lower part of an export dialog: the file to write, the progress, and the buttons.
+class FlowLayout;
+
+/// Lower part of an export dialog: the file or folder to write, the progress, and the buttons.
 class ExportBar : public QWidget {
     Q_OBJECT
 
 public:
     struct Words {
-        QString help;    ///< Tooltip of the file name.
-        QString title;   ///< Title of the file dialog.
-        QString filter;  ///< File types in the file dialog.
-        QString suffix;  ///< Suffix added to a chosen name without one; empty: none.
+        QString help;           ///< Tooltip of the file name.
+        QString title;          ///< Title of the file dialog.
+        QString filter;         ///< File types in the file dialog.
+        QString suffix;         ///< Suffix added to a chosen name without one; empty: none.
+        bool isFolder = false;  ///< Whether a folder is written.
     };
     ExportBar(Words, QWidget* parent);
 
@@ -52,6 +56,8 @@ protected:
 private:
     QPushButton* makeButton(const QString& text);
     void layOut();
+    /// Puts the added buttons beside the others, or above them if the type is large.
+    void placeAdded();
     void browse();
 
     Words words_;
@@ -59,8 +65,9 @@ private:
     QToolButton* browse_;
     QProgressBar* progress_;
     QLabel* status_;
+    FlowLayout* line_;  ///< Added buttons while the type is large.
     QHBoxLayout* buttons_;
-    int added_ = 0;
+    QList<QPushButton*> added_;
     QPushButton *stop_, *go_;
     QString replaced_;  ///< File that the visitor agreed to replace.
 };

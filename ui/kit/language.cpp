@@ -30,9 +30,11 @@ class OneContext final : public QTranslator {
 public:
     using QTranslator::QTranslator;
 
-    [[nodiscard]] QString translate(const char* /*asked*/, const char* source, const char* disambiguation,
+    [[nodiscard]] QString translate(const char* asked, const char* source, const char* disambiguation,
                                     int n) const override
     {
+        // Qt translates the names of keys: "Shift" is also an operation on shapes.
+        if (QLatin1String(asked) == QLatin1String("QShortcut")) return {};
         return QTranslator::translate(context, source, disambiguation, n);  // Empty if there is no entry.
     }
 };

@@ -9,6 +9,7 @@
 
 #include <QApplication>
 #include <QClipboard>
+#include <QDesktopServices>
 #include <QEvent>
 #include <QGraphicsOpacityEffect>
 #include <QHBoxLayout>
@@ -20,6 +21,7 @@
 #include <QTextDocument>
 #include <QTimer>
 #include <QToolButton>
+#include <QUrl>
 
 #include <algorithm>
 
@@ -44,15 +46,19 @@ public:
         words_->setAccessibleName(MessageStrip::tr("Message"));
         setText(text);
         auto* copy = button(MessageStrip::tr("Copy"), MessageStrip::tr("Copy this message"));
+        open_ = button(MessageStrip::tr("Open"), MessageStrip::tr("Open the file with its usual program"));
         folder_ = button(MessageStrip::tr("Show in folder"), MessageStrip::tr("Show the file in its folder"));
         auto* dismiss = button(QStringLiteral("✕"), MessageStrip::tr("Dismiss this message"));
         auto* layout = new QHBoxLayout(this);
         layout->setContentsMargins(16, 4, 8, 4);
         layout->setSpacing(8);
         layout->addWidget(words_, 1);
+        layout->addWidget(open_, 0, Qt::AlignTop);
         layout->addWidget(folder_, 0, Qt::AlignTop);
         layout->addWidget(copy, 0, Qt::AlignTop);
+        open_->hide();
         folder_->hide();
+        connect(open_, &QToolButton::clicked, this, [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(file_)); });
         connect(folder_, &QToolButton::clicked, this, [this] { showInFolder(file_); });
         layout->addWidget(dismiss, 0, Qt::AlignTop);
         connect(copy, &QToolButton::clicked, this, [this] { QApplication::clipboard()->setText(text_); });
@@ -76,6 +82,7 @@ public:
     void setFile(const QString& file)
     {
         file_ = file;
+        open_->setVisible(!file.isEmpty());
         folder_->setVisible(!file.isEmpty());
     }
     /// Fades out after this time, once the pointer is elsewhere.
@@ -127,7 +134,7 @@ private:
 
     MessageStrip::Mood mood_;
     QLabel* words_;
-    QToolButton* folder_;
+    QToolButton *open_, *folder_;
     QString text_, kind_, file_;
     int count_ = 1;
     QTimer life_;

@@ -39,7 +39,9 @@ void askBeforeReplacing(QWidget* parent, const QString& path, std::function<void
         return;
     }
     const QString next = nextFreePath(path);
-    auto* question = new QMessageBox(QMessageBox::Question, QMessageBox::tr("Replace the file?"),
+    const QString title =
+        QFileInfo(*old).isDir() ? QMessageBox::tr("Replace the folder?") : QMessageBox::tr("Replace the file?");
+    auto* question = new QMessageBox(QMessageBox::Question, title,
                                      QMessageBox::tr("%1 already exists.").arg(QFileInfo(*old).fileName()),
                                      QMessageBox::Cancel, parent);
     question->setTextFormat(Qt::PlainText);

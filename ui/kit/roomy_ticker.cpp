@@ -125,6 +125,7 @@ bool RoomyTicker::collide(const QVector<double>& ticks, const QCPRange& range) c
     return false;
 }
 
+// The parameters are those of QCPAxisTicker. NOLINTNEXTLINE(readability-function-size)
 void RoomyTicker::generate(const QCPRange& range, const QLocale&, QChar, int, QVector<double>& ticks,
                            QVector<double>* subTicks, QVector<QString>* tickLabels)
 {

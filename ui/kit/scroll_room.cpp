@@ -50,6 +50,20 @@ bool ScrollRoom::eventFilter(QObject* watched, QEvent* event)
     return QScrollArea::eventFilter(watched, event);
 }
 
+QWidget* scrolledAboveBar(QWidget* content, QWidget* bar, QWidget* parent)
+{
+    auto* side = new QWidget(parent);
+    auto* layout = new QVBoxLayout(side);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(new ScrollRoom(content, side), 1);
+    auto* below = new QVBoxLayout;
+    below->setContentsMargins(8, 0, 16, 16);
+    below->addWidget(bar);
+    layout->addLayout(below);
+    return side;
+}
+
 void scrollWhenTight(QDialog& dialog)
 {
     auto* content = new QWidget;

@@ -23,4 +23,8 @@ protected:
 /// Puts the dialog's layout into a scroll area, for screens that are too small for it.
 void scrollWhenTight(QDialog&);
 
+/// Returns a new child of the parent: the content, which scrolls when the room is tight, above a bar that stays on the
+/// screen, however small it is.
+[[nodiscard]] QWidget* scrolledAboveBar(QWidget* content, QWidget* bar, QWidget* parent);
+
 }  // namespace vitrine::ui

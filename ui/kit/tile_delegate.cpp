@@ -6,6 +6,7 @@
 #include <QAbstractItemView>
 #include <QLineEdit>
 #include <QPainter>
+#include <QTextLayout>
 
 #include <algorithm>
 
@@ -18,6 +19,22 @@ QImage cut(const QImage& picture, const QSize& size)
 {
     const QImage scaled = picture.scaled(size, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
     return scaled.copy(QRect(QPoint((scaled.width() - size.width()) / 2, (scaled.height() - size.height()) / 2), size));
+}
+
+/// Draws a text that is too long for one line. What does not fit the second one is elided.
+void drawInTwoLines(QPainter& painter, const QRect& room, const QString& text)
+{
+    const QFontMetrics metrics = painter.fontMetrics();
+    QTextLayout layout(text, painter.font(), painter.device());
+    layout.beginLayout();
+    QTextLine line = layout.createLine();
+    line.setLineWidth(room.width());
+    layout.endLayout();
+    const QString first = text.left(line.textLength()).trimmed();
+    const QString second = text.mid(line.textLength());
+    const QRect both(room.left(), room.center().y() - metrics.lineSpacing(), room.width(), 2 * metrics.lineSpacing());
+    painter.drawText(both, Qt::AlignTop | Qt::AlignLeft, first);
+    painter.drawText(both, Qt::AlignBottom | Qt::AlignLeft, metrics.elidedText(second, Qt::ElideRight, room.width()));
 }
 
 }  // namespace
@@ -43,7 +60,10 @@ void TileDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewI
 
 QSize TileDelegate::pictureBeside(const QFontMetrics& metrics)
 {
-    return (picture + QSize(grown(picture.width(), metrics), grown(picture.height(), metrics))) / 2;
+    // Half as much as the type: words need the room.
+    constexpr int most = 130;  // Percent.
+    const int percent = std::min((100 + grown(100, metrics)) / 2, most);
+    return picture * percent / 100;
 }
 
 QSize TileDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const
@@ -89,8 +109,13 @@ void TileDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, 
     QRect words = option.rect.adjusted(12 + shown.width() + 12, 6, -8, -6);
     const QFontMetrics metrics(option.font);
     painter->setPen(enabled ? colors.text : colors.dim);
-    const QString first = metrics.elidedText(index.data(Qt::DisplayRole).toString(), Qt::ElideRight, words.width());
-    painter->drawText(words, (second.isEmpty() ? Qt::AlignVCenter : Qt::AlignTop) | Qt::AlignLeft, first);
+    const QString name = index.data(Qt::DisplayRole).toString();
+    if (second.isEmpty() && metrics.horizontalAdvance(name) > words.width()) {
+        drawInTwoLines(*painter, words, name);
+    } else {
+        painter->drawText(words, (second.isEmpty() ? Qt::AlignVCenter : Qt::AlignTop) | Qt::AlignLeft,
+                          metrics.elidedText(name, Qt::ElideRight, words.width()));
+    }
     painter->setPen(colors.dim);
     QFont small = option.font;
     small.setPointSizeF(small.pointSizeF() * 0.9);

@@ -1,7 +1,9 @@
 #include "ui/kit/type_size.h"
 
+#include <QBoxLayout>
 #include <QEvent>
 #include <QFontMetrics>
+#include <QScreen>
 #include <QWidget>
 
 #include <algorithm>
@@ -60,6 +62,14 @@ void growWidth(QWidget& widget, int fixed)
     followType(widget, [&widget, fixed] { widget.setFixedWidth(grown(fixed, widget)); });
 }
 
+void growWidth(QWidget& widget, int fixed, int mostOfScreen)
+{
+    followType(widget, [&widget, fixed, mostOfScreen] {
+        const int most = widget.screen()->availableSize().width() * mostOfScreen / 100;
+        widget.setFixedWidth(std::min(grown(fixed, widget), std::max(fixed, most)));
+    });
+}
+
 void growSize(QWidget& widget, int fixedWidth, int fixedHeight)
 {
     growWidth(widget, fixedWidth);
@@ -75,6 +85,19 @@ void growMinimumSize(QWidget& widget, int leastWidth, int leastHeight)
 {
     followType(widget, [&widget, leastWidth, leastHeight] {
         widget.setMinimumSize(grown(leastWidth, widget), grown(leastHeight, widget));
+    });
+}
+
+bool isLargeType(const QWidget& widget)
+{
+    constexpr int largest = 130;  // Percent of the usual font size up to which one line is enough.
+    return grown(100, widget) > largest;
+}
+
+void stackWhenLarge(QBoxLayout& row, QWidget& widget)
+{
+    followType(widget, [&row, &widget] {
+        row.setDirection(isLargeType(widget) ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
     });
 }
 

@@ -2,6 +2,7 @@
 
 #include <functional>
 
+class QBoxLayout;
 class QFontMetrics;
 class QWidget;
 
@@ -18,8 +19,15 @@ void followType(QWidget& widget, std::function<void()> work);
 /// Set sizes that grow with the widget's font. Arguments are pixels at the usual font size.
 void growHeight(QWidget& widget, int fixed);
 void growWidth(QWidget& widget, int fixed);
+/// The same, but at most this percentage of the screen's width.
+void growWidth(QWidget& widget, int fixed, int mostOfScreen);
 void growSize(QWidget& widget, int fixedWidth, int fixedHeight);
 void growMinimumWidth(QWidget& widget, int least);
 void growMinimumSize(QWidget& widget, int leastWidth, int leastHeight);
+
+/// Returns whether the type is so large that rows of controls need several lines.
+[[nodiscard]] bool isLargeType(const QWidget&);
+/// Stacks the items of a row of this widget while its type is large.
+void stackWhenLarge(QBoxLayout& row, QWidget&);
 
 }  // namespace vitrine::ui

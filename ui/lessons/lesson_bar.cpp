@@ -2,8 +2,10 @@
 
 #include "exhibits/framework/files/lesson.h"
 #include "ui/kit/accessible_widget.h"
+#include "ui/kit/flow_layout.h"
 #include "ui/kit/menu_text.h"
 #include "ui/kit/theme.h"
+#include "ui/kit/type_size.h"
 #include "ui/lessons/lesson_controller.h"
 
 #include <QAction>
@@ -50,11 +52,22 @@ LessonBar::LessonBar(LessonController& controller)
     auto* top = new QHBoxLayout;
     top->setSpacing(4);
     top->addWidget(title_, 1);
-    top->addWidget(count_);
-    top->addSpacing(8);
-    top->addWidget(button(controller.backAction(), tr("◂ Back")));
-    top->addWidget(button(controller.nextAction(), tr("Next ▸")));
-    top->addWidget(button(controller.leaveAction(), tr("✕ Leave")));
+    auto* below = new FlowLayout;
+    const QList<QWidget*> parts{count_, button(controller.backAction(), tr("◂ Back")),
+                                button(controller.nextAction(), tr("Next ▸")),
+                                button(controller.leaveAction(), tr("✕ Leave"))};
+    // Beside the title, or below it if the type is large.
+    followType(*this, [this, top, below, parts] {
+        const bool isLarge = isLargeType(*this);
+        title_->setWordWrap(isLarge);
+        for (QWidget* part : parts) {
+            top->removeWidget(part);
+            below->removeWidget(part);
+            QLayout* place = below;
+            if (!isLarge) place = top;
+            place->addWidget(part);
+        }
+    });
     auto* asking = new QHBoxLayout;
     asking->setSpacing(8);
     asking->addWidget(question_, 1);
@@ -63,6 +76,7 @@ LessonBar::LessonBar(LessonController& controller)
     layout->setContentsMargins(12, 4, 8, 8);
     layout->setSpacing(2);
     layout->addLayout(top);
+    layout->addLayout(below);
     layout->addWidget(text_);
     layout->addWidget(task_);
     layout->addWidget(number_);

@@ -65,7 +65,7 @@ LessonController::LessonController(Workbench& window, QObject* parent) : QObject
 {
     addActions();
     bar_ = new LessonBar(*this);
-    connect(&window.viewport(), &Viewport::drawn, this, &LessonController::noteFrame);
+    connect(&window.viewport().pictures(), &ViewportPictures::drawn, this, &LessonController::noteFrame);
     connect(&window.viewport(), &Viewport::looked, this, &LessonController::show);
     connect(&window.history(), &History::changesSettled, this, &LessonController::show);
     show();
@@ -241,9 +241,9 @@ void LessonController::noteFrame(const render::FrameReport& report, const QSize&
     const LessonNumber* number = asked(place_.page);
     if (!number || number->of == LessonNumber::Of::row) return;
     // The report may belong to a picture of earlier settings, or to an unfinished one with incomplete counters.
-    const Viewport& viewport = window_.viewport();
-    const long long sceneState = viewport.drawnSceneState();
-    if (report.unfinished || sceneState != viewport.sceneStateNumber()) return;
+    Viewport& viewport = window_.viewport();
+    const long long sceneState = viewport.pictures().drawnSceneState();
+    if (report.unfinished || sceneState != viewport.scene().number()) return;
     // Pictures in motion have a lower resolution, and their numbers are not comparable.
     if (pixels != (QSizeF(viewport.size()) * viewport.devicePixelRatioF()).toSize()) return;
     const QLocale plain = numberLocale();
@@ -280,7 +280,7 @@ QString LessonController::numberText() const
                    : QString();
     }
     const auto now = numbers_.find(place_.page);
-    const bool isCurrent = now != numbers_.end() && now->second.sceneState == window_.viewport().sceneStateNumber();
+    const bool isCurrent = now != numbers_.end() && now->second.sceneState == window_.viewport().scene().number();
     QString line = tr("Read: %1 %2").arg(nameOf(*number), isCurrent ? now->second.text : QStringLiteral("…"));
     const LessonNumber* before = asked(place_.page - 1);
     const auto then = numbers_.find(place_.page - 1);

@@ -113,7 +113,7 @@ private:
     QAction* back_ = nullptr;
     QAction* leave_ = nullptr;
     QAction* answer_ = nullptr;
-    /// Value as it was read, with the number of its scene state (`Viewport::sceneStateNumber`).
+    /// Value as it was read, with the number of its scene state (`PresentScene::number`).
     struct ReadNumber {
         QString text;
         long long sceneState = 0;

@@ -17,6 +17,11 @@ Gesture newGesture()
     return ++last;
 }
 
+/// Further work of an undo step, called before its change of the scene state.
+struct SideEffects {
+    std::function<void()> redo, undo;
+};
+
 /// Undo step: from one scene state to another, or another piece of work, such as deleting a preset.
 class SceneStateStep final : public QUndoCommand {
 public:
@@ -27,23 +32,22 @@ public:
     {
     }
     SceneStateStep(History& history, const QString& text, SceneStateChange change, const render::Camera& cameraAfter,
-                   History::Camera camera, std::function<void()> redo, std::function<void()> undo)
+                   History::Camera camera, SideEffects effects)
         : SceneStateStep(history, text, std::move(change), cameraAfter, 0, camera)
     {
-        redo_ = std::move(redo);
-        undo_ = std::move(undo);
+        effects_ = std::move(effects);
     }
 
     [[nodiscard]] int id() const override { return gesture_ == 0 ? -1 : gesture_; }
     void redo() override
     {
-        if (redo_) redo_();
+        if (effects_.redo) effects_.redo();
         change_->apply(history_.sceneState_);
         show(cameraAfter_);
     }
     void undo() override
     {
-        if (undo_) undo_();
+        if (effects_.undo) effects_.undo();
         change_->revert(history_.sceneState_);
         show(cameraBefore_);
     }
@@ -72,7 +76,7 @@ private:
     render::Camera cameraBefore_, cameraAfter_;
     Gesture gesture_;
     History::Camera camera_;
-    std::function<void()> redo_, undo_;
+    SideEffects effects_;
 };
 
 History::History(SceneState start, QObject* parent) : QObject(parent), sceneState_(std::move(start)) {}
@@ -174,7 +178,7 @@ void History::record(const QString& text, const SceneState& after, std::function
 {
     gesture_ = 0;
     stack_.push(new SceneStateStep(*this, text, SceneStateChange(sceneState_, after), after.camera, camera,
-                                   std::move(redo), std::move(undo)));
+                                   SideEffects{std::move(redo), std::move(undo)}));
 }
 
 void History::exchangeTables(const SceneState& tabled)

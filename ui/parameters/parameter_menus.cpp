@@ -94,6 +94,15 @@ void ParameterMenus::make(const ParameterChanges& changes)
     history_.change(changesText(values(), changes), next);
 }
 
+void ParameterMenus::push(std::size_t row)
+{
+    const std::optional<ParameterChanges> changes = push_ ? push_(row) : std::nullopt;
+    if (!changes) return;
+    SceneState next = history_.sceneState();
+    for (const auto& [changed, value] : *changes) next.values[panel_.exhibit()].setParameter(changed, value);
+    history_.change(tr("Press %1").arg(midSentence(translatedText(label(values().rows()[row])))), next);
+}
+
 void ParameterMenus::addMotionTo(QMenu& menu, std::size_t row)
 {
     const ParameterInfo& info = values().rows()[row];

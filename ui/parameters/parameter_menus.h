@@ -6,8 +6,10 @@
 #include <QObject>
 #include <QPoint>
 
+#include <functional>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 class QMenu;
@@ -37,6 +39,13 @@ public:
     /// Sets whether menus of quality parameters offer to show the cost of accuracy.
     void setGaugesShown(bool shown) { gauges_ = shown; }
     [[nodiscard]] bool gaugesShown() const { return gauges_; }
+    /// Changes that a push of a parameter's button makes now; nothing: the parameter has no button.
+    using Push = std::function<std::optional<ParameterChanges>(std::size_t row)>;
+    /// Sets the buttons of parameters, before they are shown.
+    void setPush(Push push) { push_ = std::move(push); }
+    [[nodiscard]] bool hasPush(std::size_t row) const { return push_ && push_(row); }
+    /// Makes the changes of a parameter's button, as one undo step.
+    void push(std::size_t row);
 
     /// Opens the menu of a parameter at a position on the screen.
     void openRow(std::size_t row, const QPoint& at);
@@ -86,6 +95,7 @@ private:
     SettingsB* other_ = nullptr;
     AnimationTime moment_;
     bool gauges_ = false;
+    Push push_;
     std::map<std::size_t, GroupEdits*> edits_;  ///< By exhibit; each is made when it is first shown.
 };
 

@@ -244,6 +244,8 @@ void ParameterPanel::addRow(std::size_t i)
     sections_.back()->add(row);
     rows_[i] = row;
     connect(row, &ParameterRow::accuracyAsked, this, [this, i] { emit accuracyAsked(i); });
+    if (menus_->hasPush(i)) row->addButton();
+    connect(row, &ParameterRow::pushed, this, [this, i] { menus_->push(i); });
     connect(row, &ParameterRow::wayAsked, this, [this, i](const QPoint& at) { menus_->openWay(i, at); });
     row->installEventFilter(this);
     for (QWidget* child : row->findChildren<QWidget*>()) child->installEventFilter(this);

@@ -1,5 +1,6 @@
 #include "ui/parameters/parameter_row.h"
 
+#include "ui/kit/hyphens.h"
 #include "ui/kit/language.h"
 #include "ui/kit/text.h"
 #include "ui/kit/theme.h"
@@ -13,7 +14,9 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
+#include <QPushButton>
 #include <QResizeEvent>
+#include <QTextLayout>
 
 #include <algorithm>
 
@@ -26,6 +29,7 @@ float idleInk()
     return theme().highContrast ? 0.75F : 0.45F;
 }
 
+constexpr int mostLines = 3;     // Lines of a label.
 constexpr int markRoom = 14;     // Width in pixels of a mark beside a label.
 constexpr int labelShare = 36;   // Percent of a row's width.
 constexpr int editorRoom = 231;  // Pixels that the rest of a row keeps before labels take more than their share.
@@ -59,13 +63,60 @@ void RowLabel::paintEvent(QPaintEvent*)
     if (dim_) ink.setAlphaF(idleInk());
     painter.setPen(ink);
     const int marks = (locked_ ? 1 : 0) + (moving_ ? 1 : 0);
-    const QRect room = rect().adjusted(0, 0, -marks * markRoom, 0);
-    // Elided in the middle, because names differ at their ends: "Handle radius", "Handle thickness".
-    painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
-                     fontMetrics().elidedText(text(), Qt::ElideMiddle, room.width()));
+    const int room = roomIn(width());
+    QStringList lines = linesIn(room);
+    // A name that does not fit is elided in the middle, because names differ at their ends: "Handle radius", "Handle
+    // width".
+    const int most = std::clamp(height() / fontMetrics().height(), 1, mostLines);
+    if (lines.size() > most) {
+        const QString rest = lines.mid(most - 1).join(QLatin1Char(' '));
+        lines = lines.mid(0, most - 1) << fontMetrics().elidedText(rest, Qt::ElideMiddle, room);
+    }
+    painter.drawText(QRect(0, 0, room, height()), Qt::AlignLeft | Qt::AlignVCenter, lines.join(QLatin1Char('\n')));
     painter.setRenderHint(QPainter::Antialiasing);
     if (locked_) paintPadlock(painter, {width() - markRoom / 2.0, height() / 2.0 + 1});
     if (moving_) paintWave(painter, {width() - (marks - 0.5) * markRoom, height() / 2.0});
+}
+
+int RowLabel::roomIn(int width) const
+{
+    return width - ((locked_ ? 1 : 0) + (moving_ ? 1 : 0)) * markRoom;
+}
+
+QStringList RowLabel::linesIn(int width) const
+{
+    if (fontMetrics().horizontalAdvance(text()) <= width || width <= 0) return {text()};
+    // Only a word that is too long for a line of its own is broken.
+    QStringList words = text().split(QLatin1Char(' '));
+    for (QString& word : words)
+        if (fontMetrics().horizontalAdvance(word) > width) word = withSoftHyphens(word);
+    const QString breakable = words.join(QLatin1Char(' '));
+    QTextLayout layout(breakable, font());
+    QTextOption option;
+    option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
+    layout.setTextOption(option);
+    QStringList lines;
+    layout.beginLayout();
+    for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
+        line.setLineWidth(width);
+        QString part = breakable.mid(line.textStart(), line.textLength()).trimmed();
+        if (part.endsWith(softHyphen)) part.back() = QLatin1Char('-');
+        lines << part.remove(softHyphen);
+    }
+    layout.endLayout();
+    return lines;
+}
+
+int RowLabel::heightFor(int width) const
+{
+    const auto lines = static_cast<int>(linesIn(roomIn(width)).size());
+    return std::min(lines, mostLines) * fontMetrics().height();
+}
+
+bool RowLabel::isWhole() const
+{
+    const auto lines = static_cast<int>(linesIn(roomIn(width())).size());
+    return lines <= mostLines && lines * fontMetrics().height() <= height();
 }
 
 void RowLabel::setLocked(bool locked)
@@ -207,7 +258,6 @@ ParameterRow::ParameterRow(const ValueRef& value, QWidget* parent, Label words)
 {
     const ParameterInfo& row = info();
     const QString name = translatedText(label(row));
-    growHeight(*this, rowHeight);
     setToolTip(tooltipText(row));
     setAttribute(Qt::WA_Hover);
     setFocusPolicy(Qt::NoFocus);
@@ -239,7 +289,13 @@ ParameterRow::ParameterRow(const ValueRef& value, QWidget* parent, Label words)
     naming->addWidget(why_);
     if (gauge_) naming->addWidget(gauge_);
     naming_->setLayout(naming);
-    followType(*this, [this] { alignEditors(); });
+    followType(*this, [this] {
+        alignEditors();
+        if (isVisible())
+            fitLabel();
+        else
+            setFixedHeight(grown(rowHeight, *this));  // Its width is not known yet.
+    });
     layout->addWidget(naming_);
     layout->addWidget(editor_, 1);
     layout->addWidget(dot_);
@@ -266,6 +322,7 @@ void ParameterRow::setIdle(const QString& when)
     idleUntil_ = when;
     label_->setDim(idle());
     why_->setVisible(idle());
+    if (isVisible()) fitLabel();
     QGraphicsOpacityEffect* gray = nullptr;
     if (idle()) {
         gray = new QGraphicsOpacityEffect(editor_);
@@ -285,6 +342,7 @@ void ParameterRow::setMotion(const QString& how)
     if (how == motion_) return;
     motion_ = how;
     label_->setMoving(!how.isEmpty());
+    if (isVisible()) fitLabel();
     describe();
 }
 
@@ -302,6 +360,7 @@ void ParameterRow::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
     alignEditors();
+    fitLabel();
 }
 
 void ParameterRow::alignEditors()
@@ -310,6 +369,14 @@ void ParameterRow::alignEditors()
     const int roomy = std::min(width() - grown(editorRoom, *this), grown(roomyLabel, *this));
     naming_->setFixedWidth(std::clamp(std::max(width() * labelShare / 100, roomy), grown(narrowestLabel, *this),
                                       grown(widestLabel, *this)));
+}
+
+void ParameterRow::fitLabel()
+{
+    int room = naming_->maximumWidth();
+    for (const QWidget* mark : std::initializer_list<QWidget*>{why_, gauge_})
+        if (mark && !mark->isHidden()) room -= mark->maximumWidth() + betweenParts;
+    setFixedHeight(std::max(grown(rowHeight, *this), label_->heightFor(room) + grown(4, *this)));
 }
 
 int ParameterRow::widthForLabel(const ParameterInfo& parameter, const QWidget& panel)
@@ -322,9 +389,27 @@ int ParameterRow::widthForLabel(const ParameterInfo& parameter, const QWidget& p
     return (std::min(naming, grown(widestLabel, panel)) * 100 + labelShare - 1) / labelShare;
 }
 
+void ParameterRow::addButton()
+{
+    auto* button = new QPushButton(tr("Press"), this);
+    button->setAccessibleName(tr("Press %1").arg(midSentence(translatedText(label(info())))));
+    button->setToolTip(tr("Press it for one step of the shader"));
+    button->setAutoDefault(false);
+    auto* line = static_cast<QHBoxLayout*>(layout());
+    line->insertWidget(line->indexOf(editor_), button);
+    connect(button, &QPushButton::clicked, this, &ParameterRow::pushed);
+}
+
 void ParameterRow::setGaugeShown(bool shown)
 {
     if (gauge_) gauge_->setVisible(shown);
+    if (isVisible()) fitLabel();
+}
+
+void ParameterRow::setLocked(bool locked)
+{
+    label_->setLocked(locked);
+    if (isVisible()) fitLabel();
 }
 
 }  // namespace vitrine::ui

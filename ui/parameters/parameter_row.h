@@ -4,6 +4,7 @@
 
 #include <QAbstractButton>
 #include <QLabel>
+#include <QStringList>
 
 #include <cstdint>
 
@@ -20,6 +21,10 @@ public:
     void setLocked(bool locked);
     /// Shows or hides a wave, the mark of an animation.
     void setMoving(bool moving);
+    /// Returns the height for this width, in pixels: a long name takes up to three lines.
+    [[nodiscard]] int heightFor(int width) const;
+    /// Returns whether the name is shown whole.
+    [[nodiscard]] bool isWhole() const;
 
 protected:
     void paintEvent(QPaintEvent*) override;
@@ -28,6 +33,11 @@ protected:
     void mouseReleaseEvent(QMouseEvent*) override;
 
 private:
+    /// Returns the room of the name in this width, in pixels.
+    [[nodiscard]] int roomIn(int width) const;
+    /// Breaks the name into lines of this width in pixels.
+    [[nodiscard]] QStringList linesIn(int width) const;
+
     ValueEditor* editor_;
     bool dragging_ = false;
     bool dim_ = false;
@@ -106,15 +116,18 @@ public:
     /// Returns a sentence why the parameter has no effect; empty if it has one.
     [[nodiscard]] QString whyIdle() const;
     /// Marks a parameter that keeps its value when others are varied.
-    void setLocked(bool locked) { label_->setLocked(locked); }
+    void setLocked(bool locked);
     /// Marks an animated parameter. `how`: description for the tooltip; empty: not animated.
     void setMotion(const QString& how);
     [[nodiscard]] const QString& motion() const { return motion_; }
     /// Shows or hides the gauge of a quality parameter. It is hidden until its click is handled.
     void setGaugeShown(bool);
+    /// Adds a button before the editor, for a parameter that stands for a press.
+    void addButton();
 
 signals:
     void accuracyAsked();
+    void pushed();
     /// Asks to explain at this screen position why the parameter has no effect, and what would give it one.
     void wayAsked(const QPoint& at);
 
@@ -129,6 +142,8 @@ private:
     ResetDot* dot_;
     void describe();
     void alignEditors();
+    /// Makes the row as high as its label.
+    void fitLabel();
 
     QString idleUntil_, motion_;
     GaugeMark* gauge_ = nullptr;

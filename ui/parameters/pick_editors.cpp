@@ -4,6 +4,7 @@
 #include "ui/kit/language.h"
 #include "ui/kit/text.h"
 #include "ui/kit/type_size.h"
+#include "ui/parameters/shown_text.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -130,14 +131,14 @@ void TextEditor::setOffers(const QStringList& offers)
     box_->addItems(offers);
     box_->setCurrentIndex(box_->findText(shown_));
     box_->setEditText(shown_);
-    box_->lineEdit()->setPlaceholderText(offers.isEmpty() ? tr("none") : offers.front());
+    box_->lineEdit()->setPlaceholderText(offers.isEmpty() || offers.front().isEmpty() ? tr("none") : offers.front());
 }
 
 FileEditor::FileEditor(const ValueRef& value, QWidget* parent)
     : ValueEditor(value, parent), path_(new QLineEdit(this)), browse_(new QToolButton(this))
 {
     path_->setAccessibleName(nameOf(row()));
-    path_->setPlaceholderText(tr("none"));
+    path_->setPlaceholderText(emptyText(row()));
     growHeight(*path_, 22);
     path_->setTextMargins(2, 0, 2, 0);
     path_->setContextMenuPolicy(Qt::NoContextMenu);

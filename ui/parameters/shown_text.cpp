@@ -117,6 +117,13 @@ QString three(const glm::dvec3& v)
 
 }  // namespace
 
+QString emptyText(const ParameterInfo& parameter)
+{
+    if (parameter.kind != Kind::file) return tr("none");
+    if (parameter.given.mustBeGiven) return tr("as shown");
+    return parameter.assetFolder.empty() ? tr("none") : tr("the exhibit's own");
+}
+
 QString shownText(const ParameterInfo& parameter, const Value& value)
 {
     if (const auto* x = std::get_if<double>(&value))
@@ -132,11 +139,11 @@ QString shownText(const ParameterInfo& parameter, const Value& value)
     case Kind::direction: return three(std::get<glm::dvec3>(value));
     case Kind::file: {
         const std::string& path = std::get<std::string>(value);
-        return path.empty() ? tr("none") : text(path);
+        return path.empty() ? emptyText(parameter) : text(path);
     }
     case Kind::text: {
         const std::string& written = std::get<std::string>(value);
-        if (written.empty()) return tr("none");
+        if (written.empty()) return emptyText(parameter);
         return parameter.addsParameters ? tr("a text") : text(written);
     }
     }

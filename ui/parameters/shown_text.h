@@ -10,6 +10,8 @@ namespace vitrine::ui {
 
 /// Formats a value for a field that is not being edited: four significant digits and the unit, "0.35" or "12.5 mm".
 [[nodiscard]] QString shownText(const ParameterInfo&, const Value&);
+/// Returns what a field of a file or text shows while it is empty.
+[[nodiscard]] QString emptyText(const ParameterInfo&);
 /// Formats a value with all digits, in the displayed unit, without the unit. For copying and presets.
 [[nodiscard]] QString exactText(const ParameterInfo&, const Value&);
 /// The same with the decimal sign of the window's language, for editing.

@@ -4,7 +4,7 @@
 #include "ui/kit/scroll_room.h"
 #include "ui/parameters/parameter_row.h"
 #include "ui/preferences/keys_page.h"
-#include "ui/viewport/draw_schedule.h"
+#include "ui/viewport/adaptive_scale.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -67,20 +67,22 @@ void PreferencesDialog::addWindowPage()
 {
     QGridLayout& lines = *page(tr("Window"));
     addChoice(
-        lines, tr("Theme"),
-        tr("Colors of panels and dialogs. “As the desktop” also follows its contrast setting; high contrast is light "
-           "or dark like the desktop."),
+        lines,
+        {tr("Theme"),
+         tr("Colors of panels and dialogs. “As the desktop” also follows its contrast setting; high contrast is light "
+            "or dark like the desktop.")},
         {{0, tr("As the desktop")}, {1, tr("Light", "theme")}, {2, tr("Dark")}, {3, tr("High contrast")}},
         [](const PreferenceValues& values) { return static_cast<int>(values.theme); },
         [](PreferenceValues& values, int choice) { values.theme = static_cast<ThemeChoice>(choice); });
     addLanguage(lines);
-    addNumber(lines, tr("Size of type"), tr("Text size of the window, relative to the desktop's."), tr(" %"), 10,
+    addNumber(lines, {tr("Size of type"), tr("Text size of the window, relative to the desktop's.")}, tr(" %"), 10,
               PreferenceValues::typeSizes, &PreferenceValues::typeSize);
     addChoice(
-        lines, tr("Motion"),
-        tr("Motion of the window. Reduced: the camera jumps instead of gliding, panels do not slide, messages do not "
-           "fade, and the exhibits' clock is paused until you start it (Space in the picture) or press an exhibit's "
-           "button. Walking and dragging are not affected."),
+        lines,
+        {tr("Motion"),
+         tr("Motion of the window. Reduced: the camera jumps instead of gliding, panels do not slide, messages do not "
+            "fade, and the exhibits' clock is paused until you start it (Space in the picture) or press an exhibit's "
+            "button. Walking and dragging are not affected.")},
         {{0, tr("As the desktop")}, {1, tr("Reduced")}, {2, tr("Full")}},
         [](const PreferenceValues& values) { return static_cast<int>(values.motion); },
         [](PreferenceValues& values, int choice) { values.motion = static_cast<MotionChoice>(choice); });
@@ -96,34 +98,36 @@ void PreferencesDialog::addPicturePage()
     Choices samples{{PreferenceValues::sampleLimits.initial, tr("As set in the hall")}};
     for (const int most : {64, 32, 16, 8, 4, 2, 1}) samples.emplace_back(most, tr("%n at most", nullptr, most));
     const auto [samplesOf, setSamples] = number(&PreferenceValues::mostSamples);
-    addChoice(lines, tr("Samples when idle"),
-              tr("Largest number of samples per pixel in the window when nothing moves: few finish sooner and leave "
-                 "rougher edges. Exports, recordings and prints have their own."),
+    addChoice(lines,
+              {tr("Samples when idle"),
+               tr("Largest number of samples per pixel in the window when nothing moves: few finish sooner and leave "
+                  "rougher edges. Exports, recordings and prints have their own.")},
               samples, samplesOf, setSamples);
     Choices scales;
-    for (const double scale : DrawSchedule::scales) {
+    for (const double scale : AdaptiveScale::scales) {
         const int percent = static_cast<int>(std::lround(scale * 100));
         scales.insert(scales.begin(), {percent, tr("%1 % at least").arg(percent)});
     }
     const auto [scaleOf, setScale] = number(&PreferenceValues::leastScale);
-    addChoice(lines, tr("Resolution in motion"),
-              tr("Resolution of the picture while something moves: high is sharper, with fewer frames per second on a "
-                 "slow machine."),
+    addChoice(lines,
+              {tr("Resolution in motion"),
+               tr("Resolution of the picture while something moves: high is sharper, with fewer frames per second on a "
+                  "slow machine.")},
               scales, scaleOf, setScale);
-    addNumber(lines, tr("Speed of looking"), tr("Angle by which dragging turns the view, or orbits an exhibit."),
+    addNumber(lines, {tr("Speed of looking"), tr("Angle by which dragging turns the view, or orbits an exhibit.")},
               tr(" %"), 5, PreferenceValues::lookSpeeds, &PreferenceValues::lookSpeed);
     addSwitch(lines, tr("Dragging down looks up"),
               tr("Reverses the direction in which dragging up or down turns the view."),
               &PreferenceValues::invertedLook);
-    addNumber(lines, tr("Speed of the wheel"),
-              tr("Distance by which one step of the mouse wheel approaches an exhibit."), tr(" %"), 5,
-              PreferenceValues::wheelSpeeds, &PreferenceValues::wheelSpeed);
+    addNumber(lines,
+              {tr("Speed of the wheel"), tr("Distance by which one step of the mouse wheel approaches an exhibit.")},
+              tr(" %"), 5, PreferenceValues::wheelSpeeds, &PreferenceValues::wheelSpeed);
 }
 
 void PreferencesDialog::addFilesPage()
 {
     QGridLayout& lines = *page(tr("Files"));
-    addNumber(lines, tr("Recent files"), tr("Number of files listed in File > Open recent; 0 lists none."), {}, 1,
+    addNumber(lines, {tr("Recent files"), tr("Number of files listed in File > Open recent; 0 lists none.")}, {}, 1,
               PreferenceValues::recentCounts, &PreferenceValues::recentFiles);
     auto* forget = new QPushButton(tr("Clear the list now"), this);
     forget->setToolTip(tr("Clears the list of recent files; the files themselves are kept."));
@@ -132,21 +136,21 @@ void PreferencesDialog::addFilesPage()
     lines.addWidget(forget, lines.rowCount(), 1, Qt::AlignLeft);
 }
 
-void PreferencesDialog::addLine(QGridLayout& lines, const QString& label, const QString& tip, QWidget& control,
+void PreferencesDialog::addLine(QGridLayout& lines, const LineTexts& texts, QWidget& control,
                                 std::function<void(const PreferenceValues&)> show,
                                 std::function<bool(const PreferenceValues&)> differs,
                                 std::function<void(PreferenceValues&)> reset)
 {
     const int row = lines.rowCount();
-    if (!label.isEmpty()) {
-        auto* words = new QLabel(label, this);
+    if (!texts.label.isEmpty()) {
+        auto* words = new QLabel(texts.label, this);
         words->setBuddy(&control);
-        words->setToolTip(tip);
-        control.setAccessibleName(label);
+        words->setToolTip(texts.tip);
+        control.setAccessibleName(texts.label);
         lines.addWidget(words, row, 0);
     }
-    control.setToolTip(tip);
-    control.setAccessibleDescription(tip);
+    control.setToolTip(texts.tip);
+    control.setAccessibleDescription(texts.tip);
     control.setFocusPolicy(Qt::StrongFocus);
     lines.addWidget(&control, row, 1);
     auto* dot = new ResetDot(this);
@@ -162,7 +166,7 @@ void PreferencesDialog::addLine(QGridLayout& lines, const QString& label, const 
         });
 }
 
-void PreferencesDialog::addChoice(QGridLayout& lines, const QString& label, const QString& tip, const Choices& choices,
+void PreferencesDialog::addChoice(QGridLayout& lines, const LineTexts& texts, const Choices& choices,
                                   std::function<int(const PreferenceValues&)> value,
                                   std::function<void(PreferenceValues&, int)> set)
 {
@@ -173,7 +177,7 @@ void PreferencesDialog::addChoice(QGridLayout& lines, const QString& label, cons
     });
     const int initial = value(PreferenceValues());
     addLine(
-        lines, label, tip, *box,
+        lines, texts, *box,
         [box, value](const PreferenceValues& values) {
             const int number = value(values);
             // The file may have another number, edited by hand.
@@ -184,8 +188,8 @@ void PreferencesDialog::addChoice(QGridLayout& lines, const QString& label, cons
         [set, initial](PreferenceValues& values) { set(values, initial); });
 }
 
-void PreferencesDialog::addNumber(QGridLayout& lines, const QString& label, const QString& tip, const QString& unit,
-                                  int step, PreferenceRange range, int PreferenceValues::*member)
+void PreferencesDialog::addNumber(QGridLayout& lines, const LineTexts& texts, const QString& unit, int step,
+                                  PreferenceRange range, int PreferenceValues::*member)
 {
     auto* box = new QSpinBox(this);
     box->setRange(range.least, range.most);
@@ -195,7 +199,7 @@ void PreferencesDialog::addNumber(QGridLayout& lines, const QString& label, cons
     connect(box, &QSpinBox::valueChanged, this,
             [this, member](int value) { change([&](PreferenceValues& values) { values.*member = value; }); });
     addLine(
-        lines, label, tip, *box, [box, member](const PreferenceValues& values) { box->setValue(values.*member); },
+        lines, texts, *box, [box, member](const PreferenceValues& values) { box->setValue(values.*member); },
         [member, range](const PreferenceValues& values) { return values.*member != range.initial; },
         [member, range](PreferenceValues& values) { values.*member = range.initial; });
 }
@@ -209,7 +213,7 @@ void PreferencesDialog::addSwitch(QGridLayout& lines, const QString& words, cons
     connect(box, &QCheckBox::toggled, this,
             [this, member](bool on) { change([&](PreferenceValues& values) { values.*member = on; }); });
     addLine(
-        lines, {}, tip, *box,
+        lines, {{}, tip}, *box,
         [box, member](const PreferenceValues& values) {
             const QSignalBlocker quiet(box);
             box->setChecked(values.*member);
@@ -229,9 +233,10 @@ void PreferencesDialog::addLanguage(QGridLayout& lines)
     };
     connect(box, &QComboBox::activated, this, [box, keep](int index) { keep(box->itemData(index).toString()); });
     addLine(
-        lines, tr("Language"),
-        tr("Language of the window, from its next start. Files and the numbers in them do not change."), *box,
-        [box](const PreferenceValues&) { box->setCurrentIndex(std::max(box->findData(savedLanguage()), 0)); },
+        lines,
+        {tr("Language"),
+         tr("Language of the window, from its next start. Files and the numbers in them do not change.")},
+        *box, [box](const PreferenceValues&) { box->setCurrentIndex(std::max(box->findData(savedLanguage()), 0)); },
         [](const PreferenceValues&) { return !savedLanguage().isEmpty(); }, [keep](PreferenceValues&) { keep({}); });
 }
 

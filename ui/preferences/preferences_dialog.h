@@ -34,16 +34,19 @@ private:
     void addWindowPage();
     void addPicturePage();
     void addFilesPage();
-    void addChoice(QGridLayout&, const QString& label, const QString& tip, const Choices&,
-                   std::function<int(const PreferenceValues&)> value, std::function<void(PreferenceValues&, int)> set);
-    void addNumber(QGridLayout&, const QString& label, const QString& tip, const QString& unit, int step,
-                   PreferenceRange, int PreferenceValues::*);
+    struct LineTexts {
+        QString label;  ///< Empty if the control has its own.
+        QString tip;
+    };
+    void addChoice(QGridLayout&, const LineTexts&, const Choices&, std::function<int(const PreferenceValues&)> value,
+                   std::function<void(PreferenceValues&, int)> set);
+    void addNumber(QGridLayout&, const LineTexts&, const QString& unit, int step, PreferenceRange,
+                   int PreferenceValues::*);
     void addSwitch(QGridLayout&, const QString& words, const QString& tip, bool PreferenceValues::*);
     /// Adds the choice of the language menu, which is stored separately.
     void addLanguage(QGridLayout&);
     /// Adds a line with the label, the control and a reset dot.
-    void addLine(QGridLayout&, const QString& label, const QString& tip, QWidget& control,
-                 std::function<void(const PreferenceValues&)> show,
+    void addLine(QGridLayout&, const LineTexts&, QWidget& control, std::function<void(const PreferenceValues&)> show,
                  std::function<bool(const PreferenceValues&)> differs, std::function<void(PreferenceValues&)> reset);
     void change(const std::function<void(PreferenceValues&)>& how);
     void showAll();

@@ -1,5 +1,6 @@
 #include "ui/presets/preset_controller.h"
 
+#include "exhibits/compare/differing_parameters.h"
 #include "exhibits/framework/files/table_change.h"
 #include "render/files/atomic_write.h"
 #include "render/files/read_file.h"
@@ -17,6 +18,7 @@
 #include "ui/presets/preset_facts.h"
 #include "ui/presets/preset_files.h"
 #include "ui/presets/preset_list.h"
+#include "ui/presets/recent_presets.h"
 #include "ui/presets/scene_text.h"
 #include "ui/presets/tags_dialog.h"
 #include "ui/viewport/viewport.h"
@@ -30,6 +32,8 @@ PresetController::PresetController(Workbench& window, PresetList& list, PresetSt
     : QObject(&list), window_(window), list_(list), store_(std::move(store)), uses_(window.history().stack())
 {
     connect(&list, &PresetList::loadAsked, this, &PresetController::load);
+    // Queued, because a visit fills the list again, which is in the middle of a click.
+    connect(&list, &PresetList::recentAsked, this, &PresetController::loadOfAny, Qt::QueuedConnection);
     connect(&list, &PresetList::renamed, this, &PresetController::renameTo);
     connect(&list, &PresetList::factsAsked, this, &PresetController::showFacts);
     connect(&window.history().stack(), &QUndoStack::indexChanged, this, [this] { uses_.prune(); });
@@ -83,9 +87,30 @@ void PresetController::refresh()
             // The visitor's own presets come first, because they are used most.
             std::stable_partition(lines.begin(), lines.end(), [](const PresetLine& line) { return !line.shipped; });
             list_.fill(lines);
+            list_.setRecent(recentOfOthers());
         },
         QStringLiteral("list of presets"));
     mark();
+}
+
+std::vector<RecentPreset> PresetController::recentOfOthers() const
+{
+    std::vector<RecentPreset> recent;
+    for (const QString& id : recentPresets()) {
+        const std::optional<std::size_t> exhibit = exhibitOf(id);
+        if (!exhibit || *exhibit == window_.shown()) continue;
+        const SceneObject& subject = window_.museum().subject(*exhibit);
+        for (const PresetEntry& entry : store_.list(subject.name()))
+            if (idOf(entry.path) == id && entry.problem.empty())
+                recent.push_back(
+                    {id, tr("%1 – %2").arg(presetName(entry.name, entry.shipped), translatedText(subject.title()))});
+    }
+    return recent;
+}
+
+std::optional<std::size_t> PresetController::exhibitOf(const QString& id) const
+{
+    return window_.museum().find(pathOf(id).parent_path().filename().string());
 }
 
 const StoredPreset* PresetController::inUse() const
@@ -95,6 +120,7 @@ const StoredPreset* PresetController::inUse() const
 
 void PresetController::use(StoredPreset stored)
 {
+    addRecentPreset(idOf(stored.path));
     uses_.add(std::move(stored));
     mark();
 }
@@ -154,6 +180,14 @@ void PresetController::load(const QString& id)
     mark();  // Restores the mark if the clicked preset could not be loaded.
 }
 
+void PresetController::loadOfAny(const QString& id)
+{
+    const std::optional<std::size_t> exhibit = exhibitOf(id);
+    if (!exhibit) return;
+    if (*exhibit != window_.shown()) emit visitAsked(*exhibit);
+    load(id);
+}
+
 Preset PresetController::presetOnShow(const QString& name) const
 {
     const SceneState& sceneState = window_.history().sceneState();
@@ -165,7 +199,9 @@ void PresetController::save()
 {
     const StoredPreset* used = inUse();
     if (!used || used->shipped) {
-        saveAs();
+        const QString name = freeName(proposedName());
+        saveUnder(name);
+        window_.say(MessageStrip::Mood::notice, tr("Saved as preset “%1”. F2 in the list renames it.").arg(name));
         return;
     }
     trySafely([this, used] {
@@ -184,6 +220,23 @@ void PresetController::save()
         use(std::move(next));
     });
     refresh();
+}
+
+QString PresetController::proposedName() const
+{
+    const std::size_t shown = window_.shown();
+    const StoredPreset* used = inUse();
+    const QString title =
+        used ? presetName(used->preset.name, used->shipped) : translatedText(window_.museum().subject(shown).title());
+    const ParameterValues& values = window_.history().sceneState().values[shown];
+    QStringList changed;
+    for (std::size_t i = 0; i < values.rows().size(); ++i) {
+        const ParameterInfo& parameter = values.rows()[i];
+        if (values.isInitial(i) || !(parameter.isNumeric() || parameter.kind == Kind::choice)) continue;
+        changed << translatedText(label(parameter)) + QLatin1Char(' ') +
+                       translatedText(valueWithUnit(parameter, values.row(i)));
+    }
+    return !used && changed.size() == 1 ? changed.front() : title;
 }
 
 void PresetController::saveAs()
@@ -219,13 +272,13 @@ void PresetController::saveUnder(const QString& name)
 
 void PresetController::keepThumbnail(const std::filesystem::path& preset)
 {
-    const QImage& picture = window_.viewport().shown();
+    const QImage& picture = window_.viewport().pictures().shown().image();
     if (!picture.isNull()) saveThumbnail(idOf(PresetStore::thumbnailPath(preset)), previewOf(picture));
 }
 
 void PresetController::keepMissingThumbnail()
 {
-    if (!window_.viewport().schedule().still()) return;
+    if (!window_.viewport().pictures().schedule().still()) return;
     const StoredPreset* used = inUse();
     std::error_code ignored;
     if (!used || used->shipped || changedSince(*used) ||
@@ -233,7 +286,8 @@ void PresetController::keepMissingThumbnail()
         return;
     // If the visitor is not at the exhibit, the picture does not show the preset.
     const bool fromItsOwnView = used->preset.camera == window_.history().sceneState().camera;
-    const bool before = window_.viewport().mode() == CameraControl::Mode::orbit && window_.chosen() == window_.shown();
+    const bool before =
+        window_.viewport().visitor().mode() == CameraControl::Mode::orbit && window_.chosen() == window_.shown();
     if (window_.shown() != hallIndex && !fromItsOwnView && !before) return;
     keepThumbnail(used->path);
     refresh();
@@ -258,6 +312,7 @@ void PresetController::renameTo(const QString& id, const QString& name)
         const QString unique = freeName(name.trimmed(), pathOf(id));
         const std::filesystem::path path = store_.rename(pathOf(id), unique.toStdString());
         uses_.renamed(pathOf(id), store_.load(path, exhibitName(), table()));
+        renameRecentPreset(id, idOf(path));
     });
     // Queued, because the list is still in the middle of an edit.
     QMetaObject::invokeMethod(this, &PresetController::refresh, Qt::QueuedConnection);

@@ -17,6 +17,7 @@ namespace vitrine::ui {
 
 class PresetList;
 class Workbench;
+struct RecentPreset;
 
 /// Scene state read from a preset, an exhibition, or a picture with one inside, applied to the present one.
 struct ReadSettings {
@@ -55,8 +56,12 @@ public:
 
     // Commands. Those without an argument act on the preset selected in the list.
     void load(const QString& id);
-    /// Saves the present values to the preset in use, or under a new name if that preset is not the visitor's own.
+    /// Loads a preset of any exhibit, after asking to go there.
+    void loadOfAny(const QString& id);
+    /// Saves the present values to the preset in use. If that is not the visitor's own, saves them at once as a new
+    /// one, whose name is proposed.
     void save();
+    /// Asks for a name.
     void saveAs();
     /// Saves under this name. A name that exists gets a number, because names of an exhibit's presets are unique.
     void saveUnder(const QString& name);
@@ -77,6 +82,8 @@ public:
 signals:
     /// Emitted when the preset in use, or whether its values were changed, may have changed.
     void marked();
+    /// Asks to go to an exhibit and to show its parameters.
+    void visitAsked(std::size_t exhibit);
 
 private:
     [[nodiscard]] ReadSettings read(const std::string& text, const QString& origin) const;
@@ -84,6 +91,10 @@ private:
     void show(const Preset&, std::size_t exhibit, const QString& step);
     void showNotes(const QString& origin, const std::vector<std::string>& notes);
     void keepThumbnail(const std::filesystem::path& preset);
+    /// Returns the presets of exhibits other than the shown one that were used last.
+    [[nodiscard]] std::vector<RecentPreset> recentOfOthers() const;
+    /// Returns the exhibit to which a preset's folder belongs; nullopt: it is not in this museum.
+    [[nodiscard]] std::optional<std::size_t> exhibitOf(const QString& id) const;
     void trySafely(const std::function<void()>& work, const QString& cause = QStringLiteral("presets"));
     void renameTo(const QString& id, const QString& name);
     void setTags(const QString& id, const PresetTags&, std::size_t exhibit);
@@ -95,6 +106,9 @@ private:
     [[nodiscard]] const StoredPreset* inUse() const;
     void use(StoredPreset);
     [[nodiscard]] bool changedSince(const StoredPreset&) const;
+    /// Returns a name for the present values: the parameter that alone differs from its initial value, or that of the
+    /// preset in use, or the exhibit's.
+    [[nodiscard]] QString proposedName() const;
     [[nodiscard]] QString freeName(const QString& wanted, const std::filesystem::path& exceptFor = {}) const;
 
     Workbench& window_;

@@ -29,6 +29,10 @@ constexpr int idRole = Qt::UserRole;
 constexpr int ownLine = TileDelegate::mark + 1;  // Role of the second line that a preset was loaded with.
 constexpr int tagsRole = ownLine + 1;
 constexpr int mostChips = 12;  // Most tags shown; others are found by typing.
+constexpr int mostRecent = 3;
+// Presets of the exhibit for which tags and recent presets leave room. Tags can be typed instead.
+constexpr int leastBesideTags = 3, leastBesideRecent = 2;
+constexpr int finderMargin = 8, finderSpacing = 6;
 
 void showTiles(QListWidget& list)
 {
@@ -45,7 +49,7 @@ void showTiles(QListWidget& list)
 PresetList::PresetList(QWidget* parent)
     : QWidget(parent), finder_(new QWidget(this)), words_(new QLineEdit(finder_)), chips_(new TagChips(finder_)),
       list_(new QListWidget(this)), preview_(new PresetPreview(*list_, idRole)), layout_(new QVBoxLayout(this)),
-      buttons_(new QWidget(this))
+      recent_(new QWidget(this)), recentList_(new QListWidget(recent_)), buttons_(new QWidget(this))
 {
     words_->setPlaceholderText(tr("Find a preset"));
     words_->setAccessibleName(tr("Find a preset"));
@@ -58,12 +62,13 @@ PresetList::PresetList(QWidget* parent)
     words_->setTextMargins(4, 0, 4, 0);
     words_->installEventFilter(this);
     auto* finder = new QVBoxLayout(finder_);
-    finder->setContentsMargins(8, 8, 8, 8);
-    finder->setSpacing(6);
+    finder->setContentsMargins(finderMargin, finderMargin, finderMargin, finderMargin);
+    finder->setSpacing(finderSpacing);
     finder->addWidget(words_);
     finder->addWidget(chips_);
     finder_->hide();
     connect(chips_, &TagChips::changed, this, &PresetList::filter);
+    connect(chips_, &TagChips::changed, this, &PresetList::fit);
     connect(preview_, &PresetPreview::asked, this, &PresetList::factsAsked);
     connect(words_, &QLineEdit::textChanged, this, &PresetList::filter);
     list_->setAccessibleName(tr("Presets"));
@@ -78,6 +83,7 @@ PresetList::PresetList(QWidget* parent)
     layout_->setSpacing(0);
     layout_->addWidget(finder_);
     layout_->addWidget(list_, 1);
+    addRecent();
     layout_->addWidget(buttons_);
     auto* row = new QHBoxLayout(buttons_);
     row->setContentsMargins(8, 8, 8, 8);
@@ -95,6 +101,68 @@ PresetList::PresetList(QWidget* parent)
             QMenu::exec(menu_, list_->viewport()->mapToGlobal(at), nullptr, this);
         }
     });
+}
+
+void PresetList::addRecent()
+{
+    auto* heading = new QLabel(tr("Recent, of other exhibits"), recent_);
+    heading->setForegroundRole(QPalette::PlaceholderText);
+    recentList_->setAccessibleName(heading->text());
+    recentList_->setFrameShape(QFrame::NoFrame);
+    recentList_->setUniformItemSizes(true);
+    recentList_->setTextElideMode(Qt::ElideRight);
+    recentList_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    recentList_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    recentList_->setMouseTracking(true);
+    auto* lines = new QVBoxLayout(recent_);
+    lines->setContentsMargins(8, 8, 8, 0);
+    lines->setSpacing(4);
+    lines->addWidget(heading);
+    lines->addWidget(recentList_);
+    layout_->addWidget(recent_);
+    recent_->hide();
+    const auto ask = [this](const QListWidgetItem* item) { emit recentAsked(item->data(idRole).toString()); };
+    connect(recentList_, &QListWidget::itemActivated, this, ask);
+    connect(recentList_, &QListWidget::itemClicked, this, ask);
+    followType(*recent_, [this] { fit(); });
+}
+
+void PresetList::setRecent(const std::vector<RecentPreset>& presets)
+{
+    recentList_->clear();
+    for (const RecentPreset& preset : presets) {
+        auto* item = new QListWidgetItem(preset.text, recentList_);
+        item->setData(idRole, preset.id);
+        item->setToolTip(tr("Goes to the exhibit and loads the preset: %1").arg(preset.text));
+    }
+    fit();
+}
+
+void PresetList::fit()
+{
+    const int preset = list_->minimumHeight();
+    const int room = height() - buttons_->sizeHint().height();
+    if (!finder_->isHidden()) {
+        const int tags = chips_->layout()->heightForWidth(width() - 2 * finderMargin);
+        const int words = words_->height() + 2 * finderMargin + finderSpacing;
+        const bool fits = room - words - tags >= leastBesideTags * preset;
+        // A pressed tag stays in sight, because it hides presets.
+        chips_->setVisible(chips_->layout()->count() > 0 && (fits || !chips_->pressed().isEmpty()));
+    }
+    const QMargins around = recent_->layout()->contentsMargins();
+    const int heading = fontMetrics().height() + around.top() + around.bottom() + recent_->layout()->spacing();
+    const int line = std::max(recentList_->sizeHintForRow(0), 1);
+    const int finder = finder_->isHidden() ? 0 : finder_->sizeHint().height();
+    const int left = room - finder - leastBesideRecent * preset - heading;
+    const int shown = std::min({recentList_->count(), left / line, mostRecent});
+    recent_->setVisible(shown > 0);
+    recentList_->setFixedHeight(std::max(shown, 1) * line);
+}
+
+void PresetList::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    fit();
 }
 
 void PresetList::setActions(QAction* save, QAction* saveAs, const QList<QAction*>& menu)
@@ -145,6 +213,8 @@ void PresetList::fill(const std::vector<PresetLine>& entries)
     chips_->setTags(finder_->isHidden() ? QStringList() : tagsInUse(), mostChips);
     filter();
     setCurrent(before);
+    fit();
+    tabAsLaidOut(*this);  // New tags are last in the order of the window.
 }
 
 QListWidgetItem* PresetList::itemFor(const PresetLine& entry)

@@ -27,8 +27,15 @@ struct PresetLine {
     QStringList tags;
 };
 
+/// Preset of another exhibit, which was used lately.
+struct RecentPreset {
+    QString id;
+    QString text;  ///< Name and exhibit.
+};
+
 /// List of one exhibit's presets with picture and name, the visitor's own first. More than a few can be searched by
-/// words and tags. A large preview shows further details. The list emits requests and changes nothing itself.
+/// words and tags. A large preview shows further details. Below it are the presets of other exhibits that were used
+/// last, as many as there is room for. The list emits requests and changes nothing itself.
 class PresetList final : public QWidget {
     Q_OBJECT
 
@@ -36,6 +43,8 @@ public:
     explicit PresetList(QWidget* parent = nullptr);
 
     void fill(const std::vector<PresetLine>&);
+    /// Sets the presets of other exhibits, the newest first; nothing: none are shown.
+    void setRecent(const std::vector<RecentPreset>&);
     /// Marks the preset that the scene state was loaded from or saved to; "": none. `changed`: values differ from it.
     void setCurrent(const QString& id, bool changed = false);
     [[nodiscard]] QString selected() const;
@@ -52,13 +61,19 @@ signals:
     /// Emitted when the visitor selected another preset.
     void selectedChanged();
     void loadAsked(const QString& id);
+    /// Emitted when a preset of another exhibit was chosen.
+    void recentAsked(const QString& id);
     void factsAsked(const QString& id);
     void renamed(const QString& id, const QString& name);
 
 protected:
     bool eventFilter(QObject*, QEvent*) override;
+    void resizeEvent(QResizeEvent*) override;
 
 private:
+    void addRecent();
+    /// Hides tags and recent presets for which there is no room beside a few presets of the list.
+    void fit();
     /// Shows the presets that have all typed words and all pressed tags.
     void filter();
     void showNothing(bool);
@@ -72,6 +87,8 @@ private:
     PresetPreview* preview_;
     QVBoxLayout* layout_;
     QLabel* nothing_ = nullptr;  ///< Label for an empty result; null if something is found.
+    QWidget* recent_;
+    QListWidget* recentList_;
     QWidget* buttons_;
     QList<QAction*> menu_;
 };

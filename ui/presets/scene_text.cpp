@@ -10,7 +10,8 @@ std::size_t chosenIn(const Museum& museum, const SceneState& sceneState, const s
     if (const auto found = museum.find(name)) return *found;
     FrameRequest request;
     request.camera = sceneState.camera;
-    const std::optional<Pointed> middle = museum.pick(museum.prepare(sceneState, request), request, {0, 0});
+    const std::optional<Pointed> middle =
+        museum.surroundings().pick(museum.prepare(sceneState, request), request, {0, 0});
     return middle ? middle->exhibit : hallIndex;
 }
 

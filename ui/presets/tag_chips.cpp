@@ -59,6 +59,7 @@ void TagChips::addChip(const QString& tag, int uses, bool pressed)
     chip->setFont(chipFont());
     connect(chip, &QToolButton::toggled, this, &TagChips::changed);
     layout()->addWidget(chip);
+    chip->show();  // Until it is shown, a layout gives it no room.
 }
 
 void TagChips::setTags(const QStringList& uses, int most)

@@ -31,8 +31,6 @@ PlaceBar::PlaceBar(PrintSetup& setup, QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setHorizontalSpacing(8);
     layout->setVerticalSpacing(4);
-    layout->addWidget(view_, 0, 0, 1, 2);
-    layout->addWidget(reset_, 0, 2);
     const std::array<QString, 3> prefixes{tr("Turn"), tr("Right"), tr("Down")};
     const std::array<QString, 3> names{tr("Turn of the view, clockwise"), tr("Shift of the view to the right"),
                                        tr("Shift of the view down")};
@@ -52,7 +50,6 @@ PlaceBar::PlaceBar(PrintSetup& setup, QWidget* parent)
         number->setToolTip(tips.at(i));
         number->setFocusPolicy(Qt::StrongFocus);
         number->setMinimumWidth(0);
-        layout->addWidget(number, 1, static_cast<int>(i));
         connect(number, &QDoubleSpinBox::valueChanged, this, [this, i] { change(i); });
     }
     connect(view_, &QSpinBox::valueChanged, this, [this] {
@@ -62,7 +59,21 @@ PlaceBar::PlaceBar(PrintSetup& setup, QWidget* parent)
     connect(reset_, &QToolButton::clicked, this,
             [this] { set({}, newGesture(), tr("Reset turn and shift of a view")); });
     connect(&setup_, &PrintSetup::changed, this, &PlaceBar::showPlace);
+    followType(*this, [this, layout] { layOut(*layout); });
     showViews(nullptr);
+}
+
+void PlaceBar::layOut(QGridLayout& layout)
+{
+    const int columns = isLargeType(*this) ? 2 : 3;
+    for (QWidget* part : std::initializer_list<QWidget*>{view_, reset_}) layout.removeWidget(part);
+    layout.addWidget(view_, 0, 0, 1, columns - 1);
+    layout.addWidget(reset_, 0, columns - 1);
+    for (std::size_t i = 0; i < numbers_.size(); ++i) {
+        const int place = static_cast<int>(i);
+        layout.removeWidget(numbers_.at(i));
+        layout.addWidget(numbers_.at(i), 1 + place / columns, place % columns);
+    }
 }
 
 void PlaceBar::showViews(const printing::PrintViews* views)

@@ -10,6 +10,7 @@
 #include <vector>
 
 class QDoubleSpinBox;
+class QGridLayout;
 class QSpinBox;
 class QToolButton;
 
@@ -29,6 +30,7 @@ public:
     void showViews(const printing::PrintViews*);
 
 private:
+    void layOut(QGridLayout&);
     void showPlace();
     void change(std::size_t field);
     /// Returns the number of the picture that the chosen view is made from; 0: there is none.

@@ -9,17 +9,15 @@
 #include "ui/kit/language.h"
 #include "ui/kit/replace_question.h"
 #include "ui/kit/scroll_room.h"
-#include "ui/kit/type_size.h"
 #include "ui/kit/window_place.h"
-#include "ui/parameters/parameter_panel.h"
-#include "ui/print/eyes_preview.h"
 #include "ui/print/place_bar.h"
 #include "ui/print/print_export_bar.h"
 #include "ui/print/print_numbers.h"
+#include "ui/print/print_results.h"
+#include "ui/print/print_side.h"
 #include "ui/print/sheet_bar.h"
 #include "ui/print/shown_views.h"
 #include "ui/print/source_bar.h"
-#include "ui/print/strip_preview.h"
 
 #include <QAction>
 #include <QDir>
@@ -30,14 +28,11 @@
 #include <QMimeData>
 #include <QSettings>
 #include <QStandardPaths>
-#include <QTabBar>
 #include <QUrl>
 #include <QVBoxLayout>
 
 namespace vitrine::ui {
 namespace {
-
-constexpr int panelWidth = 376;
 
 QString placesPath()
 {
@@ -67,7 +62,7 @@ QStringList localFiles(const QMimeData& data)
 }  // namespace
 
 PrintDialog::PrintDialog(ShownViews* shown, QWidget* parent)
-    : QDialog(parent), setup_(shown != nullptr, this), loader_(shown, this), preview_(this), count_(this), write_(this)
+    : QDialog(parent), setup_(shown != nullptr, this), loader_(shown, this), planner_(this), write_(this)
 {
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Export lenticular print"));
@@ -85,53 +80,11 @@ PrintDialog::~PrintDialog()
     if (!remembered_) remember();  // The dialog is destroyed with the window, without having been closed.
 }
 
-QWidget* PrintDialog::buildLeft(bool canShow)
-{
-    tabs_ = new QTabBar(this);
-    tabs_->setDrawBase(false);
-    tabs_->setExpanding(false);
-    tabs_->addTab(tr("Print"));
-    tabs_->addTab(tr("Calibration chart"));
-    tabs_->setTabToolTip(0, tr("Views, interlaced."));
-    tabs_->setTabToolTip(1, tr("A sheet to print and lay the lenses on: pitch, phase, number of views, rotation."));
-    tabs_->setAccessibleName(tr("What to print"));
-    source_ = new SourceBar(canShow, setup_, this);
-    sheets_ = new SheetBar(setup_, this);
-    panel_ = new ParameterPanel(setup_.history(), this);
-    panel_->showExhibit(0, QStringLiteral("print"));
-
-    auto* bars = new QVBoxLayout;
-    bars->setContentsMargins(8, 8, 8, 0);
-    bars->setSpacing(8);
-    bars->addWidget(source_);
-    bars->addWidget(sheets_);
-    auto* left = new QVBoxLayout;
-    left->setContentsMargins(0, 0, 0, 0);
-    left->setSpacing(0);
-    left->addWidget(tabs_);
-    left->addLayout(bars);
-    left->addWidget(panel_, 1);
-    auto* side = new QWidget(this);
-    side->setLayout(left);
-    growWidth(*side, panelWidth);
-    return side;
-}
-
 QWidget* PrintDialog::buildRight()
 {
-    strips_ = new StripPreview(this);
-    eyes_ = new EyesPreview(this);
-    numbers_ = new PrintNumbersView(this);
+    results_ = new PrintResults;
     export_ = new PrintExportBar(this);
-    auto* content = new QWidget;
-    auto* right = new QVBoxLayout(content);
-    right->setContentsMargins(8, 8, 16, 16);
-    right->setSpacing(8);
-    right->addWidget(strips_, 4);
-    right->addWidget(eyes_, 5);
-    right->addWidget(numbers_);
-    right->addWidget(export_);
-    return new ScrollRoom(content, this);
+    return scrolledAboveBar(results_, export_, this);
 }
 
 void PrintDialog::build(bool canShow)
@@ -139,7 +92,8 @@ void PrintDialog::build(bool canShow)
     auto* sides = new QHBoxLayout;
     sides->setContentsMargins(0, 0, 0, 0);
     sides->setSpacing(8);
-    sides->addWidget(buildLeft(canShow));
+    side_ = new PrintSide(canShow, setup_, this);
+    sides->addWidget(side_);
     QWidget* right = buildRight();
     sides->addWidget(right, 1);
     messages_ = new MessageStrip(this);
@@ -164,8 +118,8 @@ void PrintDialog::buildUndo()
 void PrintDialog::connectSetup()
 {
     connect(&setup_, &PrintSetup::changed, this, &PrintDialog::showState);
-    connect(tabs_, &QTabBar::currentChanged, this, [this](int tab) { setChart(tab == 1); });
-    connect(source_, &SourceBar::originChosen, this, [this](printing::ViewOrigin origin) {
+    connect(side_, &PrintSide::chartChosen, this, &PrintDialog::setChart);
+    connect(&side_->source(), &SourceBar::originChosen, this, [this](printing::ViewOrigin origin) {
         ParameterValues values = this->values();
         for (const auto& old : {printing::printTable().files, printing::printTable().quilt})
             values.set(old, std::string());
@@ -173,10 +127,10 @@ void PrintDialog::connectSetup()
         values.set(printing::printTable().places, std::string());
         setup_.change(tr("Change the origin of the views"), values);
     });
-    connect(source_, &SourceBar::filesChosen, this, &PrintDialog::open);
-    connect(sheets_, &SheetBar::failed, this,
+    connect(&side_->source(), &SourceBar::filesChosen, this, &PrintDialog::open);
+    connect(&side_->sheets(), &SheetBar::failed, this,
             [this](const QString& why) { messages_->setProblems(QStringLiteral("sheets"), {why}); });
-    connect(numbers_, &PrintNumbersView::fitAsked, this, [this](double strength) {
+    connect(&results_->numbers(), &PrintNumbersView::fitAsked, this, [this](double strength) {
         ParameterValues values = this->values();
         values.set(printing::printTable().baselineScale, strength);
         setup_.change(tr("Fit depth"), values);
@@ -185,10 +139,10 @@ void PrintDialog::connectSetup()
 
 void PrintDialog::connectViews()
 {
-    connect(source_, &SourceBar::renderAsked, this, [this] { loader_.load(values()); });
-    connect(&loader_, &ViewLoader::said, source_, &SourceBar::say);
+    connect(&side_->source(), &SourceBar::renderAsked, this, [this] { loader_.load(values()); });
+    connect(&loader_, &ViewLoader::said, &side_->source(), &SourceBar::say);
     connect(&loader_, &ViewLoader::changed, this, [this] {
-        source_->places().showViews(loader_.views().get());
+        side_->source().places().showViews(loader_.views().get());
         messages_->setProblems(printViewsCause(), {});
         refresh();
     });
@@ -200,9 +154,13 @@ void PrintDialog::connectViews()
         if (exporting_) endExport(tr("Nothing was written."));
         refresh();
     });
-    for (NewestJob* job : {&preview_, &count_})
-        connect(job, &NewestJob::failed, this,
-                [this](const QString& why) { messages_->setProblems(QStringLiteral("preview"), {why}); });
+    connect(&planner_, &PrintPlanner::failed, this,
+            [this](const QString& why) { messages_->setProblems(QStringLiteral("preview"), {why}); });
+    connect(&planner_, &PrintPlanner::planned, this, &PrintDialog::showPlan);
+    connect(&planner_, &PrintPlanner::previewed, this,
+            [this](const std::shared_ptr<const printing::PrintPreview>& preview, double distance) {
+                results_->showPreview(preview, distance, chart_);
+            });
 }
 
 void PrintDialog::connectExport()
@@ -288,26 +246,18 @@ ParameterValues PrintDialog::printed() const
 
 void PrintDialog::showState(bool views)
 {
-    showRows();
-    source_->showOrigin(values()[printing::printTable().origin]);
+    side_->showChart(chart_);
+    side_->source().showOrigin(values()[printing::printTable().origin]);
     if (views) loader_.load(values());
     refresh();
-}
-
-void PrintDialog::showRows()
-{
-    panel_->setWanted(
-        [this](const ParameterInfo& parameter) { return printing::parameterActs(parameter, values(), chart_); });
 }
 
 void PrintDialog::setChart(bool chart)
 {
     chart_ = chart;
     export_->setChart(chart);
-    tabs_->setCurrentIndex(chart ? 1 : 0);
-    source_->setVisible(!chart);
-    eyes_->setVisible(!chart);
-    showRows();
+    side_->showChart(chart);
+    results_->showChart(chart);
     refresh();
 }
 
@@ -323,56 +273,30 @@ QString PrintDialog::path() const
 
 bool PrintDialog::settled() const
 {
-    return asked_ == shown_ && !preview_.busy() && !loader_.busy();
+    return planner_.settled() && !loader_.busy();
 }
 
 void PrintDialog::refresh()
 {
-    lookAgain();
-    countAgain();
+    const std::shared_ptr<const printing::PrintViews> views = chart_ ? nullptr : loader_.views();
+    // Views still to be rendered follow the values, so the present ones are not counted.
+    planner_.refresh({printed(), path().toStdString(), chart_, views, fromWindow() ? nullptr : views});
     showButtons();
 }
 
-void PrintDialog::lookAgain()
+void PrintDialog::showPlan()
 {
-    const std::shared_ptr<const printing::PrintViews> views = chart_ ? nullptr : loader_.views();
-    preview_.ask([this, values = printed(), views, chart = chart_]() -> NewestJob::Outcome {
-        std::shared_ptr<const printing::PrintPreview> preview;
-        try {
-            if (chart || views) preview = printing::printPreview(values, views);
-        } catch (const Failure&) {  // The plan gives the reason.
-        }
-        return [this, preview, distance = printing::viewingDistance(values)] {
-            strips_->setPreview(preview);
-            eyes_->setPreview(chart_ ? nullptr : preview, distance);
-        };
-    });
-}
-
-void PrintDialog::countAgain()
-{
-    const int turn = ++asked_;
-    // Views still to be rendered follow the values, so the present ones are ignored.
-    const std::shared_ptr<const printing::PrintViews> views = chart_ || fromWindow() ? nullptr : loader_.views();
-    count_.ask([this, turn, file = std::filesystem::path(path().toStdString()), values = printed(),
-                views]() -> NewestJob::Outcome {
-        const printing::PrintPlan plan = printing::printPlan(values, views.get(), file);
-        return [this, turn, plan] {
-            plan_ = plan;
-            shown_ = turn;
-            numbers_->showPlan(plan, chart_ ? std::nullopt : loader_.depth());
-            showButtons();
-            loader_.setPossible(plan.refusal.empty() && !chart_);
-        };
-    });
+    const printing::PrintPlan& plan = planner_.plan();
+    results_->numbers().showPlan(plan, chart_ ? std::nullopt : loader_.depth());
+    showButtons();
+    loader_.setPossible(plan.refusal.empty() && !chart_);
 }
 
 void PrintDialog::showButtons()
 {
-    export_->showPossible(exporting_,
-                          plan_.refusal.empty() && (chart_ || loader_.views() || fromWindow()) && !loader_.reading());
-    for (QWidget* input : std::initializer_list<QWidget*>{tabs_, source_, sheets_, panel_})
-        input->setEnabled(!exporting_);
+    const bool hasViews = chart_ || loader_.views() || fromWindow();
+    export_->showPossible(exporting_, planner_.plan().refusal.empty() && hasViews && !loader_.reading());
+    side_->setEnabled(!exporting_);
     undo_->setEnabled(!exporting_ && setup_.stack().canUndo());
     redo_->setEnabled(!exporting_ && setup_.stack().canRedo());
 }

@@ -1,10 +1,9 @@
 #pragma once
 
-#include "exhibits/printing/print_plan.h"
 #include "ui/kit/message_strip.h"
 #include "ui/kit/progress_job.h"
 #include "ui/model/history.h"
-#include "ui/print/newest_job.h"
+#include "ui/print/print_planner.h"
 #include "ui/print/print_setup.h"
 #include "ui/print/view_loader.h"
 
@@ -12,17 +11,11 @@
 
 #include <memory>
 
-class QTabBar;
-
 namespace vitrine::ui {
 
-class EyesPreview;
-class ParameterPanel;
 class PrintExportBar;
-class PrintNumbersView;
-class SheetBar;
-class SourceBar;
-class StripPreview;
+class PrintResults;
+class PrintSide;
 
 /// Dialog for a lenticular print or a calibration chart: previews the raster and the picture for both eyes, lists the
 /// numbers that a printer asks for, and writes the print. Does not block. Settings are restored the next time.
@@ -70,7 +63,6 @@ private:
     /// Loads the settings of a print, or of a settings file. Throws Failure.
     void loadPrint(const std::string& path);
     void build(bool canShow);
-    [[nodiscard]] QWidget* buildLeft(bool canShow);
     [[nodiscard]] QWidget* buildRight();
     void buildUndo();
     void connectSetup();
@@ -83,10 +75,8 @@ private:
     bool trySaying(const std::function<void()>& work);
     void say(MessageStrip::Mood, const QString&, const QString& file = {});
     void showState(bool views);
-    void showRows();
     void refresh();
-    void lookAgain();
-    void countAgain();
+    void showPlan();
     void showButtons();
     [[nodiscard]] bool fromWindow() const;
     /// Returns the values of the print, or of the chart, whichever is shown.
@@ -98,22 +88,15 @@ private:
 
     PrintSetup setup_;
     ViewLoader loader_;
-    printing::PrintPlan plan_;
+    PrintPlanner planner_;
     bool chart_ = false;
     bool exporting_ = false;
     bool remembered_ = false;
-    int asked_ = 0, shown_ = 0;  ///< Numbers of the last refresh requested and shown.
-    NewestJob preview_, count_;  ///< Two jobs: previews, and numbers, which take longer with many views.
     ProgressJob write_;
 
     MessageStrip* messages_;
-    QTabBar* tabs_;
-    SourceBar* source_;
-    SheetBar* sheets_;
-    ParameterPanel* panel_;
-    StripPreview* strips_;
-    EyesPreview* eyes_;
-    PrintNumbersView* numbers_;
+    PrintSide* side_;
+    PrintResults* results_;
     PrintExportBar* export_;
     QAction *undo_, *redo_;
 };

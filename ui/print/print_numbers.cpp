@@ -46,7 +46,7 @@ QString bytesText(double bytes)
 
 CrosstalkBars::CrosstalkBars(QWidget* parent) : QWidget(parent)
 {
-    setMinimumSize(160, 48);
+    setMinimumSize(96, 48);
     setAccessibleName(tr("Cross-talk of every view"));
     setToolTip(tr("For every view, from left to right: how much of the light at its own angle comes from other "
                   "views.\nOptics, printed dots, and ink that spreads as far as is set."));
@@ -91,8 +91,12 @@ void CrosstalkBars::paintEvent(QPaintEvent*)
 PrintNumbersView::PrintNumbersView(QWidget* parent) : QWidget(parent)
 {
     auto* top = new QHBoxLayout;
-    top->setSpacing(24);
-    top->addLayout(buildNumbers());
+    top->setSpacing(16);
+    auto* numbers = new QGridLayout;
+    buildNumbers();
+    followType(*this, [this, numbers] { layOutNumbers(*numbers); });
+    stackWhenLarge(*top, *this);
+    top->addLayout(numbers);
     top->addLayout(buildCrosstalk(), 1);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -101,11 +105,8 @@ PrintNumbersView::PrintNumbersView(QWidget* parent) : QWidget(parent)
     layout->addLayout(buildMessages());
 }
 
-QLayout* PrintNumbersView::buildNumbers()
+void PrintNumbersView::buildNumbers()
 {
-    auto* grid = new QGridLayout;
-    grid->setHorizontalSpacing(16);
-    grid->setVerticalSpacing(4);
     perLens_ = addNumber(tr("Pixels per lens"),
                          tr("Number of printed dots under one lens: no more views than this are distinguishable."));
     lpi_ = addNumber(tr("LPI in the file"),
@@ -119,15 +120,26 @@ QLayout* PrintNumbersView::buildNumbers()
                                        "range that the print can show."));
     size_ = addNumber(tr("Size"), tr("Size of the print's raster in pixels, bleed included."));
     bytes_ = addNumber(tr("File"), tr("Uncompressed."));
-    for (std::size_t i = 0; i < numbers_.size(); ++i) {
-        const int row = static_cast<int>(i) / 2;
-        const int column = static_cast<int>(i) % 2 * 2;
-        grid->addWidget(numbers_[i].first, row, column);
-        grid->addWidget(numbers_[i].second, row, column + 1);
+}
+
+void PrintNumbersView::layOutNumbers(QGridLayout& grid)
+{
+    const bool isLarge = isLargeType(*this);
+    const int columns = isLarge ? 1 : 2;
+    for (const auto& [name, value] : numbers_) {
+        grid.removeWidget(name);
+        grid.removeWidget(value);
     }
-    grid->setColumnMinimumWidth(1, 96);
-    grid->setColumnMinimumWidth(3, 120);
-    return grid;
+    int place = 0;
+    for (const auto& [name, value] : numbers_) {
+        grid.addWidget(name, place / columns, place % columns * 2);
+        grid.addWidget(value, place / columns, place % columns * 2 + 1);
+        ++place;
+    }
+    grid.setHorizontalSpacing(16);
+    grid.setVerticalSpacing(4);
+    grid.setColumnMinimumWidth(1, 96);
+    grid.setColumnMinimumWidth(3, isLarge ? 0 : 112);
 }
 
 QLayout* PrintNumbersView::buildCrosstalk()
@@ -135,6 +147,7 @@ QLayout* PrintNumbersView::buildCrosstalk()
     bars_ = new CrosstalkBars(this);
     crosstalk_ = new QLabel(tr("Cross-talk"), this);
     crosstalk_->setTextFormat(Qt::PlainText);
+    crosstalk_->setWordWrap(true);
     auto* chart = new QVBoxLayout;
     chart->setSpacing(4);
     chart->addWidget(crosstalk_);

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+class QGridLayout;
 class QLabel;
 class QLayout;
 class QPushButton;
@@ -50,7 +51,9 @@ signals:
     void fitAsked(double strength);
 
 private:
-    [[nodiscard]] QLayout* buildNumbers();
+    void buildNumbers();
+    /// Places the numbers in two columns, or in one if the type is large.
+    void layOutNumbers(QGridLayout&);
     [[nodiscard]] QLayout* buildCrosstalk();
     [[nodiscard]] QLayout* buildMessages();
     void showNumbers(const printing::PrintPlan&, const std::optional<printing::SceneDepth>&);

@@ -57,13 +57,19 @@ SheetBar::SheetBar(PrintSetup& setup, QWidget* parent)
     }
     save_->setAccessibleName(tr("Save sheet"));
     remove_->setAccessibleName(tr("Delete sheet"));
+    auto* choice = new QHBoxLayout;
+    choice->addWidget(name);
+    choice->addWidget(list_, 1);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(save_);
+    buttons->addWidget(remove_);
+    buttons->addStretch();
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(8);
-    layout->addWidget(name);
-    layout->addWidget(list_, 1);
-    layout->addWidget(save_);
-    layout->addWidget(remove_);
+    layout->addLayout(choice, 1);
+    layout->addLayout(buttons);
+    for (QBoxLayout* row : {choice, buttons, layout}) row->setSpacing(8);
+    stackWhenLarge(*layout, *this);
     connectParts();
 }
 

@@ -26,7 +26,7 @@ void ShownViews::start(const ParameterValues& values, bool draft)
     const SceneState sceneState = window_.history().sceneState();
     FrameRequest frame;
     frame.camera = sceneState.camera;
-    frame.time = window_.viewport().time();
+    frame.time = window_.viewport().clock().time();
     // Only a turn needs to know what turns.
     if (values[printing::printTable().turn] != 0 && window_.chosen() != hallIndex) frame.subject = window_.chosen();
     auto work = std::make_shared<Work>();

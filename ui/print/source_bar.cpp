@@ -1,6 +1,7 @@
 #include "ui/print/source_bar.h"
 
 #include "render/image/picture_formats.h"
+#include "render/video/video_frames.h"
 #include "ui/kit/file_patterns.h"
 #include "ui/kit/type_size.h"
 #include "ui/print/place_bar.h"
@@ -39,12 +40,14 @@ SourceBar::SourceBar(bool canShow, PrintSetup& setup, QWidget* parent)
     said_->setWordWrap(true);
     said_->setEnabled(false);
 
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(8);
+    for (QPushButton* button : {render_, folder_, files_}) buttons->addWidget(button);
     auto* row = new QHBoxLayout;
     row->setSpacing(8);
     row->addWidget(origin_, 1);
-    row->addWidget(render_);
-    row->addWidget(folder_);
-    row->addWidget(files_);
+    row->addLayout(buttons);
+    stackWhenLarge(*row, *this);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
@@ -91,10 +94,14 @@ void SourceBar::chooseFolder()
 
 void SourceBar::chooseFiles()
 {
-    auto* dialog = new QFileDialog(this, shown_ == printing::ViewOrigin::quilt ? tr("Quilt") : tr("Views"), {},
-                                   tr("Pictures (%1);;All files (*)").arg(filePatterns(render::readEndings())));
+    const bool isQuilt = shown_ == printing::ViewOrigin::quilt;
+    auto* dialog = new QFileDialog(
+        this, isQuilt ? tr("Quilt") : tr("Views"), {},
+        isQuilt ? tr("Pictures (%1);;All files (*)").arg(filePatterns(render::readEndings()))
+                : tr("Pictures and videos (%1);;All files (*)")
+                      .arg(filePatterns(std::string(render::readEndings()) + ' ' + render::readVideoEndings)));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(shown_ == printing::ViewOrigin::quilt ? QFileDialog::ExistingFile : QFileDialog::ExistingFiles);
+    dialog->setFileMode(isQuilt ? QFileDialog::ExistingFile : QFileDialog::ExistingFiles);
     connect(dialog, &QFileDialog::filesSelected, this, &SourceBar::filesChosen);
     dialog->open();
 }

@@ -81,7 +81,7 @@ void Bookmarks::set(int number)
 void Bookmarks::go(int number)
 {
     if (const std::optional<Bookmark>& there = place(number))
-        window_.viewport().goTo(there->camera);
+        window_.viewport().visitor().goTo(there->camera);
     else
         window_.say(MessageStrip::Mood::notice,
                     tr("There is no bookmark %1 yet: Ctrl+Alt+%1 makes one of where you are.").arg(number));

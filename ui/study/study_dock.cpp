@@ -3,28 +3,27 @@
 #include "exhibits/jobs.h"
 #include "exhibits/study/study_text.h"
 #include "render/failure.h"
-#include "render/measure/memory.h"
+#include "render/files/atomic_write.h"
 #include "ui/kit/flow_layout.h"
 #include "ui/kit/language.h"
 #include "ui/kit/message_of.h"
+#include "ui/kit/replace_question.h"
 #include "ui/kit/text.h"
-#include "ui/kit/time_left.h"
 #include "ui/kit/type_size.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/study/both_settings_button.h"
 #include "ui/study/kept_studies.h"
+#include "ui/study/measuring_bar.h"
 #include "ui/study/study_export.h"
 #include "ui/study/study_finder.h"
 #include "ui/study/study_view.h"
 
 #include <QApplication>
 #include <QClipboard>
-#include <QComboBox>
-#include <QHBoxLayout>
-#include <QLabel>
-#include <QProgressBar>
-#include <QPushButton>
+#include <QDir>
+#include <QFileInfo>
 #include <QSplitter>
+#include <QStandardPaths>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -33,19 +32,17 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr int shortTile = 96;        ///< Pixels, so that no step delays the next picture of the viewport for long.
-constexpr qint64 refreshTime = 200;  ///< Milliseconds between two updates of the chart while measuring.
-constexpr int leastToKeep = 3;       ///< Number of measured settings from which a stopped study is kept.
+constexpr int shortTile = 96;   ///< Pixels, so that no step delays the next picture of the viewport for long.
+constexpr int leastToKeep = 3;  ///< Number of measured settings from which a stopped study is kept.
 
 }  // namespace
 
 StudyDock::StudyDock(const Museum& museum, Renderers& renderers, History& history, RenderThread& thread,
                      StudyStore store, QWidget* parent)
-    : QWidget(parent), museum_(museum), renderers_(renderers), history_(history), thread_(thread),
-      setup_(*jobs::findJob("study"), this), measuring_(new QHBoxLayout), parameter_(new QComboBox(this)),
-      go_(new QPushButton(this)), copy_(new QToolButton(this)), save_(new QToolButton(this)),
-      list_(new QToolButton(this)), progress_(new QProgressBar(this)), doing_(new QLabel(this)),
-      finder_(new StudyFinder(this)), shown_(new StudyView(museum, history, this)),
+    : QWidget(parent), museum_(museum), history_(history), measurement_(renderers, thread, this),
+      setup_(*jobs::findJob("study"), this),
+      bar_(new MeasuringBar(this)), keepers_{new QToolButton(this), new QToolButton(this), new QToolButton(this)},
+      list_(new QToolButton(this)), finder_(new StudyFinder(this)), shown_(new StudyView(museum, history, this)),
       kept_(new KeptStudies(museum.subjects(), history, std::move(store), this)),
       settings_(new ParameterPanel(setup_.history(), this))
 {
@@ -54,8 +51,7 @@ StudyDock::StudyDock(const Museum& museum, Renderers& renderers, History& histor
     auto* all = new QVBoxLayout(this);
     all->setContentsMargins(8, 8, 8, 8);
     all->setSpacing(8);
-    layOutMeasuring();
-    all->addLayout(measuring_);
+    all->addWidget(bar_);
     all->addLayout(choosing());
     all->addWidget(studies(), 1);
     connectParts();
@@ -65,43 +61,21 @@ StudyDock::StudyDock(const Museum& museum, Renderers& renderers, History& histor
 
 void StudyDock::setTexts()
 {
-    parameter_->setAccessibleName(tr("What to measure"));
-    // Long names of parameters must not widen the window.
-    parameter_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    parameter_->setMinimumContentsLength(14);
-    parameter_->setPlaceholderText(tr("As in the settings"));
-    progress_->setAccessibleName(tr("Progress"));
-    go_->setAccessibleName(tr("Measure, or stop measuring"));
-    growWidth(*progress_, 120);
-    progress_->setTextVisible(false);
-    // Widgets that are shown only while measuring must not move the picture above.
-    QSizePolicy keepsItsPlace = progress_->sizePolicy();
-    keepsItsPlace.setRetainSizeWhenHidden(true);
-    progress_->setSizePolicy(keepsItsPlace);
-    growWidth(*go_, 80);
-    copy_->setText(tr("Copy"));
-    copy_->setAccessibleName(tr("Copy the measurements"));
-    copy_->setToolTip(tr("Copies what was measured as a table (CSV)."));
-    save_->setText(tr("Save…"));
-    save_->setAccessibleName(tr("Save the measurements"));
-    save_->setToolTip(tr("Saves what was measured as a table (CSV) or JSON, or the chart as PNG, SVG or PDF."));
+    const auto& [copy, save, figure] = keepers_;
+    copy->setText(tr("Copy"));
+    copy->setAccessibleName(tr("Copy the measurements"));
+    copy->setToolTip(tr("Copies what was measured as a table (CSV)."));
+    save->setText(tr("Save…"));
+    save->setAccessibleName(tr("Save the measurements"));
+    save->setToolTip(tr("Saves what was measured as a table (CSV) or JSON, or the chart as PNG, SVG or PDF."));
+    figure->setText(tr("Save figure"));
+    figure->setAccessibleName(tr("Save the chart as a figure"));
+    figure->setToolTip(tr("Saves the chart as SVG in your pictures folder, under a free name."));
     list_->setText(tr("History"));
     list_->setCheckable(true);
     list_->setAccessibleName(tr("Show the history of studies"));
     list_->setToolTip(
         tr("Shows the studies that were kept: to look at again, compare, rename, delete, open and save."));
-    doing_->setTextFormat(Qt::PlainText);
-    doing_->setMinimumWidth(40);
-    doing_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-}
-
-void StudyDock::layOutMeasuring()
-{
-    measuring_->setSpacing(8);
-    measuring_->addWidget(parameter_);
-    measuring_->addWidget(go_);
-    measuring_->addWidget(progress_);
-    measuring_->addWidget(doing_, 1);
 }
 
 QLayout* StudyDock::choosing()
@@ -115,11 +89,13 @@ QLayout* StudyDock::choosing()
     set->setAccessibleName(tr("Show the settings of studies"));
     set->setToolTip(tr("Shows everything that can be set for a study: metric, views, size, values and more."));
     connect(set, &QToolButton::toggled, settings_, &QWidget::setVisible);
-    for (QToolButton* button : {set, copy_, save_, list_}) {
+    const auto& [copy, save, figure] = keepers_;
+    for (QToolButton* button : {set, copy, save, figure, list_}) {
         button->setFocusPolicy(Qt::StrongFocus);
         growHeight(*button, 26);
-        choose->addWidget(button);
+        if (button != figure) choose->addWidget(button);
     }
+    bar_->insert(figure);
     return choose;
 }
 
@@ -141,14 +117,19 @@ QWidget* StudyDock::studies()
 
 void StudyDock::connectParts()
 {
-    connect(go_, &QPushButton::clicked, this, [this] { running() ? stop() : measurePresent(); });
+    connect(bar_, &MeasuringBar::goAsked, this, [this] { running() ? stop() : measurePresent(); });
+    connect(bar_, &MeasuringBar::parameterChosen, this, &StudyDock::vary);
+    connect(&measurement_, &StudyMeasurement::progressed, this,
+            [this](const std::shared_ptr<StudyProgress>& progress) { take(*progress); });
+    connect(&measurement_, &StudyMeasurement::ended, this, &StudyDock::end);
     connect(finder_, &StudyFinder::asked, this, &StudyDock::find);
     connect(finder_, &StudyFinder::refused, shown_, &StudyView::say);
-    connect(parameter_, &QComboBox::activated, this, [this] { vary(parameter_->currentData().toString()); });
     connect(&setup_, &JobSetup::changed, this, &StudyDock::showVaried);
-    connect(copy_, &QToolButton::clicked, this,
+    const auto& [copy, save, figure] = keepers_;
+    connect(copy, &QToolButton::clicked, this,
             [this] { QApplication::clipboard()->setText(QString::fromUtf8(exported(QStringLiteral("csv")))); });
-    connect(save_, &QToolButton::clicked, this, &StudyDock::save);
+    connect(save, &QToolButton::clicked, this, &StudyDock::save);
+    connect(figure, &QToolButton::clicked, this, &StudyDock::saveFigure);
     connect(list_, &QToolButton::toggled, kept_, &QWidget::setVisible);
     connect(kept_, &KeptStudies::failed, this, &StudyDock::failed);
     connect(kept_, &KeptStudies::showAsked, this, [this](const KeptStudy& study, const std::string& json) {
@@ -183,18 +164,18 @@ void StudyDock::setSubject(std::size_t exhibit)
     const bool isNew = !table_ || exhibit != subject_;
     subject_ = exhibit;
     table_ = history_.sceneState().values[exhibit].sharedTable();
-    parameter_->clear();
-    parameter_->addItem(tr("All parameters together"), QString());
     std::vector<std::string> names;
+    std::vector<std::pair<QString, QString>> offers;
     for (const ParameterInfo& parameter : table_->rows()) {
         if (!parameter.qualityReference) continue;
         names.emplace_back(parameter.name);
-        parameter_->addItem(translatedText(label(parameter)), text(parameter.name));
+        offers.emplace_back(translatedText(label(parameter)), text(parameter.name));
     }
+    bar_->setParameters(offers);
     settings_->setOffers({{"parameters", names}});
     showVaried();
-    if (isNew || parameter_->currentIndex() < 0) vary(parameter_->itemData(names.empty() ? 0 : 1).toString());
-    go_->setEnabled(running() || !names.empty());
+    if (isNew || !bar_->hasSelection()) vary(offers.empty() ? QString() : offers.front().second);
+    bar_->showIdle(running());
 }
 
 void StudyDock::vary(const QString& parameters)
@@ -209,19 +190,20 @@ void StudyDock::vary(const QString& parameters)
 
 void StudyDock::showVaried()
 {
-    parameter_->setCurrentIndex(parameter_->findData(QString::fromStdString(setup_.values()[studyTable().varied])));
+    bar_->select(QString::fromStdString(setup_.values()[studyTable().varied]));
 }
 
-void StudyDock::ask(std::size_t exhibit, std::size_t row)
+void StudyDock::ask(std::size_t exhibit, std::size_t row, Then then)
 {
     if (exhibit != subject_) setSubject(exhibit);
     vary(text(table_->rows()[row].name));
     measurePresent();
+    then_ = running() ? then : Then::nothing;
 }
 
 void StudyDock::offerBoth(const SettingsB& other)
 {
-    measuring_->insertWidget(2, new BothSettingsButton(*this, other, this));
+    bar_->insert(new BothSettingsButton(*this, other, this));
 }
 
 void StudyDock::measurePresent()
@@ -239,7 +221,9 @@ void StudyDock::measure(const ParameterValues& values, const SceneState& sceneSt
     try {
         StudyRequest request = studyRequest(values, museum_, sceneState, subject_);
         request.largestTile = shortTile;
-        start(std::move(request));
+        stop();
+        measurement_.start(std::move(request));
+        bar_->showStart();
     } catch (const Failure& failure) {
         shown_->say(messageOf(failure));
     }
@@ -256,73 +240,22 @@ void StudyDock::find(StudyFind wanted, double limit)
     measure(values, history_.sceneState());
 }
 
-struct StudyDock::Work {
-    Renderers& renderers;
-    StudyRequest request;
-    StudyJob job;
-    QElapsedTimer shown;
-};
-
-bool StudyDock::step(Work& work, const RenderThread::Notify& notify,
-                     const std::function<void(std::shared_ptr<Progress>)>& take)
+void StudyDock::take(StudyProgress& progress)
 {
-    if (!work.job.study) {
-        work.job = work.renderers.makeStudy(work.request);
-        work.shown.start();
-        if (!work.job.study) throw Failure(ErrorKind::openGl, "Nothing can be measured: there is no graphics context.");
-    }
-    Study& study = *work.job.study;
-    study.step();
-    const bool done = study.finished();
-    if (done || work.shown.elapsed() >= refreshTime) {
-        auto progress =
-            std::make_shared<Progress>(Progress{done ? study.takeResult() : study.result(),
-                                                done ? 1.0 : study.progress(), study.doing(), work.job.machine});
-        notify([take, progress = std::move(progress)] { take(progress); });
-        work.shown.start();
-    }
-    if (done) {
-        work.job = {};
-        render::trimHeap();
-    }
-    return !done;
-}
-
-void StudyDock::start(StudyRequest request)
-{
-    stop();
-    running_ = request;
-    isRunning_ = true;
-    auto work = std::make_shared<Work>(Work{renderers_, std::move(request), {}, {}});
-    go_->setText(tr("Cancel"));
-    go_->setEnabled(true);
-    progress_->setValue(0);
-    progress_->show();
-    elapsed_.start();
-    doing_->setText(tr("Starting"));
-    const auto take = [this](const std::shared_ptr<Progress>& progress) { this->take(std::move(*progress)); };
-    task_ = thread_.start([work, take](const RenderThread::Notify& notify) { return step(*work, notify, take); },
-                          [this](const QString& failure) { end(failure); });
-}
-
-void StudyDock::take(Progress progress)
-{
-    const bool done = progress.progress >= 1;
+    const bool done = progress.part >= 1;
     // The earlier result stays until the new one has a point.
     const bool isNew =
         !showsRunning_ && (done || std::any_of(progress.result.points.begin(), progress.result.points.end(), isDrawn));
     showsRunning_ = showsRunning_ || isNew;
-    progress_->setValue(static_cast<int>(100 * progress.progress));
-    const double left = secondsLeft(progress.progress, elapsed_);
-    doing_->setText(translatedText(progress.doing) +
-                    (left >= 0 && !done ? QStringLiteral(", ") + timeLeft(left) : QString()));
+    bar_->showProgress(progress.part, translatedText(progress.doing));
     if (!showsRunning_) return;
-    shown_->showMeasured(running_, std::move(progress.result), progress.machine, isNew);
+    shown_->showMeasured(measurement_.request(), std::move(progress.result), progress.machine, isNew);
 }
 
 void StudyDock::end(const QString& failure)
 {
     const bool succeeded = failure.isEmpty();
+    const Then then = then_;
     endRun();
     if (!succeeded) emit stopped();
     if (!failure.isEmpty()) {
@@ -332,6 +265,7 @@ void StudyDock::end(const QString& failure)
     }
     const std::optional<StudyChoice> choice = result().choice;
     if (choice && choice->holds) shown_->applyMeasured(choice->point);
+    if (then == Then::saveFigure) saveFigure();
     emit finished();
 }
 
@@ -344,13 +278,13 @@ void StudyDock::stop()
 
 void StudyDock::endRun()
 {
-    task_.cancel();
+    measurement_.cancel();
     if (showsRunning_) {
         shown_->noteStopped();
         keepMeasured();
     }
-    isRunning_ = false;
     showsRunning_ = false;
+    then_ = Then::nothing;
     showIdle();
 }
 
@@ -364,11 +298,8 @@ void StudyDock::keepMeasured()
 
 void StudyDock::showIdle()
 {
-    go_->setText(running() ? tr("Cancel") : tr("Measure"));
-    go_->setEnabled(running() || parameter_->count() > 1);
-    progress_->setVisible(running());
-    if (!running()) doing_->clear();
-    for (QToolButton* button : {copy_, save_}) button->setEnabled(!shown_->empty());
+    bar_->showIdle(running());
+    for (QToolButton* button : keepers_) button->setEnabled(!shown_->empty());
     finder_->suggestTime(result());
     if (shown_->empty())
         shown_->say(tr("Choose a parameter, then Measure. Errors are against its most exact value; costs are time and "
@@ -384,6 +315,19 @@ void StudyDock::save()
 {
     const QString why = askAndSaveStudy(this, [this](const QString& suffix) { return exported(suffix); });
     if (!why.isEmpty()) emit failed(why);
+}
+
+void StudyDock::saveFigure()
+{
+    const QDir pictures(QStandardPaths::writableLocation(QStandardPaths::PicturesLocation));
+    const QString first = pictures.filePath(shown_->fileName() + QStringLiteral(".svg"));
+    const QString file = QFileInfo::exists(first) ? nextFreePath(first) : first;
+    try {
+        render::atomicWrite(file.toStdString(), exported(QStringLiteral("svg")).toStdString());
+        emit saved(file);
+    } catch (const Failure& failure) {
+        emit failed(messageOf(failure));
+    }
 }
 
 }  // namespace vitrine::ui

@@ -3,26 +3,21 @@
 #include "exhibits/study/study_store.h"
 #include "exhibits/study/study_table.h"
 #include "ui/jobs/job_setup.h"
-#include "ui/viewport/render_thread.h"
+#include "ui/study/study_measurement.h"
 
-#include <QElapsedTimer>
 #include <QWidget>
 
-#include <functional>
+#include <array>
+#include <cstdint>
 #include <memory>
-#include <optional>
-#include <string>
 
-class QBoxLayout;
-class QComboBox;
-class QLabel;
-class QProgressBar;
-class QPushButton;
+class QLayout;
 class QToolButton;
 
 namespace vitrine::ui {
 
 class KeptStudies;
+class MeasuringBar;
 class SettingsB;
 class ParameterPanel;
 class StudyChart;
@@ -43,8 +38,10 @@ public:
 
     /// Offers the parameters of this exhibit. The shown study stays until the next one.
     void setSubject(std::size_t exhibit);
+    /// Action at the end of a study; none is taken if the study is stopped, fails or is replaced by another one.
+    enum class Then : std::uint8_t { nothing, saveFigure };
     /// Measures one parameter at once; `row` is its index in the exhibit's table.
-    void ask(std::size_t exhibit, std::size_t row);
+    void ask(std::size_t exhibit, std::size_t row, Then = Then::nothing);
     /// Measures with the settings of studies and the present settings of the exhibits, or others.
     void measurePresent();
     void measureWith(const SceneState&);
@@ -52,7 +49,7 @@ public:
     void offerBoth(const SettingsB&);
     /// Stops the running study. Its results stay visible, and are kept if three or more settings were measured.
     void stop();
-    [[nodiscard]] bool running() const { return isRunning_; }
+    [[nodiscard]] bool running() const { return measurement_.running(); }
     /// Returns the result of the running study once it has a point, before that of the one before.
     [[nodiscard]] const StudyResult& result() const;
     /// Returns the content of a file with all measured data shown: .csv, .json (including `machine`), or the chart as
@@ -68,12 +65,13 @@ public:
 
 signals:
     void failed(const QString& why);
+    /// Emitted when the chart was saved to this file.
+    void saved(const QString& file);
     void finished();
     void stopped();  ///< Emitted when a study ended before it was finished.
 
 private:
     void setTexts();
-    void layOutMeasuring();
     [[nodiscard]] QLayout* choosing();
     [[nodiscard]] QWidget* studies();
     void connectParts();
@@ -82,44 +80,26 @@ private:
     void measure(const ParameterValues&, const SceneState&);
     void find(StudyFind, double limit);
     void endRun();
-    void start(StudyRequest);
-    /// Intermediate result of the running study.
-    struct Progress {
-        StudyResult result;
-        double progress = 0;
-        std::string doing;
-        render::Json machine = {};
-    };
-    /// Performs one step of the study on the render thread, and passes on intermediate results.
-    struct Work;
-    static bool step(Work&, const RenderThread::Notify&, const std::function<void(std::shared_ptr<Progress>)>& take);
-    void take(Progress);
+    void take(StudyProgress&);
     void end(const QString& failure);
     void showIdle();
     void keepMeasured();
     void save();
+    /// Saves the chart under a free name in the pictures folder.
+    void saveFigure();
 
     const Museum& museum_;
-    Renderers& renderers_;
     History& history_;
-    RenderThread& thread_;
-    RenderThread::Task task_;
-    bool isRunning_ = false;
-    StudyRequest running_;  ///< Request of the running study.
+    StudyMeasurement measurement_;
     bool showsRunning_ = false;
+    Then then_ = Then::nothing;                ///< Action at the end of the running study.
     std::shared_ptr<const Parameters> table_;  ///< Table whose parameters can be chosen; null: none yet.
     std::size_t subject_ = 0;
     JobSetup setup_;
-    QElapsedTimer elapsed_;
 
-    QBoxLayout* measuring_;  ///< Row with the parameter, the buttons that measure, and the progress.
-    QComboBox* parameter_;
-    QPushButton* go_;
-    QToolButton* copy_;
-    QToolButton* save_;
+    MeasuringBar* bar_;
+    std::array<QToolButton*, 3> keepers_;  ///< They copy the measurements, save them, and save a figure.
     QToolButton* list_;
-    QProgressBar* progress_;
-    QLabel* doing_;
     StudyFinder* finder_;
     StudyView* shown_;
     KeptStudies* kept_;

@@ -1,9 +1,7 @@
 #pragma once
 
-#include "exhibits/study/contact_sheet.h"
-#include "exhibits/study/kept_parameters.h"
 #include "exhibits/study/study_costs.h"
-#include "ui/study/picture_panes.h"
+#include "ui/study/shown_kept_study.h"
 
 #include <QWidget>
 
@@ -16,9 +14,8 @@ class QLabel;
 namespace vitrine::ui {
 
 class History;
-class LargePictures;
+class PointPictures;
 class StudyChart;
-class StudyPictures;
 struct ChartedStudy;
 
 /// View of one study, measured here or kept: chart, pictures, and a summary. A kept study may have no pictures. A click
@@ -59,6 +56,8 @@ public:
     void chooseCostAxis(CostAxis);
     /// Returns the study measured last here, in the format of its file.
     [[nodiscard]] render::Json json() const;
+    /// Returns a name for a file with what is shown, without an ending: "sdf_morph-hitTolerance".
+    [[nodiscard]] QString fileName() const;
     /// Returns the content of a file with all that is shown; `suffix` is csv, json, png or svg.
     [[nodiscard]] QByteArray exported(const QString& suffix) const;
 
@@ -72,24 +71,16 @@ private:
     void layOut();
     void connectParts();
     void showPoint(int point);
-    void showPictures(render::Image picture, render::Image reference, render::Metric);
     void showKeptPoint(int point);
-    void showCaption(const QString&);
     void refreshKept();
-    void enlarge();
-    void fillLarge();
     [[nodiscard]] QString sentences(const QString& law) const;
     [[nodiscard]] QWidget* chartWithCosts();
     void decideCostAxis(bool clockTrusted);
     void showChart(ChartedStudy, std::optional<std::size_t> present);
-    void hidePictures();
-    [[nodiscard]] QString whyNotApplied() const;  ///< Reason why the kept study cannot be applied; empty if it can.
     [[nodiscard]] QString captionOf(const StudyPoint&) const;
-    [[nodiscard]] QString captionOf(const KeptStudy&, std::size_t point) const;
     /// Returns the index of an axis's parameter in its exhibit's present table, which a file may have changed.
     [[nodiscard]] std::optional<std::size_t> rowNow(const StudyAxis&) const;
     [[nodiscard]] std::optional<std::size_t> presentPoint() const;
-    [[nodiscard]] std::optional<std::size_t> presentKeptPoint() const;
     void applyKept(std::size_t point);
 
     const Museum& museum_;
@@ -97,26 +88,16 @@ private:
     StudyRequest request_;
     StudyResult result_;
     render::Json machine_ = render::Json::object();
-    std::optional<KeptStudy> kept_;
-    std::string keptJson_;
-    QString keptTitle_;
-    KeptParameters keptParameters_;
-    ContactSheet keptPictures_;
+    std::optional<ShownKeptStudy> kept_;
     int shownPoint_ = -1;
-    PictureTriple shown_;  ///< Content of `pictures_`.
-    QString shownScale_;
 
     bool costChosen_ = false;  ///< The user has chosen the cost axis.
     bool stopped_ = false;     ///< The measured study ended early.
 
     QComboBox* cost_;
-    QWidget* right_;  ///< Pictures and their caption; hidden while there are none.
-    QComboBox* view_;
     QLabel* words_;
-    QLabel* caption_;
     StudyChart* chart_;
-    StudyPictures* pictures_;
-    LargePictures* large_ = nullptr;  ///< Null until it is opened.
+    PointPictures* pictures_;
 };
 
 }  // namespace vitrine::ui

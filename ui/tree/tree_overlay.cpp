@@ -40,7 +40,7 @@ TreeOverlay::TreeOverlay(const Museum& museum, TreeEditor& editor, Viewport& vie
     soon_.setInterval(outlineDelay);
     connect(&soon_, &QTimer::timeout, this, &TreeOverlay::askForOutline);
     connect(&viewport, &Viewport::looked, this, &TreeOverlay::renew);
-    connect(&viewport, &Viewport::shapeClicked, this, &TreeOverlay::pick);
+    connect(&viewport.interaction(), &Interaction::shapeClicked, this, &TreeOverlay::pick);
     connect(&editor, &TreeEditor::selectionChanged, this, &TreeOverlay::renew);
     connect(&editor, &TreeEditor::valuesChanged, this, &TreeOverlay::renew);
     lower();
@@ -59,12 +59,12 @@ void TreeOverlay::setMode(HandleMode mode)
 void TreeOverlay::pick(std::size_t exhibit, const QPointF& at)
 {
     if (exhibit != editor_.subject() || !editor_.source()) return;
-    const render::View view = viewport_.view();
+    const render::View view = viewport_.scene().view();
     const glm::dvec2 ndc(2 * at.x() / width() - 1, 1 - 2 * at.y() / height());
     const render::Ray ray{view.eye, glm::normalize(view.direction(ndc))};
     const glm::dmat4 exhibitFromWorld = glm::affineInverse(museum_.worldFromExhibit(exhibit));
     const std::string node =
-        editor_.source()->pick({editor_.values(), viewport_.time()}, ray.transformed(exhibitFromWorld));
+        editor_.source()->pick({editor_.values(), viewport_.clock().time()}, ray.transformed(exhibitFromWorld));
     editor_.select(node);
     if (!node.empty()) emit editor_.shown();
 }
@@ -87,7 +87,7 @@ void TreeOverlay::renew()
 
 std::optional<TreePlace> TreeOverlay::place() const
 {
-    return editor_.source()->placeOf({editor_.values(), viewport_.time()}, editor_.selected());
+    return editor_.source()->placeOf({editor_.values(), viewport_.clock().time()}, editor_.selected());
 }
 
 void TreeOverlay::findHandles()
@@ -95,15 +95,15 @@ void TreeOverlay::findHandles()
     handles_.clear();
     if (!editor_.source() || editor_.selected().empty() || viewport_.covered()) return;
     if (const auto place = this->place(); place && place->without.empty())
-        handles_ =
-            handlesOf(mode_, *place, museum_.worldFromExhibit(editor_.subject()), viewport_.view(), QSizeF(size()));
+        handles_ = handlesOf(mode_, *place, museum_.worldFromExhibit(editor_.subject()), viewport_.scene().view(),
+                             QSizeF(size()));
 }
 
 void TreeOverlay::askForOutline()
 {
     if (!editor_.source() || editor_.selected().empty()) return;
-    job_->start([this, source = editor_.source(), values = editor_.values(), time = viewport_.time(),
-                 node = editor_.selected(), view = viewport_.view(), widget = QSizeF(size()),
+    job_->start([this, source = editor_.source(), values = editor_.values(), time = viewport_.clock().time(),
+                 node = editor_.selected(), view = viewport_.scene().view(), widget = QSizeF(size()),
                  world = museum_.worldFromExhibit(editor_.subject())](
                     const ProgressJob::Progress& progress) -> ProgressJob::Outcome {
         const auto shape = source->shapeOf({values, time}, node);
@@ -125,7 +125,7 @@ void TreeOverlay::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     QList<QLineF> lines;
-    if (outlineView_ == viewport_.view().clipFromWorld) lines = QList<QLineF>(outline_.begin(), outline_.end());
+    if (outlineView_ == viewport_.scene().view().clipFromWorld) lines = QList<QLineF>(outline_.begin(), outline_.end());
     for (const auto& [color, width] : {std::pair{QColor(0, 0, 0, 110), 4.0}, std::pair{theme().accent, 2.0}}) {
         painter.setPen(QPen(color, width, Qt::SolidLine, Qt::RoundCap));
         painter.drawLines(lines);

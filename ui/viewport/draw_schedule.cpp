@@ -4,38 +4,19 @@
 
 #include <algorithm>
 #include <limits>
-#include <utility>
 
 namespace vitrine::ui {
 namespace {
 
-// Resolution drops as soon as a frame takes `late` times the target. It rises only after `framesBeforeFiner` frames
-// whose predicted time at the finer level is below `room` times the target, so that it does not oscillate.
-constexpr double late = 1.3;
-constexpr double room = 0.7;
-constexpr int framesBeforeFiner = 4;
 // Number of supersamples that is as smooth as a picture in motion averaged over its frames.
 constexpr int asSmoothAsMotion = 4;
 
 }  // namespace
 
-void DrawSchedule::setSamples(int samples)
-{
-    wantedSamples_ = samples;
-    samples_ = std::min(wantedSamples_, mostSamples_);
-}
-
 void DrawSchedule::setLimits(int mostSamples, double leastScale)
 {
     mostSamples_ = std::max(mostSamples, 1);
-    leastScale_ = leastScale;
-    setSamples(wantedSamples_);
-    while (level_ > 0 && scales[level_] < leastScale_) --level_;
-}
-
-bool DrawSchedule::canBeCoarser() const
-{
-    return level_ + 1 < scales.size() && scales[level_ + 1] >= leastScale_;
+    scale_.setLeast(leastScale);
 }
 
 void DrawSchedule::changed(double now)
@@ -66,21 +47,21 @@ void DrawSchedule::setMoving(bool on, double now)
 std::optional<DrawOrder> DrawSchedule::next(double now) const
 {
     const bool averaged = history_ > 1;
-    if (opening_ && dirty_) return DrawOrder{openingScale, 0, 1, false, opened_};
-    if (moving_) return DrawOrder{scales[level_], 0, 1, averaged};
+    if (opening() && dirty_) return DrawOrder{Opening::scale, 0, 1, false, opening_.shown()};
+    if (moving_) return DrawOrder{scale_.scale(), 0, 1, averaged};
     const bool settled = now - lastChange_ >= settleTime;
-    if (dirty_ && cameraOnly_ && averaged && !settled) return DrawOrder{scales[level_], 0, 1, true};
-    if (dirty_ && level_ > 0 && !settled) return DrawOrder{scales[level_], 0, 1};
+    if (dirty_ && cameraOnly_ && averaged && !settled) return DrawOrder{scale_.scale(), 0, 1, true};
+    if (dirty_ && scale_.isReduced() && !settled) return DrawOrder{scale_.scale(), 0, 1};
     // At full resolution the first picture and the first supersample are the same.
-    if (dirty_) return DrawOrder{1, 0, samples_};
-    if (refined_ < samples_ && settled) return DrawOrder{1, refined_, samples_};
+    if (dirty_) return DrawOrder{1, 0, samples()};
+    if (refined_ < samples() && settled) return DrawOrder{1, refined_, samples()};
     return std::nullopt;
 }
 
 double DrawSchedule::wait(double now) const
 {
     if (next(now)) return 0;
-    if (refined_ < samples_) return lastChange_ + settleTime - now;
+    if (refined_ < samples()) return lastChange_ + settleTime - now;
     return std::numeric_limits<double>::infinity();
 }
 
@@ -99,7 +80,7 @@ bool DrawSchedule::betterGivenUp() const
 {
     // The quickest kind of picture is never abandoned: otherwise the screen would not change during a long motion.
     return underway_ && outdated_ && underway_->scale == 1 && !underway_->inMotion &&
-           (level_ > 0 || underway_->sample > 0);
+           (scale_.isReduced() || underway_->sample > 0);
 }
 
 void DrawSchedule::givenUp()
@@ -116,41 +97,19 @@ void DrawSchedule::drawn(const DrawOrder& order, double seconds)
     if (!outdated_) {
         dirty_ = false;
         // A quick picture is not part of a refined one, even if both have one sample.
-        if (order.samples == samples_ && order.scale == 1 && !order.inMotion) refined_ = order.sample + 1;
+        if (order.samples == samples() && order.scale == 1 && !order.inMotion) refined_ = order.sample + 1;
     }
-    if (improves(order)) leastToShow_ = order.inMotion && order.scale == 1 ? std::min(asSmoothAsMotion, samples_) : 0;
+    if (improves(order)) leastToShow_ = order.inMotion && order.scale == 1 ? std::min(asSmoothAsMotion, samples()) : 0;
     outdated_ = false;
     if (order.sample != 0) return;
     // While files are read and programs are compiled, frame times do not predict the next ones.
-    if (opening_)
-        open(seconds);
-    else
-        adapt(order, seconds);
-}
-
-void DrawSchedule::open(double seconds)
-{
-    const bool quick = opened_ > 0 && seconds < quickOpening;
-    opening_ = !quick && opened_ < exhibits_;
-    ++opened_;
+    if (!opening_.isUnderway()) {
+        scale_.drawn(order.scale, seconds);
+        return;
+    }
+    opening_.drawn(seconds);
     dirty_ = true;
     refined_ = 0;
-}
-
-void DrawSchedule::adapt(const DrawOrder& order, double seconds)
-{
-    const double perPixelShare = seconds / (order.scale * order.scale);
-    const auto predicted = [&](std::size_t level) { return perPixelShare * scales[level] * scales[level]; };
-    if (order.scale == scales[level_] && seconds > late * targetTime) {
-        while (canBeCoarser() && predicted(level_) > targetTime) ++level_;
-        fastFrames_ = 0;
-    } else if (level_ > 0 && predicted(level_ - 1) < room * targetTime) {
-        if (++fastFrames_ < framesBeforeFiner) return;
-        --level_;
-        fastFrames_ = 0;
-    } else {
-        fastFrames_ = 0;
-    }
 }
 
 QString DrawSchedule::limit() const
@@ -158,7 +117,7 @@ QString DrawSchedule::limit() const
     if (!limited()) return {};
     return QCoreApplication::translate("DrawSchedule", "; the hall requests %1 samples, the preferences allow %2")
         .arg(wantedSamples_)
-        .arg(samples_);
+        .arg(samples());
 }
 
 QString DrawSchedule::reason() const
@@ -166,8 +125,8 @@ QString DrawSchedule::reason() const
     const auto tr = [](const char* words) { return QCoreApplication::translate("DrawSchedule", words); };
     if (moving_ || dirty_ || refined_ == 0)
         return tr("Rendering at %1 %").arg(static_cast<int>(drawnScale_ * 100 + 0.5));
-    if (refined_ < samples_) return tr("Refining (%1 of %2 samples)").arg(refined_).arg(samples_) + limit();
-    return tr("Done (%1 samples)").arg(refined_) + limit();
+    if (refined_ < samples()) return tr("Refining (%1 of %2 samples)").arg(refined_).arg(samples()) + limit();
+    return (refined_ == 1 ? tr("Done (1 sample)") : tr("Done (%1 samples)").arg(refined_)) + limit();
 }
 
 }  // namespace vitrine::ui

@@ -1,8 +1,11 @@
 #pragma once
 
+#include "ui/viewport/adaptive_scale.h"
+#include "ui/viewport/opening.h"
+
 #include <QString>
 
-#include <array>
+#include <algorithm>
 #include <limits>
 #include <optional>
 
@@ -25,28 +28,21 @@ struct DrawOrder {
 /// seconds of one steady clock.
 class DrawSchedule {
 public:
-    static constexpr std::array<double, 5> scales{1, 0.75, 0.5, 0.35, 0.25};
-    /// Target of seconds per frame while moving: about 18 frames a second.
-    static constexpr double targetTime = 0.055;
-    static constexpr double openingScale = 0.5;  ///< Resolution of the first pictures, so that they come soon.
-    /// Seconds. When one exhibit was added as fast as this, the next picture shows all of them.
-    static constexpr double quickOpening = 0.5;
     static constexpr double settleTime = 0.2;  ///< Seconds without a change after which refinement begins.
 
     /// Sets the number of supersamples of a static picture; at least 1.
-    void setSamples(int samples);
-    [[nodiscard]] int samples() const { return samples_; }
+    void setSamples(int samples) { wantedSamples_ = samples; }
+    [[nodiscard]] int samples() const { return std::min(wantedSamples_, mostSamples_); }
 
     /// Sets the limits from the preferences. `mostSamples` caps the number of supersamples. `leastScale` is the lowest
     /// resolution while moving, as a part of full resolution; a higher one may be slower.
     void setLimits(int mostSamples, double leastScale);
     /// Returns whether `setLimits` caps the wanted number of supersamples.
-    [[nodiscard]] bool limited() const { return samples_ < wantedSamples_; }
+    [[nodiscard]] bool limited() const { return samples() < wantedSamples_; }
     [[nodiscard]] int mostSamples() const { return mostSamples_; }
 
-    /// Sets the number of exhibits. The first picture shows none. Each further picture adds one, until adding one is
-    /// quick.
-    void setExhibits(int count) { exhibits_ = count; }
+    /// Sets the number of exhibits, see `Opening`.
+    void setExhibits(int count) { opening_.setExhibits(count); }
 
     /// Sets the number of frames that a picture in motion is averaged over. 1: no averaging.
     void setHistory(int frames) { history_ = frames; }
@@ -74,40 +70,32 @@ public:
     /// sooner done.
     [[nodiscard]] bool betterGivenUp() const;
 
-    [[nodiscard]] double scaleWhileMoving() const { return scales[level_]; }
+    [[nodiscard]] double scaleWhileMoving() const { return scale_.scale(); }
     /// Returns whether exhibits are still missing from the picture.
-    [[nodiscard]] bool opening() const { return opening_; }
+    [[nodiscard]] bool opening() const { return opening_.isUnderway(); }
     /// Returns whether the last picture shows the present state, at any resolution.
     [[nodiscard]] bool current() const { return !moving_ && !dirty_; }
-    [[nodiscard]] bool still() const { return !moving_ && !dirty_ && refined_ >= samples_; }
+    [[nodiscard]] bool still() const { return !moving_ && !dirty_ && refined_ >= samples(); }
     /// Text for the status line: how the last picture was drawn, and why.
     [[nodiscard]] QString reason() const;
     /// Text for the same line if the preferences cap the number of supersamples; empty otherwise.
     [[nodiscard]] QString limit() const;
 
 private:
-    void open(double seconds);
-    [[nodiscard]] bool canBeCoarser() const;
-    void adapt(const DrawOrder&, double seconds);
-
     bool dirty_ = true;
-    bool opening_ = true;
-    int exhibits_ = 0;
-    int opened_ = 0;  // Number of exhibits in the next picture, while opening.
+    Opening opening_;
     std::optional<DrawOrder> underway_;
     bool outdated_ = false;  // Something changed since `underway_` began.
     bool moving_ = false;
-    int samples_ = 16, wantedSamples_ = 16;
+    int wantedSamples_ = 16;
     int mostSamples_ = std::numeric_limits<int>::max();
-    double leastScale_ = 0;
     int history_ = 1;
     bool cameraOnly_ = false;  // Only the camera changed since the last picture that was up to date.
     int leastToShow_ = 0;      // Number of supersamples from which a picture is better than the one on the screen.
     int refined_ = 0;          // Number of supersamples drawn at full resolution.
     double lastChange_ = -1e9;
-    std::size_t level_ = 0;  // Index into `scales`.
+    AdaptiveScale scale_;
     double drawnScale_ = 1;  // Scale of the last picture.
-    int fastFrames_ = 0;     // Number of frames in a row that were fast enough for a finer level.
 };
 
 }  // namespace vitrine::ui

@@ -45,6 +45,7 @@ std::unique_ptr<render::gl::Renderer> siblingOf(const render::gl::Renderer& rend
 
 void MuseumRenderers::open()
 {
+    museum_.startReading();
 #ifdef NDEBUG
     context_ = std::make_unique<render::gl::HeadlessContext>();
 #else
@@ -185,8 +186,13 @@ StudyJob MuseumRenderers::makeStudy(const StudyRequest& request)
     StudyJob job;
     job.backend = taskRendererOf(*renderer_);
     job.study = std::make_unique<Study>(museum_, *job.backend, request);
-    job.machine = render::gl::machineJson(context_->info());
+    job.machine = machine();
     return job;
+}
+
+render::Json MuseumRenderers::machine() const
+{
+    return render::gl::machineJson(context_->info());
 }
 
 std::unique_ptr<render::RenderBackend> MuseumRenderers::makeBackend(bool timesSteps)

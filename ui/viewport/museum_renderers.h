@@ -33,6 +33,7 @@ public:
     [[nodiscard]] PictureJob makePicture(const SceneState&, const PictureRequest&) override;
     void nextPicture(PictureJob&, const SceneState&, const PictureRequest&) override;
     [[nodiscard]] StudyJob makeStudy(const StudyRequest&) override;
+    [[nodiscard]] render::Json machine() const override;
     [[nodiscard]] std::unique_ptr<render::RenderBackend> makeBackend(bool timesSteps) override;
 
     /// Memory of the viewport's renderer, by owner. Empty before `open`. Call on the render thread.

@@ -48,9 +48,9 @@ std::optional<ParameterDrag::Drag> ParameterDrag::gripAt(const QPointF& at) cons
     const HasDraggedParameters* source = this->source();
     if (!source) return std::nullopt;
     const std::size_t exhibit = chosen_();
-    const ExhibitState state{history_.sceneState().values[exhibit], viewport_.time()};
+    const ExhibitState state{history_.sceneState().values[exhibit], viewport_.clock().time()};
     const glm::dmat4 world = museum_.worldFromExhibit(exhibit);
-    const render::View view = viewport_.view();
+    const render::View view = viewport_.scene().view();
     const glm::dvec3 eye(glm::inverse(world) * glm::dvec4(view.eye, 1));
     std::optional<Drag> found;
     double nearest = grabLineWithin;
@@ -72,10 +72,10 @@ void ParameterDrag::drag(const QPointF& at)
     const HasDraggedParameters* source = this->source();
     if (!source || drag_->exhibit != chosen_()) return;
     const QPointF point = at + drag_->grip;
-    const render::View view = viewport_.view();
+    const render::View view = viewport_.scene().view();
     const glm::dvec2 ndc(2 * point.x() / viewport_.width() - 1, 1 - 2 * point.y() / viewport_.height());
     const render::Ray ray{view.eye, glm::normalize(view.direction(ndc))};
-    const ExhibitState state{history_.sceneState().values[drag_->exhibit], viewport_.time()};
+    const ExhibitState state{history_.sceneState().values[drag_->exhibit], viewport_.clock().time()};
     const glm::dmat4 exhibitFromWorld = glm::inverse(museum_.worldFromExhibit(drag_->exhibit));
     history_.set(drag_->exhibit, drag_->row, source->valueUnder(state, drag_->row, ray.transformed(exhibitFromWorld)),
                  drag_->gesture);

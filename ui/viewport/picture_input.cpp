@@ -47,12 +47,12 @@ const TakesInput* PictureInput::source() const
 
 ExhibitState PictureInput::state(std::size_t exhibit) const
 {
-    return {history_.sceneState().values[exhibit], viewport_.time()};
+    return {history_.sceneState().values[exhibit], viewport_.clock().time()};
 }
 
 render::Ray PictureInput::rayAt(std::size_t exhibit, const QPointF& at) const
 {
-    const render::View view = viewport_.view();
+    const render::View view = viewport_.scene().view();
     const glm::dvec2 ndc(2 * at.x() / viewport_.width() - 1, 1 - 2 * at.y() / viewport_.height());
     const render::Ray ray{view.eye, glm::normalize(view.direction(ndc))};
     return ray.transformed(glm::inverse(museum_.worldFromExhibit(exhibit)));
@@ -121,7 +121,8 @@ void PictureInput::letGo()
     if (source) {
         SceneState after = history_.sceneState();
         for (const int code : held_)
-            for (const auto& [row, value] : source->keyed({after.values[keyed_], viewport_.time()}, code, false))
+            for (const auto& [row, value] :
+                 source->keyed({after.values[keyed_], viewport_.clock().time()}, code, false))
                 after.values[keyed_].setParameter(row, value);
         history_.change(tr("Keys in the picture"), after, typing_);
     }

@@ -132,10 +132,11 @@ void PixelInspector::end()
 
 void PixelInspector::ask()
 {
-    const FrameRequest frame = viewport_.presentRequest();
+    const FrameRequest frame = viewport_.scene().request();
     const glm::dvec2 ndc = ndcAt(pointer_, viewport_);
     auto step = [this, job = job_, ndc, at = pointer_, frame, sceneState = history_.sceneState(),
-                 request = requestOf(frame, viewport_.view().direction(ndc))](const RenderThread::Notify& notify) {
+                 request =
+                     requestOf(frame, viewport_.scene().view().direction(ndc))](const RenderThread::Notify& notify) {
         if (!job->maker)
             *job = renderers_.makePicture(sceneState, request);
         else
@@ -145,7 +146,7 @@ void PixelInspector::ask()
             ;
         InspectedPixel pixel = middleOf(job->maker->picture(), request.frame.camera);
         if (!frame.alone) {
-            if (const auto found = museum_.pick(museum_.prepare(sceneState, frame), frame, ndc))
+            if (const auto found = museum_.surroundings().pick(museum_.prepare(sceneState, frame), frame, ndc))
                 pixel.object = found->name;
         } else {
             pixel.object = std::string(museum_.subject(*frame.alone).title());
@@ -162,7 +163,7 @@ void PixelInspector::show(const QPointF& at, const InspectedPixel& pixel)
 {
     if (!held_) return;
     QStringList lines;
-    const QImage& shown = viewport_.shown();
+    const QImage& shown = viewport_.pictures().shown().image();
     const QPoint place(static_cast<int>(at.x() / viewport_.width() * shown.width()),
                        static_cast<int>(at.y() / viewport_.height() * shown.height()));
     if (shown.valid(place)) {

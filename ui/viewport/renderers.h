@@ -53,6 +53,8 @@ public:
     /// picture of `draw` alone.
     [[nodiscard]] virtual QImage drawRegion(const SceneState&, const FrameRequest&, const PictureRegion&, int samples,
                                             const IsCanceled&) = 0;
+    /// Returns a description of what draws, as written to the files of studies and comparisons.
+    [[nodiscard]] virtual render::Json machine() const { return render::Json::object(); }
     /// Draws the same sample of the settings B on a renderer of its own, which is kept until `forgetOther`. Leaves the
     /// last picture of `draw` alone.
     [[nodiscard]] virtual OtherDrawn drawOther(const SceneState&, const FrameRequest&, const QSize& /*screen*/)

@@ -106,6 +106,11 @@ WalkKeys ViewportInput::keys() const
     return all;
 }
 
+bool ViewportInput::moves() const
+{
+    return sticks_.moves() || (keys().moves() && viewport_.hasFocus());
+}
+
 void ViewportInput::setSticks(const WalkKeys& sticks)
 {
     sticks_ = sticks;

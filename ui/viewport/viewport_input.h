@@ -43,6 +43,8 @@ public:
     /// Sets the state of a gamepad's sticks, which holds until the next call, whatever has the focus.
     void setSticks(const WalkKeys&);
     [[nodiscard]] const WalkKeys& sticks() const { return sticks_; }
+    /// Returns whether the visitor is moved: by sticks, or by keys while the viewport has the focus.
+    [[nodiscard]] bool moves() const;
     void setHandling(const Handling& handling) { handling_ = handling; }
     /// Another object may be under a resting pointer: looks it up again.
     void lookAgain();

@@ -17,7 +17,7 @@ constexpr int renewedAfter = 200;  // Milliseconds.
 
 /// Table with the time, so that it is typed, stepped and dragged like any number.
 struct ClockParameters final : Parameters {
-    Real time = real("time", 0, second, Range{0, Viewport::latestTime}.soft(0, 60),
+    Real time = real("time", 0, second, Range{0, ExhibitClock::latest}.soft(0, 60),
                      "Time of the exhibits' clock. Set it to show a certain moment.");
 };
 
@@ -46,19 +46,19 @@ ClockBar::ClockBar(Viewport& viewport, QAction& pause, QWidget* parent)
         showState();
         timer_.start();  // Whether anything moves is known a moment later.
     });
-    connect(&viewport_, &Viewport::drawn, this, &ClockBar::showState);
+    connect(&viewport_.pictures(), &ViewportPictures::drawn, this, &ClockBar::showState);
     connect(&viewport_, &Viewport::looked, this, &ClockBar::showState);
     growWidth(*time_, NumberField::usualWidth);
     time_->setAccessibleName(tr("Time of the clock"));
     time_->setToolTip(tooltipText(timeParameter()));
-    connect(time_, &NumberField::edited, &viewport_, &Viewport::setTime);
+    connect(time_, &NumberField::edited, &viewport_.clock(), &ExhibitClock::set);
     timer_.setSingleShot(true);
     timer_.setInterval(renewedAfter);
     connect(&timer_, &QTimer::timeout, this, [this] {
         showTime();
         showState();
     });
-    connect(&viewport_, &Viewport::timePassed, this, [this] {
+    connect(&viewport_.clock(), &ExhibitClock::passed, this, [this] {
         if (!timer_.isActive()) timer_.start();
     });
     showState();
@@ -67,7 +67,7 @@ ClockBar::ClockBar(Viewport& viewport, QAction& pause, QWidget* parent)
 
 void ClockBar::showState()
 {
-    const bool waits = viewport_.clockWaits();
+    const bool waits = viewport_.clock().waits();
     button_->setText(pause_.isChecked() ? tr("Play") : waits ? tr("Waits") : tr("Pause"));
     button_->setToolTip(
         waits ? tr("The clock waits because nothing shown is moving; it continues when something moves.") +
@@ -77,7 +77,7 @@ void ClockBar::showState()
 
 void ClockBar::showTime()
 {
-    time_->showValue(viewport_.time());
+    time_->showValue(viewport_.clock().time());
 }
 
 }  // namespace vitrine::ui

@@ -28,7 +28,7 @@ ExhibitThumbnails::ExhibitThumbnails(Workbench& workbench, ExhibitList& list, QO
     : QObject(parent), workbench_(workbench), list_(list)
 {
     showKept();
-    connect(&workbench.viewport(), &Viewport::drawn, this, &ExhibitThumbnails::keep);
+    connect(&workbench.viewport().pictures(), &ViewportPictures::drawn, this, &ExhibitThumbnails::keep);
 }
 
 void ExhibitThumbnails::showKept()
@@ -45,16 +45,16 @@ void ExhibitThumbnails::showKept()
 
 void ExhibitThumbnails::keep()
 {
-    const Viewport& viewport = workbench_.viewport();
+    Viewport& viewport = workbench_.viewport();
     const std::size_t chosen = workbench_.chosen();
-    if (!viewport.schedule().still() || list_.hasThumbnail(chosen)) return;
+    if (!viewport.pictures().schedule().still() || list_.hasThumbnail(chosen)) return;
     const auto posed = chosen == hallIndex ? CameraControl::Mode::walk : CameraControl::Mode::orbit;
-    if (viewport.mode() != posed) return;
+    if (viewport.visitor().mode() != posed) return;
     // Queued, because the picture is still being passed on.
     QMetaObject::invokeMethod(
         this,
         [this] {
-            const QImage& picture = workbench_.viewport().shown();
+            const QImage& picture = workbench_.viewport().pictures().shown().image();
             if (picture.isNull()) return;
             const QPixmap small = thumbnailOf(picture);
             list_.setThumbnail(workbench_.chosen(), small);

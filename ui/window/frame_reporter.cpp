@@ -17,19 +17,19 @@ namespace vitrine::ui {
 FrameReporter::FrameReporter(Workbench& workbench, WindowDocks& docks, StatusLine& status, QObject* parent)
     : QObject(parent), workbench_(workbench), docks_(docks), status_(status)
 {
-    connect(&workbench.viewport(), &Viewport::drawn, this, &FrameReporter::note);
-    connect(&workbench.viewport(), &Viewport::failed, this,
+    connect(&workbench.viewport().pictures(), &ViewportPictures::drawn, this, &FrameReporter::note);
+    connect(&workbench.viewport().pictures(), &ViewportPictures::failed, this,
             [this](const QString& message) { workbench_.setProblems(QStringLiteral("drawing"), {message}); });
 }
 
 void FrameReporter::note(const render::FrameReport& report, const QSize& pixels)
 {
-    const Viewport& viewport = workbench_.viewport();
+    Viewport& viewport = workbench_.viewport();
     workbench_.setProblems(QStringLiteral("drawing"), {});
-    status_.note(report, pixels, viewport.reason());
+    status_.note(report, pixels, viewport.pictures().reason());
     docks_.frameReport().note(report);
     docks_.parameters().panel().showMoment(workbench_.museum().animationTime(
-        workbench_.history().sceneState(), workbench_.shown(), viewport.shownRequest()));
+        workbench_.history().sceneState(), workbench_.shown(), viewport.pictures().shown().request()));
     showComplaints(report.skipped);
 }
 

@@ -32,7 +32,7 @@ HeapTrimmer::HeapTrimmer(Viewport& viewport, Renderers& renderers, QObject* pare
     });
     for (QTimer* timer : {&rest_, &longRest_}) {
         timer->setSingleShot(true);
-        connect(&viewport, &Viewport::drawn, timer, qOverload<>(&QTimer::start));
+        connect(&viewport.pictures(), &ViewportPictures::drawn, timer, qOverload<>(&QTimer::start));
     }
 }
 

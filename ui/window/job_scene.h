@@ -4,9 +4,10 @@
 
 namespace vitrine::ui {
 
+class SettingsB;
 class Workbench;
 
-/// Returns the scene that the window shows, for a job.
-[[nodiscard]] jobs::JobScene jobSceneOf(Workbench&, const jobs::Job&);
+/// Returns the scene that the window shows, for a job. A job that compares two settings gets those of `other`, too.
+[[nodiscard]] jobs::JobScene jobSceneOf(Workbench&, const SettingsB& other, const jobs::Job&);
 
 }  // namespace vitrine::ui

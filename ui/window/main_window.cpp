@@ -4,6 +4,7 @@
 
 #include "exhibits/framework/files/lesson.h"
 #include "exhibits/framework/scene/capabilities.h"
+#include "exhibits/framework/scene/takes_input.h"
 #include "render/files/assets.h"
 #include "ui/charts/charts_dock.h"
 #include "ui/compare/compare_actions.h"
@@ -28,6 +29,7 @@
 #include "ui/report/frame_report_dock.h"
 #include "ui/report/log_view.h"
 #include "ui/study/study_dock.h"
+#include "ui/viewport/crosshair.h"
 #include "ui/viewport/parameter_drag.h"
 #include "ui/viewport/picture_input.h"
 #include "ui/viewport/pixel_inspector.h"
@@ -46,7 +48,6 @@
 #include "ui/window/status_line.h"
 #include "ui/window/table_reader.h"
 #include "ui/window/visit_card.h"
-#include "ui/window/window_actions.h"
 #include "ui/window/window_dialogs.h"
 #include "ui/window/window_docks.h"
 #include "ui/window/window_preferences.h"
@@ -74,9 +75,9 @@ QSize firstWindowSize(const QSize& room)
     return QSize(1400, 860).boundedTo(room - QSize(16, 48));
 }
 
-MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* parent)
-    : QMainWindow(parent), museum_(museum), renderers_(renderers),
-      history_(museum.readTables(museum.initialSceneState()).sceneState), preferences_(new WindowPreferences(*this))
+MainWindow::MainWindow(const Museum& museum, Renderers& renderers, const MakesCommands& makesCommands)
+    : museum_(museum), renderers_(renderers), history_(museum.readTables(museum.initialSceneState()).sceneState),
+      preferences_(new WindowPreferences(*this))
 {
     setWindowIcon(programIcon());
     setAcceptDrops(true);
@@ -92,21 +93,28 @@ MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* pare
     files_ = new FileOpener(*this, *presetController_, this);
     guard_ = new CloseGuard(*this);
     again_ = new ExportAgain(
-        *this, [this](const jobs::Job& job) { return jobSceneOf(*this, job); }, *this);
+        *this, [this](const jobs::Job& job) { return jobSceneOf(*this, comparison_->other(), job); }, *this);
     new ParameterDrag(
         museum_, history_, *viewport_, [this] { return chosen_; }, this);
     new PictureInput(
         museum_, history_, *viewport_, [this] { return chosen_; }, this);
+    panel().menus().setPush([this](std::size_t row) -> std::optional<ParameterChanges> {
+        const std::size_t exhibit = panel().exhibit();
+        const auto* takes = capability<TakesInput>(museum_.subject(exhibit));
+        if (!takes) return std::nullopt;
+        return takes->pushed({history_.sceneState().values[exhibit], viewport_->clock().time()}, row);
+    });
     new PixelInspector(museum_, history_, renderers, *viewport_, this);
+    new Crosshair(*viewport_);
     // After all others that take the picture's events: side by side, they get them as of the whole picture.
     comparison_ = new CompareController(*this, *presetController_, this);
     centralWidget()->layout()->addWidget(&comparison_->bar());
     bookmarks_ = new Bookmarks(*this, this);
     addLessons();
-    dialogs_ = new WindowDialogs(*this, *this, *bookmarks_, *lessons_, *again_);
-    actions_ = std::make_unique<WindowActions>(*this);
-    statusBar()->addPermanentWidget(new ClockBar(*viewport_, *actions_->pause));
-    docks_->presets().setActions(actions_->savePreset, actions_->savePresetAs, actions_->presetMenu);
+    dialogs_ = new WindowDialogs(*this, *this, comparison_->other(), *bookmarks_, *lessons_, *again_);
+    commands_ = makesCommands(*this);
+    statusBar()->addPermanentWidget(new ClockBar(*viewport_, *commands_->pause));
+    docks_->presets().setActions(commands_->savePreset, commands_->savePresetAs, commands_->presetMenu);
     connectParts();
     connectViewport();
     addGamepad();
@@ -115,9 +123,9 @@ MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* pare
     visitCard_ = new VisitCard(*viewport_, history_, [this](std::size_t exhibit) { return visitOffers(exhibit); });
     choose(hallIndex);
     keeper_ = new SessionKeeper(*this);
-    if (!keeper_->restore()) viewport_->showHint(tr("W A S D to walk, click an exhibit to tune it"));
+    if (!keeper_->restore()) viewport_->notices().sayHint(tr("W A S D to walk, click an exhibit to tune it"));
     keeper_->watch();
-    preferences_->follow(*actions_);
+    preferences_->follow(*commands_);
     viewport_->setFocus();
 }
 
@@ -154,7 +162,7 @@ void MainWindow::addGamepad()
     auto* gamepad = new GamepadControl(*viewport_, this);
     connect(gamepad, &GamepadControl::failed, this,
             [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
-    connect(gamepad, &GamepadControl::pauseAsked, this, [this] { actions_->pause->trigger(); });
+    connect(gamepad, &GamepadControl::pauseAsked, this, [this] { commands_->pause->trigger(); });
     connect(gamepad, &GamepadControl::exhibitAsked, this, [this](int step) {
         const auto count = static_cast<int>(museum_.subjects().size());
         visit(static_cast<std::size_t>((static_cast<int>(chosen_) + step + count) % count));
@@ -178,6 +186,10 @@ void MainWindow::connectParts()
 {
     connect(&docks_->parameters(), &ParameterTabs::turned, presetController_, &PresetController::refresh);
     connect(presetController_, &PresetController::marked, this, &MainWindow::showTitle);
+    connect(presetController_, &PresetController::visitAsked, this, [this](std::size_t exhibit) {
+        // The hall has a tab beside each exhibit: its presets do not end a visit.
+        if (exhibit != hallIndex || !docks_->parameters().turnTo(exhibit)) visit(exhibit);
+    });
     connect(files_, &FileOpener::documentOpened, this, &MainWindow::visit);
     connect(&docks_->documentFile(), &DocumentFile::saved, this, &addRecentFile);
     guard_->setUnsaved([this] { return docks_->documentFile().unsaved(); },
@@ -197,8 +209,8 @@ void MainWindow::connectParts()
 
 void MainWindow::connectViewport()
 {
-    connect(viewport_, &Viewport::visited, this, &MainWindow::choose);
-    connect(viewport_, &Viewport::pressed, this, [this](std::size_t exhibit) {
+    connect(&viewport_->visitor(), &Visitor::visited, this, &MainWindow::choose);
+    connect(&viewport_->interaction(), &Interaction::pressed, this, [this](std::size_t exhibit) {
         SceneState next = history_.sceneState();
         const SceneObject& subject = museum_.subject(exhibit);
         if (const auto* button = capability<HasButton>(subject); button && button->press(next.values[exhibit]))
@@ -207,9 +219,9 @@ void MainWindow::connectViewport()
     connect(&viewport_->renderThread(), &RenderThread::failed, this,
             [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
     new FrameReporter(*this, *docks_, *status_, this);
-    connect(viewport_, &Viewport::drawn, this, [this](const render::FrameReport& report) {
+    connect(&viewport_->pictures(), &ViewportPictures::drawn, this, [this](const render::FrameReport& report) {
         noteDrawn(museum_, report);
-        if (viewport_->schedule().still())
+        if (viewport_->pictures().schedule().still())
             QMetaObject::invokeMethod(presetController_, &PresetController::keepMissingThumbnail, Qt::QueuedConnection);
     });
     new HeapTrimmer(*viewport_, renderers(), this);
@@ -230,7 +242,7 @@ void MainWindow::choose(std::size_t exhibit)
 {
     chosen_ = exhibit;
     docks_->exhibits().choose(exhibit);
-    viewport_->setSubject(exhibit);
+    viewport_->visitor().setSubject(exhibit);
     docks_->parameters().choose(exhibit);
     docks_->study().setSubject(exhibit);
     docks_->charts().setSubject(exhibit);
@@ -262,7 +274,7 @@ std::vector<VisitOffer> MainWindow::visitOffers(std::size_t exhibit)
 void MainWindow::visit(std::size_t exhibit)
 {
     choose(exhibit);
-    viewport_->visit(exhibit);
+    viewport_->visitor().visit(exhibit);
     viewport_->setFocus();
 }
 
@@ -299,7 +311,7 @@ void MainWindow::hidePanels(bool hidden)
     comparison_->bar().setBanned(hidden);
     lessons_->bar().setBanned(hidden);
     visitCard_->setBanned(hidden);
-    if (actions_) actions_->panels->setChecked(hidden);
+    if (commands_) commands_->panels->setChecked(hidden);
     viewport_->setFocus();
 }
 

@@ -3,6 +3,7 @@
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
 #include "ui/viewport/renderers.h"
+#include "ui/window/window_commands.h"
 
 #include <QMainWindow>
 
@@ -28,7 +29,6 @@ struct VisitOffer;
 class WindowDialogs;
 class WindowDocks;
 class WindowPreferences;
-struct WindowActions;
 
 /// Returns the size of a first window on a screen with this much room, without its frame: as large as is useful.
 [[nodiscard]] QSize firstWindowSize(const QSize& room);
@@ -39,8 +39,8 @@ class MainWindow final : public QMainWindow, public Workbench {
     Q_OBJECT
 
 public:
-    /// Both must outlive it.
-    MainWindow(const Museum&, Renderers&, QWidget* parent = nullptr);
+    /// Museum and renderers must outlive it.
+    MainWindow(const Museum&, Renderers&, const MakesCommands&);
     ~MainWindow() override;
 
     [[nodiscard]] const Museum& museum() const override { return museum_; }
@@ -106,7 +106,7 @@ private:
     ExportAgain* again_ = nullptr;
     WindowDialogs* dialogs_ = nullptr;
     WindowPreferences* preferences_;
-    std::unique_ptr<WindowActions> actions_;
+    std::unique_ptr<WindowCommands> commands_;
     VisitCard* visitCard_ = nullptr;
     bool bare_ = false;  // Panels, menu and status line are hidden.
     std::size_t chosen_ = hallIndex;

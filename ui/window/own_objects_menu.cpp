@@ -38,7 +38,7 @@ void addObject(QMenu& menu, MainWindow& window, const ParameterInfo& info, const
     visit->setEnabled(here != shown.end());
     if (here != shown.end())
         QObject::connect(visit, &QAction::triggered, &window,
-                         [&window, object = *here] { window.viewport().visit(object); });
+                         [&window, object = *here] { window.viewport().visitor().visit(object); });
     QAction* remove = menu.addAction(QMenu::tr("Remove %1").arg(name));
     remove->setToolTip(QMenu::tr("Removes the object from the hall; its file is kept."));
     QObject::connect(remove, &QAction::triggered, &window, [&window, info, path] {
@@ -55,7 +55,8 @@ QMenu* ownObjectsMenu(MainWindow& window)
     QObject::connect(menu, &QMenu::aboutToShow, menu, [menu, &window] {
         menu->clear();
         const ParameterValues& hall = window.history().sceneState().hall();
-        const std::vector<OwnObjectShown> shown = window.viewport().ownObjects();
+        const std::vector<OwnObjectShown> shown =
+            window.museum().surroundings().ownObjects(window.viewport().scene().prepared());
         for (std::size_t row = 0; row < hall.rows().size(); ++row) {
             const ParameterInfo& info = hall.rows()[row];
             if (info.array != "objects" || info.kind != Kind::file) continue;

@@ -12,6 +12,7 @@
 #include "ui/window/file_opener.h"
 #include "ui/window/first_picture.h"
 #include "ui/window/main_window.h"
+#include "ui/window/window_actions.h"
 
 #include <QSurfaceFormat>
 
@@ -52,7 +53,7 @@ int runWindow(int& argc, char** argv, const std::vector<std::string>& files)
     applyAppearance(app, Preferences::saved(), {});
     const Museum museum{allExhibits()};
     MuseumRenderers renderers(museum);
-    MainWindow window(museum, renderers);
+    MainWindow window(museum, renderers, makeWindowActions);
     QObject::connect(&app, &Application::caught, &window,
                      [&window](const QString& message) { window.say(MessageStrip::Mood::problem, message); });
     reportFirstPicture(window.viewport(), window);

@@ -5,8 +5,10 @@
 #include "ui/kit/text.h"
 #include "ui/lessons/page_dialog.h"
 #include "ui/presets/preset_controller.h"
+#include "ui/presets/recent_presets.h"
 #include "ui/window/main_window.h"
 #include "ui/window/window_dialogs.h"
+#include "ui/window/window_docks.h"
 
 #include <QFile>
 #include <QMenu>
@@ -43,7 +45,9 @@ void addCommands(std::vector<SearchEntry>& all, const MainWindow& window, const 
 void addParameters(std::vector<SearchEntry>& all, MainWindow& window, std::size_t subject)
 {
     const QString title = translatedText(window.museum().subject(subject).title());
-    for (const ParameterInfo& parameter : window.history().sceneState().values[subject].rows()) {
+    const ParameterValues& values = window.history().sceneState().values[subject];
+    for (std::size_t i = 0; i < values.rows().size(); ++i) {
+        const ParameterInfo& parameter = values.rows()[i];
         const QString group = translatedText(parameter.group);
         QStringList more{text(parameter.name)};
         for (const std::string_view choice : parameter.choices) more << translatedText(choice);
@@ -55,17 +59,27 @@ void addParameters(std::vector<SearchEntry>& all, MainWindow& window, std::size_
              {},
              false,
              [&window, subject, name = std::string(parameter.name)] { window.showParameter(subject, name); }});
+        if (!parameter.qualityReference) continue;
+        all.back().measure = [&window, subject, i, show = all.back().go] {
+            show();
+            window.docks().measureAccuracy(subject, i);
+        };
+        all.back().figure = [&window, subject, i, show = all.back().go] {
+            show();
+            window.docks().measureIntoFigure(subject, i);
+        };
     }
 }
 
 void addPresets(std::vector<SearchEntry>& all, MainWindow& window, std::size_t subject)
 {
     const QString place = QObject::tr("Preset of %1").arg(translatedText(window.museum().subject(subject).title()));
-    for (const auto& [name, id] : window.presetController().choices(subject))
-        all.push_back({name, place, {}, {}, {}, false, [&window, subject, preset = id] {
-                           if (window.shown() != subject) window.visit(subject);
-                           window.presetController().load(preset);
-                       }});
+    const QStringList recent = recentPresets();
+    for (const auto& [name, id] : window.presetController().choices(subject)) {
+        all.push_back(
+            {name, place, {}, {}, {}, false, [&window, preset = id] { window.presetController().loadOfAny(preset); }});
+        all.back().recent = static_cast<int>(recent.indexOf(id)) + 1;
+    }
 }
 
 /// Returns the text of a page without its formatting.

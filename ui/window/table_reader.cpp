@@ -15,7 +15,7 @@ TableReader::TableReader(Workbench& window, QObject* parent) : QObject(parent), 
         if (history.sceneState().values[exhibit].rows()[row].addsParameters) read();
     });
     connect(&history, &History::replaced, this, &TableReader::read);
-    connect(&window.viewport(), &Viewport::filesChanged, this, &TableReader::readAgain);
+    connect(&window.viewport().scene(), &PresentScene::filesChanged, this, &TableReader::readAgain);
 }
 
 std::vector<TableReader::Named> TableReader::named() const

@@ -186,6 +186,11 @@ void resetShown(MainWindow& window)
 
 }  // namespace
 
+std::unique_ptr<WindowCommands> makeWindowActions(MainWindow& window)
+{
+    return std::make_unique<WindowActions>(window);
+}
+
 WindowActions::WindowActions(MainWindow& window)
 {
     Maker make(window, all);
@@ -337,7 +342,9 @@ void WindowActions::addEditMenu(Maker& make, MainWindow& window)
 void WindowActions::addPresetMenu(Maker& make, PresetController& presetController)
 {
     make.menu(tr("&Preset"));
-    savePreset = make.add(tr("&Save preset"), {}, tr("Saves the values that the panel shows to the preset in use."),
+    savePreset = make.add(tr("&Save preset"), {QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_S)},
+                          tr("Saves the values that the panel shows to the preset in use, or at once to a new one of "
+                             "your own."),
                           [&presetController] { presetController.save(); });
     savePresetAs = make.add(tr("Save preset &as…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)},
                             tr("Saves the values that the panel shows under a new name."),
@@ -396,12 +403,12 @@ void WindowActions::addScreenAndClock(Maker& make, MainWindow& window)
         });
     pause = make.toggle(tr("Pause &clock"), {QKeySequence(Qt::Key_Space), QKeySequence(Qt::Key_Pause)},
                         tr("Stops and starts the exhibits' clock."),
-                        [&window](bool on) { window.viewport().setPaused(on); });
+                        [&window](bool on) { window.viewport().clock().setPaused(on); });
     make.inViewport(pause);
 #ifndef NDEBUG  // Release builds have embedded shaders.
     make.add(tr("&Reload shaders"), {QKeySequence(Qt::Key_F5), QKeySequence(Qt::CTRL | Qt::Key_R)},
              tr("Compiles changed shaders again; if one fails, the last good picture is kept."),
-             [&window] { window.viewport().reloadShaders(); });
+             [&window] { window.viewport().shaders().reload(); });
 #endif
 }
 
@@ -426,14 +433,16 @@ void WindowActions::addExhibitMenu(Maker& make, MainWindow& window)
     enableOnly(
         make.add(tr("&Back"), {QKeySequence(Qt::ALT | Qt::Key_Left)},
                  tr("Returns to where you stood before; Backspace does the same while the picture has the focus."),
-                 [&window] { window.viewport().goBack(); }),
-        [&window] { return window.viewport().canGoBack(); }, tr("There is no earlier position to return to."));
+                 [&window] { window.viewport().visitor().goBack(); }),
+        [&window] { return window.viewport().visitor().canGoBack(); },
+        tr("There is no earlier position to return to."));
     enableOnly(
         make.add(QStringLiteral("press-its-button"), tr("&Press the exhibit's button"), {},
                  tr("Presses the red button of the exhibit in front of you; E does the same while the picture has the "
                     "focus."),
-                 [&window] { window.viewport().press(); }),
-        [&window] { return window.viewport().canPress(); }, tr("There is no red button in front of you."));
+                 [&window] { window.viewport().interaction().press(); }),
+        [&window] { return window.viewport().interaction().canPress(); },
+        tr("There is no red button in front of you."));
     make.add(tr("S&hader"), {QKeySequence(Qt::Key_F4)},
              tr("Shows the shaders that draw the visited exhibit; a shader of yours is edited there."),
              [&window] { window.docks().showShader(); });
@@ -454,7 +463,7 @@ void WindowActions::addBookmarks(Maker& make, MainWindow& window)
                  QObject::connect(dialog, &BookmarksDialog::tourAsked, &window.dialogs(), &WindowDialogs::saveTour);
                  dialog->show();
              });
-    QObject::connect(&window.viewport(), &Viewport::bookmarkAsked, &bookmarks, &Bookmarks::go);
+    QObject::connect(&window.viewport().input(), &ViewportInput::bookmarkAsked, &bookmarks, &Bookmarks::go);
 }
 
 void WindowActions::addHelpMenu(Maker& make, MainWindow& window)

@@ -1,13 +1,12 @@
 #pragma once
 
-#include <QList>
+#include "ui/window/window_commands.h"
+
 #include <QObject>
 #include <QString>
 
 #include <functional>
 #include <vector>
-
-class QAction;
 
 namespace vitrine::ui {
 
@@ -16,16 +15,8 @@ class MainWindow;
 class PresetController;
 
 /// All commands of the window, with their shortcuts. Menus, search and shortcut sheet are made from them.
-struct WindowActions {
+struct WindowActions final : WindowCommands {
     explicit WindowActions(MainWindow&);
-
-    QList<QAction*> all;
-    QAction* panels = nullptr;
-    QAction* fullScreen = nullptr;
-    QAction* pause = nullptr;
-    QAction* savePreset = nullptr;
-    QAction* savePresetAs = nullptr;
-    QList<QAction*> presetMenu;
 
 private:
     /// Action that is enabled only while it has something to do.
@@ -57,5 +48,8 @@ private:
     /// Declared last, so that it is destroyed first: later signals of the window's parts are not received.
     QObject watching_;
 };
+
+/// Makes all commands. For the window's constructor.
+[[nodiscard]] std::unique_ptr<WindowCommands> makeWindowActions(MainWindow&);
 
 }  // namespace vitrine::ui

@@ -11,6 +11,7 @@
 #include "ui/lessons/lesson_controller.h"
 #include "ui/lessons/page_dialog.h"
 #include "ui/model/history.h"
+#include "ui/model/settings_b.h"
 #include "ui/model/workbench.h"
 #include "ui/preferences/preferences_dialog.h"
 #include "ui/print/print_dialog.h"
@@ -50,11 +51,12 @@ ExportSettings settingsOf(PrintDialog& page)
 
 }  // namespace
 
-WindowDialogs::WindowDialogs(Workbench& workbench, QWidget& window, Bookmarks& bookmarks, LessonController& lessons,
-                             ExportAgain& again)
-    : QObject(&window), workbench_(workbench), window_(window), bookmarks_(bookmarks), lessons_(lessons), again_(again)
+WindowDialogs::WindowDialogs(Workbench& workbench, QWidget& window, SettingsB& other, Bookmarks& bookmarks,
+                             LessonController& lessons, ExportAgain& again)
+    : QObject(&window), workbench_(workbench), window_(window), other_(other), bookmarks_(bookmarks), lessons_(lessons),
+      again_(again)
 {
-    connect(&workbench.viewport(), &Viewport::drawn, this,
+    connect(&workbench.viewport().pictures(), &ViewportPictures::drawn, this,
             [this](const render::FrameReport& report, const QSize& pixels) {
                 const double samples = static_cast<double>(pixels.width()) * pixels.height();
                 if (samples > 0) secondsPerSample_ = report.milliseconds / 1000 / samples;
@@ -94,12 +96,13 @@ QDialog* WindowDialogs::makeJobPage(const jobs::Job& job, QWidget* parent)
     auto* page = new JobDialog(
         job,
         [this, &job] {
-            jobs::JobScene scene = jobSceneOf(workbench_, job);
+            jobs::JobScene scene = jobSceneOf(workbench_, other_, job);
             scene.usual.secondsPerSample = secondsPerSample_;
             return scene;
         },
         workbench_.renderers(), workbench_.viewport().renderThread(), parent);
     connect(&bookmarks_, &Bookmarks::changed, page, &JobDialog::refresh);
+    if (job.needs().twoSettings) connect(&other_, &SettingsB::changed, page, &JobDialog::refresh);
     if (job.name() == "render") {
         connect(page, &JobDialog::exportBegun, &again_,
                 [this, page] { again_.note(page->setup().values(), page->path()); });

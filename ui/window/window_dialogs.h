@@ -18,6 +18,7 @@ namespace vitrine::ui {
 class Bookmarks;
 class ExportAgain;
 class LessonController;
+class SettingsB;
 class Workbench;
 
 /// Opener of the window's dialogs. A dialog that is open already is raised instead of a second one.
@@ -25,9 +26,9 @@ class WindowDialogs final : public QObject {
     Q_OBJECT
 
 public:
-    /// The window is the parent of all dialogs. `again` notes the exports of pictures. All must
-    /// outlive this object.
-    WindowDialogs(Workbench&, QWidget& window, Bookmarks&, LessonController&, ExportAgain& again);
+    /// The window is the parent of all dialogs. `other`: settings that a comparison shows beside those of the window.
+    /// `again` notes the exports of pictures. All must outlive this object.
+    WindowDialogs(Workbench&, QWidget& window, SettingsB& other, Bookmarks&, LessonController&, ExportAgain& again);
 
     void openAbout();
     /// Opens the print dialog, with this print if the path is not empty.
@@ -51,6 +52,7 @@ private:
 
     Workbench& workbench_;
     QWidget& window_;
+    SettingsB& other_;
     Bookmarks& bookmarks_;
     LessonController& lessons_;
     ExportAgain& again_;

@@ -55,16 +55,23 @@ WindowDocks::WindowDocks(QMainWindow& window, Workbench& workbench)
     // Wide enough for the longest label, up to 30 % of the window, or 42 % with a large font.
     const int most = window_.width() * std::clamp(3 * grown(10, window_), 30, 42) / 100;
     const int labels = std::clamp(parameters_->widthForLabels(), 360, std::max(360, most));
-    // Titles of exhibits and presets stay whole with a large font, up to 26 % of the window.
-    const int lists = std::clamp(grown(240, window_), 240, std::max(240, window_.width() * 26 / 100));
-    window_.resizeDocks({docks_[0], parametersDock_}, {lists, labels}, Qt::Horizontal);
-    followType(window_, [this] { followSmallerType(); });
+    window_.resizeDocks({docks_[0], parametersDock_}, {widthOfLists(), labels}, Qt::Horizontal);
+    ui::followType(window_, [this] { followType(); });
 }
 
-void WindowDocks::followSmallerType()
+int WindowDocks::widthOfLists() const
+{
+    return std::clamp(grown(240, window_), 240, std::max(240, window_.width() * 26 / 100));
+}
+
+void WindowDocks::followType()
 {
     // A larger font makes docks wider. They would keep that width when the font becomes smaller again.
     const int before = std::exchange(typeHeight_, window_.fontMetrics().height());
+    if (before > 0 && before < typeHeight_)
+        QTimer::singleShot(0, this, [this] {
+            if (docks_[0]->width() < widthOfLists()) window_.resizeDocks({docks_[0]}, {widthOfLists()}, Qt::Horizontal);
+        });
     if (before <= typeHeight_) return;
     QTimer::singleShot(0, this, [this, part = static_cast<double>(typeHeight_) / before] {
         QList<QDockWidget*> besides;
@@ -161,22 +168,35 @@ void WindowDocks::addStudy()
     studyDock_ = add(tr("Study"), "study", studyTabs_, Qt::BottomDockWidgetArea);
     studyDock_->hide();
     ParameterPanel& panel = parameters_->panel();
-    connect(&panel, &ParameterPanel::accuracyAsked, this, [this](std::size_t row) {
-        showStudy();
-        study_->ask(parameters_->shown(), row);
+    connect(&panel, &ParameterPanel::accuracyAsked, this,
+            [this](std::size_t row) { measureAccuracy(parameters_->shown(), row); });
+    connect(study_, &StudyDock::saved, this, [this](const QString& file) {
+        workbench_.say(MessageStrip::Mood::notice, tr("Saved %1.").arg(file), {}, {}, file);
     });
     panel.setGaugesShown(true);
+}
+
+void WindowDocks::measureAccuracy(std::size_t exhibit, std::size_t row)
+{
+    showStudy();
+    study_->ask(exhibit, row);
+}
+
+void WindowDocks::measureIntoFigure(std::size_t exhibit, std::size_t row)
+{
+    showStudy();
+    study_->ask(exhibit, row, StudyDock::Then::saveFigure);
 }
 
 void WindowDocks::addFrameReportAndLog()
 {
     Viewport& viewport = workbench_.viewport();
-    frameReport_ = new FrameReportDock([&viewport] { return viewport.reason(); });
+    frameReport_ = new FrameReportDock([&viewport] { return viewport.pictures().reason(); });
     QHash<QString, QString> titles;
     for (const auto& exhibit : workbench_.museum().subjects())
         titles.insert(text(exhibit->name()), translatedText(exhibit->title()));
     frameReport_->view().setTitles(titles);
-    connect(frameReport_, &FrameReportDock::runEverythingAsked, &viewport, &Viewport::setRunEverything);
+    connect(frameReport_, &FrameReportDock::runEverythingAsked, &viewport.scene(), &PresentScene::setRunEverything);
     log_ = new LogView;
     shader_ = new ShaderPanel(workbench_, *documentFile_);
     reportTabs_ = tabs({{tr("Passes"), frameReport_}, {tr("Log"), log_}, {tr("Shader"), shader_}});
@@ -185,7 +205,11 @@ void WindowDocks::addFrameReportAndLog()
     reportDock_->hide();
     // Passes are timed only while their list is visible, because that is slower.
     const auto time = [this, &viewport] {
-        viewport.setStepsTimed(reportDock_->isVisible() && reportTabs_->currentWidget() == frameReport_);
+        const bool on = reportDock_->isVisible() && reportTabs_->currentWidget() == frameReport_;
+        viewport.renderThread().post([&renderers = workbench_.renderers(), on] {
+            renderers.timeSteps(on);
+            return std::function<void()>();
+        });
     };
     connect(reportDock_, &QDockWidget::visibilityChanged, this, time);
     connect(reportTabs_, &QTabWidget::currentChanged, this, time);

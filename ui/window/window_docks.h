@@ -61,6 +61,10 @@ public:
     void showParameters();
     /// Shows the study in the same way, large enough for its chart.
     void showStudy();
+    /// Shows it and measures what the accuracy of this parameter costs.
+    void measureAccuracy(std::size_t exhibit, std::size_t row);
+    /// Does the same, and saves the chart once everything is measured.
+    void measureIntoFigure(std::size_t exhibit, std::size_t row);
     /// Shows the charts of the visited exhibit, a tab of the study's dock.
     void showCharts();
     /// Shows the exploration, in front of the docks that it is stacked with.
@@ -78,7 +82,9 @@ private:
     void addFrameReportAndLog();
     void addTree();
     void nameStacks();
-    void followSmallerType();
+    void followType();
+    /// Returns the width of the lists in pixels: titles stay whole with a large font, up to 26 % of the window.
+    [[nodiscard]] int widthOfLists() const;
 
     QMainWindow& window_;
     Workbench& workbench_;

@@ -5,7 +5,7 @@
 #include "ui/viewport/viewport_input.h"
 #include "ui/window/main_window.h"
 #include "ui/window/recent_files.h"
-#include "ui/window/window_actions.h"
+#include "ui/window/window_commands.h"
 
 #include <QAction>
 
@@ -18,17 +18,17 @@ WindowPreferences::WindowPreferences(MainWindow& window)
 {
 }
 
-void WindowPreferences::follow(const WindowActions& actions)
+void WindowPreferences::follow(const WindowCommands& commands)
 {
-    keys_ = std::make_unique<KeyBindings>(actions.all, preferences_);
-    pause_ = actions.pause;
+    keys_ = std::make_unique<KeyBindings>(commands.all, preferences_);
+    pause_ = commands.pause;
     connect(&preferences_, &Preferences::changed, this, &WindowPreferences::apply);
     connect(&preferences_, &Preferences::notWritten, this,
             [this](const QString& why) { window_.say(MessageStrip::Mood::problem, why); });
     connect(&appearance_, &Appearance::applied, this, &WindowPreferences::applyMotion);
     connect(pause_, &QAction::toggled, this, [this] { held_ = false; });
     // A visitor who presses a button wants to see its effect.
-    connect(&window_.viewport(), &Viewport::pressed, this, [this] {
+    connect(&window_.viewport().interaction(), &Interaction::pressed, this, [this] {
         if (held_) holdClock(false);
     });
     apply();
@@ -39,10 +39,10 @@ void WindowPreferences::follow(const WindowActions& actions)
 void WindowPreferences::apply()
 {
     const PreferenceValues& values = preferences_.values();
-    window_.viewport().setHandling({values.lookSpeed / 100.0, values.wheelSpeed / 100.0, values.invertedLook});
+    window_.viewport().input().setHandling({values.lookSpeed / 100.0, values.wheelSpeed / 100.0, values.invertedLook});
     const bool limited = values.mostSamples < PreferenceValues::sampleLimits.most;
-    window_.viewport().setLimits(limited ? values.mostSamples : std::numeric_limits<int>::max(),
-                                 values.leastScale / 100.0);
+    window_.viewport().pictures().setLimits(limited ? values.mostSamples : std::numeric_limits<int>::max(),
+                                            values.leastScale / 100.0);
     keepRecentFiles(values.recentFiles);
 }
 
@@ -51,7 +51,7 @@ void WindowPreferences::applyMotion()
     const bool reduced = appearance_.reducesMotion();
     if (reduced == reduced_) return;
     reduced_ = reduced;
-    window_.viewport().setReducedMotion(reduced);
+    window_.viewport().visitor().control().setCutting(reduced);
     window_.setAnimated(!reduced);
     if (reduced ? !pause_->isChecked() : held_) holdClock(reduced);
 }

@@ -12,7 +12,7 @@
 namespace vitrine::ui {
 
 class MainWindow;
-struct WindowActions;
+struct WindowCommands;
 
 /// Applies the preferences of the visitor and the desktop to the window.
 class WindowPreferences final : public QObject {
@@ -24,7 +24,7 @@ public:
 
     [[nodiscard]] Preferences& values() { return preferences_; }
     /// Applies the preferences and follows their changes. Call once the window's parts exist.
-    void follow(const WindowActions&);
+    void follow(const WindowCommands&);
     /// Opens the dialog, or brings it to the front.
     void openDialog();
 

@@ -186,10 +186,20 @@ Json objectOf(const std::map<std::string, Json>& entries)
     return object;
 }
 
-Json fileJson(std::string_view format, const std::string& exhibit, const std::string& name, const PresetTags& tags,
-              const std::map<std::string, Json>& values, const std::map<std::string, Json>& motions,
-              const std::optional<Json>& camera, const std::optional<PictureRecord>& picture, const Json& kept)
+/// Entries of a preset or an exhibition.
+struct FileEntries {
+    const std::string& exhibit;
+    const std::string& name;
+    const PresetTags& tags;
+    std::map<std::string, Json> values, motions;
+    std::optional<Json> camera;
+    std::optional<PictureRecord> picture;
+    const Json& kept;  ///< Entries of a later version, which are written again.
+};
+
+Json fileJson(std::string_view format, const FileEntries& entries)
 {
+    const auto& [exhibit, name, tags, values, motions, camera, picture, kept] = entries;
     Json root = Json::object();
     root["format"] = format;
     root["version"] = presetVersion;
@@ -261,8 +271,8 @@ std::string presetText(const Preset& preset)
     writeMotions(preset.values, {}, motions);
     std::optional<Json> camera;
     if (preset.camera) camera = jsonFromCamera(*preset.camera, keptCamera(preset.kept));
-    return render::writeJson(fileJson(presetFormat, preset.exhibit, preset.name, preset.tags, values, motions, camera,
-                                      std::nullopt, preset.kept));
+    return render::writeJson(fileJson(presetFormat, {preset.exhibit, preset.name, preset.tags, std::move(values),
+                                                     std::move(motions), camera, std::nullopt, preset.kept}));
 }
 
 Exhibition parseExhibition(std::string text, std::string fileName, const NamedValues& initial)
@@ -299,9 +309,10 @@ Json exhibitionJson(const Exhibition& exhibition)
         writeParameters(ofExhibit, name + ".", values);
         writeMotions(ofExhibit, name + ".", motions);
     }
-    return fileJson(exhibitionFormat, exhibition.chosen, exhibition.name, exhibition.tags, values, motions,
-                    jsonFromCamera(exhibition.camera, keptCamera(exhibition.kept)), exhibition.picture,
-                    exhibition.kept);
+    return fileJson(exhibitionFormat,
+                    {exhibition.chosen, exhibition.name, exhibition.tags, std::move(values), std::move(motions),
+                     jsonFromCamera(exhibition.camera, keptCamera(exhibition.kept)), exhibition.picture,
+                     exhibition.kept});
 }
 
 std::string exhibitionText(const Exhibition& exhibition)

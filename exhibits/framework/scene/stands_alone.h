@@ -23,6 +23,7 @@ struct StandAloneNumbers {
         std::string name, label;
         Unit unit = Unit::none;
         double initial = 0, low = 0, high = 1;
+        std::optional<double> exact = {};  ///< Most exact value of an accuracy parameter.
     };
     std::vector<Input> inputs = {};
     std::shared_ptr<const render::ShaderSources> sources = {};  ///< Replace those of the pass; null: they stay.

@@ -32,6 +32,8 @@ public:
     [[nodiscard]] virtual bool takesKeys(const ExhibitState&) const = 0;
     /// Returns the changes that a key makes. Codes are those of browsers: 65 is A, 37 to 40 are the arrows.
     [[nodiscard]] virtual ParameterChanges keyed(const ExhibitState&, int code, bool isDown) const = 0;
+    /// Returns the changes that a push of a parameter's button makes now; nothing if the parameter has no button.
+    [[nodiscard]] virtual std::optional<ParameterChanges> pushed(const ExhibitState&, std::size_t parameter) const = 0;
 };
 
 }  // namespace vitrine

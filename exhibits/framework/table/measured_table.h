@@ -3,9 +3,11 @@
 #include "exhibits/framework/table/parameters.h"
 #include "render/plan/render_backend.h"
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace vitrine {
 
@@ -16,10 +18,12 @@ public:
     /// Measures one part and returns whether there is another. Call it always with the same backend, which must time
     /// its steps.
     virtual bool step(render::RenderBackend&) = 0;
-    /// Finished share, 0 to 1.
+    /// Finished share of the time, 0 to 1, as far as it can be foreseen.
     [[nodiscard]] virtual double progress() const = 0;
-    /// Returns the results so far as comma-separated values: a line of names, then one line per row.
-    [[nodiscard]] virtual std::string csv() const = 0;
+    /// Returns the texts of the results so far, line by line. The first line has the names of the columns.
+    [[nodiscard]] virtual const std::vector<std::vector<std::string>>& lines() const = 0;
+    /// Returns how many lines there will be, without that of the names.
+    [[nodiscard]] virtual std::size_t expectedLines() const = 0;
 };
 
 /// Capability: a special table of measurements, besides studies of its parameters.

@@ -68,9 +68,16 @@ std::size_t namedAt(const Json& json, const JsonPlace& place, const std::array<s
     return static_cast<std::size_t>(found - names.begin());
 }
 
-double numberWithin(const Json& json, const JsonPlace& place, const std::string& shownName, double low, double high,
-                    bool whole, std::vector<std::string>& notes)
+/// Numbers that an entry may have.
+struct AllowedNumbers {
+    double low = 0, high = 0;
+    bool whole = false;
+};
+
+double numberWithin(const Json& json, const JsonPlace& place, const std::string& shownName,
+                    const AllowedNumbers& allowed, std::vector<std::string>& notes)
 {
+    const auto& [low, high, whole] = allowed;
     if (!json.is_number()) throw place.failure("this must be a number; correct it there.");
     const double written = json.get<double>();
     double x = std::clamp(written, low, high);
@@ -132,11 +139,11 @@ Motion motionFromJson(const ParameterInfo& parameter, const Json& json, const Js
     for (const NumberOfMotion& number : numbersOfMotion)
         if (json.contains(number.name) && number.usedBy(motion.kind))
             number.set(motion, numberWithin(json[number.name], place.inside(number.name), shown + '.' + number.name,
-                                            leastOf(number, motion), number.high, number.whole, notes));
+                                            {leastOf(number, motion), number.high, number.whole}, notes));
     if (!isEased(motion.kind)) motion.ease = Motion().ease;
     if (json.contains("heldAt"))
-        motion.heldAt = numberWithin(json["heldAt"], place.inside("heldAt"), shown + ".heldAt", -farthestTime,
-                                     farthestTime, false, notes);
+        motion.heldAt = numberWithin(json["heldAt"], place.inside("heldAt"), shown + ".heldAt",
+                                     {-farthestTime, farthestTime}, notes);
     noteUnknownKeys(json, shown, notes);
     return motion;
 }

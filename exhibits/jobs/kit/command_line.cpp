@@ -2,6 +2,7 @@
 
 #include "exhibits/framework/table/value_text.h"
 #include "exhibits/jobs/kit/given_values.h"
+#include "exhibits/jobs/kit/job_document.h"
 #include "exhibits/museum/render_command.h"
 #include "render/files/number_text.h"
 
@@ -34,6 +35,8 @@ std::vector<std::string> commandOf(const Job& job, const JobOrder& order)
         for (std::string& word :
              sceneWords(*scene.museum, scene.state, scene.frame, job.usesCamera(order.values, scene)))
             words.push_back(std::move(word));
+    } else if (scene.museum && job.needs().twoSettings) {
+        words.push_back("--like=" + documentFile(order.out).string());  // It has both settings.
     } else if (scene.museum) {
         const bool any = job.needs().anySettings;
         if (any) words.insert(words.begin() + exhibitAt, std::string(scene.museum->subject(scene.subject).name()));

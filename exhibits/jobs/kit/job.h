@@ -12,6 +12,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -42,6 +43,12 @@ struct UsualPicture {
     double secondsPerSample = 0;  ///< Time in which the window drew a sample of a pixel; 0: unknown.
 };
 
+/// Settings that a job compares with those of its scene.
+struct OtherSettings {
+    SceneState state;
+    std::string name = {};  ///< For people: "soft.json".
+};
+
 /// Scene that a job works on: the museum and everything that is set in it.
 struct JobScene {
     const Museum* museum = nullptr;  ///< Null for a job without a scene. Must outlive what is made of it.
@@ -51,7 +58,12 @@ struct JobScene {
     UsualPicture usual = {};
     /// Parameters that were set one by one, which a job with `JobNeeds::anySettings` does not change.
     std::vector<PinnedParameter> pinned = {};
+    std::string name = {};  ///< Name of its settings, for people. Only for a job with `JobNeeds::twoSettings`.
+    std::optional<OtherSettings> other = {};
 };
+
+/// Form in which a preview shows the result of a run.
+enum class PreviewForm : std::uint8_t { none, picture, text, sprites };
 
 /// Inputs of a job besides its parameters, and the formats that it writes.
 struct JobNeeds {
@@ -61,6 +73,8 @@ struct JobNeeds {
     bool anyScene = false;
     /// Whether the job takes the settings of any exhibit or of the hall, and has views of its own.
     bool anySettings = false;
+    /// Whether it compares two settings, A and B, seen by one camera: those of the scene, and `JobScene::other`.
+    bool twoSettings = false;
     /// Exhibit, and its file parameter, that a path in place of an exhibit's name sets. Empty: only names are allowed.
     std::pair<std::string_view, std::string_view> fileOf = {};
     /// Extensions of the output, the usual one first: "png". Empty: the output is a folder.
@@ -75,8 +89,9 @@ struct JobNeeds {
     bool carriesSettings = false;
     bool answers = false;      ///< Whether the service answers what was made (`JobRun::answer`) in place of writing it.
     bool timesPasses = false;  ///< Whether its backend must time each pass, which makes it slower.
+    PreviewForm preview = PreviewForm::none;
 
-    [[nodiscard]] bool hasScene() const { return anyScene || anySettings || !subject.empty(); }
+    [[nodiscard]] bool hasScene() const { return anyScene || anySettings || twoSettings || !subject.empty(); }
     /// Whether it works on an exhibit that people choose.
     [[nodiscard]] bool choosesSubject() const { return anyScene || anySettings; }
 };
@@ -119,6 +134,12 @@ struct JobReport {
     std::vector<std::string> warnings = {};
 };
 
+/// Expected outcome of a job, judged by a draft.
+struct JobForecast {
+    std::vector<Fact> facts = {};  ///< In addition to those of the plan.
+    double seconds = 0;            ///< Duration of the run; 0: unknown.
+};
+
 /// Called repeatedly with the fraction that is done, 0 to 1. Returns false if the job must stop.
 using Watch = std::function<bool(double part)>;
 
@@ -152,8 +173,19 @@ public:
     /// Moves all files to their destinations at once. On failure throws Failure and leaves all old files unchanged. Any
     /// thread.
     virtual void publish() = 0;
+    /// Returns a picture of the finished result, linear with opacity. For `PreviewForm::picture`.
+    [[nodiscard]] virtual render::Image previewPicture() const { return {}; }
+    /// Returns the first lines of the finished result. For `PreviewForm::text`.
+    [[nodiscard]] virtual std::string previewText() const { return {}; }
     /// Returns what the finished job made, for the service.
     [[nodiscard]] virtual render::Json answer() const { return {}; }
+};
+
+/// Finished draft of a job, by which the whole is judged.
+struct FinishedDraft {
+    const ParameterValues& values;  ///< Values of the draft (`Job::draft`).
+    const JobRun& run;
+    double seconds = 0;  ///< Duration of the run.
 };
 
 /// Files and other inputs that the values name, as read. Immutable.
@@ -193,7 +225,7 @@ struct JobOrder {
     std::function<render::Json(const JobScene&, const PictureRequest&, const render::FrameReport& first)> frameReport =
         {};
     std::filesystem::path reportFile = {};
-    /// Writes the folder of a job whose pages and charts are made by the program. Empty: the job writes all files.
+    /// Writes the folder of a study, whose pages and charts are made by the program. Empty: the job writes all files.
     std::function<void(const JobRun&)> writeFolder = {};
 };
 
@@ -267,6 +299,13 @@ public:
     [[nodiscard]] virtual ParameterValues draft(const ParameterValues& values, const JobInputs&) const
     {
         return values;
+    }
+    /// Returns what a run with these values will make, judged by its draft. The extension of `out` decides the format.
+    /// Any thread.
+    [[nodiscard]] virtual JobForecast forecast(const ParameterValues&, const FinishedDraft&,
+                                               const std::filesystem::path&) const
+    {
+        return {};
     }
 };
 

@@ -2,6 +2,7 @@
 
 #include "exhibits/framework/files/preset.h"
 #include "exhibits/framework/table/acting.h"
+#include "exhibits/framework/table/value_schema.h"
 #include "exhibits/jobs/kit/given_values.h"
 #include "exhibits/museum/picture_settings.h"
 #include "render/failure.h"
@@ -20,12 +21,13 @@ constexpr const char* documentFormat = "vitrine-job";
 
 Json sceneJson(const Job& job, const JobScene& scene)
 {
-    const bool any = job.needs().anyScene;
+    const bool any = job.needs().anyScene || job.needs().twoSettings;
     PictureRequest picture;
     picture.frame = scene.frame;
     picture.samples = scene.usual.samples != 0 ? scene.usual.samples : usualSamples(scene.state.hall());
     Json json = render::parseJson(pictureSettings(*scene.museum, scene.subject, scene.state, picture,
-                                                  "Settings of a job", any ? nullptr : &scene.state.camera),
+                                                  scene.name.empty() ? "Settings of a job" : scene.name,
+                                                  any ? nullptr : &scene.state.camera),
                                   "scene")
                     .root();
     if (any)
@@ -35,17 +37,37 @@ Json sceneJson(const Job& job, const JobScene& scene)
     return json;
 }
 
+Json otherJson(const JobScene& scene)
+{
+    const SceneState& other = scene.other->state;
+    return exhibitionJson({scene.other->name, namedValues(scene.museum->subjects(), other.values), other.camera});
+}
+
+/// Returns the state of an exhibition, with the initial values where it has none.
+SceneState stateOf(Exhibition& read, const Museum& museum)
+{
+    SceneState state = museum.initialSceneState();
+    for (auto& [subject, values] : read.values)
+        if (const auto i = museum.find(subject)) state.values[*i] = std::move(values);
+    state.camera = read.camera;
+    return state;
+}
+
+Exhibition readExhibition(const Json& json, const std::string& name, const Museum& museum, JobDocument& document)
+{
+    Exhibition read = parseExhibition(render::writeJson(json), name,
+                                      namedValues(museum.subjects(), museum.initialSceneState().values));
+    document.notes.insert(document.notes.end(), read.notes.begin(), read.notes.end());
+    return read;
+}
+
 void readScene(const Json& json, const std::string& name, const Museum& museum, JobDocument& document)
 {
-    document.scene = museum.initialSceneState();
-    Exhibition read =
-        parseExhibition(render::writeJson(json), name, namedValues(museum.subjects(), document.scene.values));
-    for (auto& [subject, values] : read.values)
-        if (const auto i = museum.find(subject)) document.scene.values[*i] = std::move(values);
-    document.scene.camera = read.camera;
+    Exhibition read = readExhibition(json, name, museum, document);
+    document.scene = stateOf(read, museum);
     document.chosen = read.chosen;
     document.taken = read.picture;
-    document.notes.insert(document.notes.end(), read.notes.begin(), read.notes.end());
+    document.name = read.name;
 }
 
 /// Converts a label to a key: "cellsNearTheSurface" for "Cells near the surface".
@@ -65,51 +87,20 @@ std::string keyOf(const std::string& label)
     return key;
 }
 
-Json typeSchema(const ParameterInfo& parameter)
-{
-    Json words = Json::array();
-    for (const Word& word : parameter.words) words.push_back(std::string(word.text));
-    Json json = Json::object();
-    switch (parameter.kind) {
-    case Kind::real:
-    case Kind::count:
-        json["type"] = parameter.kind == Kind::real ? "number" : "integer";
-        json["minimum"] = parameter.range.low;
-        json["maximum"] = parameter.range.high;
-        if (words.empty()) return json;
-        return {{"anyOf", Json::array({json, {{"enum", words}}})}};
-    case Kind::toggle: return {{"type", "boolean"}};
-    case Kind::choice:
-        for (const std::string_view choice : parameter.choices) words.push_back(std::string(choice));
-        return {{"enum", words}};
-    case Kind::color:
-    case Kind::direction: {
-        const Json each{{"type", "number"}};
-        return {{"type", "array"}, {"items", each}, {"minItems", 3}, {"maxItems", 3}};
-    }
-    case Kind::file:
-    case Kind::text: break;
-    }
-    if (!parameter.several) return {{"type", "string"}};
-    return {{"type", "array"}, {"items", Json{{"type", "string"}, {"minLength", 1}}}};
-}
-
 Json optionSchema(const Parameters& table, const JobOption& option)
 {
     const ParameterInfo& first = table.rows()[option.parameters.front()];
     Json json;
     if (option.parameters.size() == 1) {
-        json = typeSchema(first);
+        json = valueSchema(first);
     } else {
         Json items = Json::array();
-        for (const std::size_t i : option.parameters) items.push_back(typeSchema(table.rows()[i]));
+        for (const std::size_t i : option.parameters) items.push_back(valueSchema(table.rows()[i]));
         json = {{"type", "array"}, {"prefixItems", items}, {"items", false}, {"minItems", items.size()}};
     }
-    json["title"] = label(first);
-    json["description"] = std::string(first.help);
+    describe(json, first);
     const Json initial = jsonOf(table.initial())[option.key];
     if (!option.mustBeGiven) json["default"] = initial;
-    if (const std::string_view unit = info(first.unit).storedSymbol; !unit.empty()) json["x-unit"] = std::string(unit);
     const std::string when = actsWhen(table, option.parameters.front());
     if (!when.empty()) json["x-actsWhen"] = when;
     return json;
@@ -131,6 +122,7 @@ std::string documentText(const Job& job, const JobOrder& order, const std::vecto
     json["job"] = std::string(job.name());
     json["values"] = jsonOf(order.values);
     if (order.scene.museum) json["scene"] = sceneJson(job, order.scene);
+    if (order.scene.museum && order.scene.other) json["other"] = otherJson(order.scene);
     json["out"] = order.out.filename().string();
     json["report"] = Json::object();
     for (const Fact& fact : facts) json["report"][keyOf(fact.label)] = valueText(fact);
@@ -158,6 +150,10 @@ JobDocument parseDocument(std::string text, const std::string& name, const Job& 
     JobDocument read{given.settled({})};
     read.notes = std::move(notes);
     if (has("scene") && museum) readScene(root["scene"], name, *museum, read);
+    if (has("other") && museum) {
+        Exhibition other = readExhibition(root["other"], name, *museum, read);
+        read.other = OtherSettings{stateOf(other, *museum), other.name};
+    }
     if (has("out")) {
         if (!root["out"].is_string()) throw document.failure("out", "this must be a file name; correct it there.");
         const std::string out = root["out"].get<std::string>();

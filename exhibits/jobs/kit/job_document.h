@@ -34,7 +34,9 @@ struct JobDocument {
     std::string chosen = {};  ///< Exhibit that is shown, of a job that chooses one.
     /// How the scene is shown, for jobs that use a scene.
     std::optional<PictureRecord> taken = {};
-    std::filesystem::path out = {};  ///< Beside the document.
+    std::string name = {};                    ///< Name of the scene's settings, for people.
+    std::optional<OtherSettings> other = {};  ///< Settings B, of a job that compares two.
+    std::filesystem::path out = {};           ///< Beside the document.
     std::vector<std::string> notes = {};
 };
 

@@ -4,9 +4,11 @@
 #include "exhibits/framework/table/expression.h"
 #include "exhibits/framework/table/typed_number.h"
 #include "exhibits/jobs/kit/job_document.h"
+#include "exhibits/jobs/mesh/mesh_picture.h"
 #include "exhibits/sdf_scenes/scene_mesh.h"
 #include "exhibits/sdf_scenes/scene_reader.h"
 #include "exhibits/sdf_scenes/sdf_scenes.h"
+#include "exhibits/sdf_scenes/shown_scene.h"
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
 #include "render/files/number_text.h"
@@ -16,6 +18,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -30,7 +33,8 @@ struct MeshTable final : Parameters {
                                  "Scene file. Empty in the window: the scene that SDF Scenes shows, with its present "
                                  "values and time.",
                                  extensions("json"), positional(), mustBeGiven());
-    Text set = text("set", "Value of one of the scene's parameters, name=value. Numbers are in SI units.", several());
+    Text set = text("set", "Value of one of the scene's parameters, name=value. Numbers are in SI units.", several(),
+                    labeled("Values of the scene"));
     Real time = real("time", 0, second, Range{-1e9, 1e9}.soft(0, 60), "Time at which a moving scene is meshed.");
 
     Group meshGroup = group("Mesh");
@@ -48,9 +52,9 @@ struct MeshTable final : Parameters {
                           "Largest estimated distance between the simplified and the original surface. None: "
                           "any distance, until the number of triangles is reached.",
                           reads(0, "none"));
-    Real memory =
-        real("memoryMb", 0, none, Range{1, 1e9, logarithmic}.soft(100, 1e5),
-             "Largest amount of memory for meshing, in megabytes. Auto: half of the machine's.", reads(0, "auto"));
+    Real memory = real("memoryMb", 0, none, Range{1, 1e9, logarithmic}.soft(100, 1e5),
+                       "Largest amount of memory for meshing, in megabytes. Auto: half of the machine's.",
+                       reads(0, "auto"), labeled("Memory limit in MB"));
 
 private:
     std::array<Real, 3> corner(std::array<std::string_view, 3> names, std::string_view name, double unset,
@@ -85,8 +89,20 @@ struct ShownInWindow {
     std::string path;
     std::vector<std::string> values = {};  ///< Parameters that are not initial, each as "name=value".
     double seconds = 0;                    ///< Time of a moving scene.
+    std::optional<render::Box> part = {};  ///< Box around the view's target, for a scene without an end.
     bool isEdited = false;                 ///< Whether its edits are not in the file yet.
 };
+
+/// Returns the cube around the view's target that the picture shows; nullopt for a scene that has an end.
+std::optional<render::Box> shownPart(const scenes::ShownScene& shown, double seconds, const std::vector<double>& given)
+{
+    const std::vector<double> numbers = shown.scene->numbersAt(seconds, given);
+    const render::Box box = scenes::SceneField(shown.program, shown.program->words(numbers)).box();
+    if (std::isfinite(glm::length(box.high - box.low))) return std::nullopt;
+    const scenes::SceneCamera camera = scenes::sceneCamera(*shown.scene, numbers, 0);
+    const double reach = glm::length(camera.eye - camera.target) * std::tan(camera.fovY / 2);
+    return render::Box{camera.target - reach, camera.target + reach};
+}
 
 /// Returns the scene that the exhibit of scenes shows; nullopt if there is no such exhibit.
 std::optional<ShownInWindow> shownInWindow(const JobScene& scene)
@@ -98,15 +114,27 @@ std::optional<ShownInWindow> shownInWindow(const JobScene& scene)
     const auto& table = static_cast<const SdfScenesTable&>(values.table());
     ShownInWindow shown{exhibit->document(values).path};
     shown.isEdited = !exhibit->unsavedText(values).empty();
-    if (!table.shown) return shown;
-    const scenes::Scene& read = *table.shown->scene;
-    for (std::size_t i = 0; i < table.ofScene.size(); ++i)
-        if (const double value = values[table.ofScene[i]]; value != read.parameters()[i].initial)
-            shown.values.push_back(read.parameters()[i].name + '=' + render::shortestNumber(value));
+    const scenes::ShownScene& now = exhibit->shown(values);
+    const scenes::Scene& read = *now.scene;
+    std::vector<double> given;
+    for (std::size_t i = 0; i < table.ofScene.size(); ++i) {
+        given.push_back(values[table.ofScene[i]]);
+        if (given.back() != read.parameters()[i].initial)
+            shown.values.push_back(read.parameters()[i].name + '=' + render::shortestNumber(given.back()));
+    }
     if (read.animated())
         shown.seconds =
             values[table.moment] + (values[table.animate] && std::isfinite(scene.frame.time) ? scene.frame.time : 0);
+    shown.part = shownPart(now, shown.seconds, given);
     return shown;
+}
+
+/// Returns whether neither --low nor --high is given.
+bool isWholeScene(const ParameterValues& values)
+{
+    const MeshTable& t = meshTable();
+    const auto isUnset = [&](const Real& parameter) { return values.isInitial(parameter.row); };
+    return std::all_of(t.low.begin(), t.low.end(), isUnset) && std::all_of(t.high.begin(), t.high.end(), isUnset);
 }
 
 /// Returns the box between --low and --high; nullopt if neither is given. Throws Failure (ErrorKind::usage) if the
@@ -115,10 +143,7 @@ std::optional<render::Box> partOf(const ParameterValues& values)
 {
     const MeshTable& t = meshTable();
     const auto low = cornerOf(values, t.low), high = cornerOf(values, t.high);
-    const auto isGiven = [&](const std::array<Real, 3>& rows) {
-        return !values.isInitial(rows[0].row) || !values.isInitial(rows[1].row) || !values.isInitial(rows[2].row);
-    };
-    if (!isGiven(t.low) && !isGiven(t.high)) return std::nullopt;
+    if (isWholeScene(values)) return std::nullopt;
     if (!low || !high)
         throw Failure(ErrorKind::usage, "--low and --high belong together: two corners of the part that is meshed.");
     const glm::dvec3 size = *high - *low;
@@ -213,16 +238,32 @@ public:
         if (!mesh) throw Stopped();
         scenes::MeshCheck check = checked(*mesh, partOf(order_.values).has_value());
         if (!watch(1)) throw Stopped();
+        unsimplified_ = mesh->indices.size() / 3;
         const std::optional<double> deviation = simplify(*mesh, check);
         tell(*mesh, check);
         if (deviation) report_.facts.push_back({"Deviation at most", 1000 * *deviation, "mm"});
         stage(*mesh);
+        if (order_.out.empty()) mesh_ = std::move(*mesh);
         isDone_ = true;
     }
     [[nodiscard]] double progress() const override { return progress_; }
     [[nodiscard]] std::string_view doing() const override { return "meshing"; }
     [[nodiscard]] const JobReport& report() const override { return report_; }
     void publish() override { render::publishAll(staged_); }
+    [[nodiscard]] render::Image previewPicture() const override
+    {
+        const ParameterValues& values = order_.values;
+        const std::vector<double> numbers = scene_->numbersAt(values[meshTable().time], parametersOf(*scene_, values));
+        const scenes::SceneCamera camera = scenes::sceneCamera(*scene_, numbers, 0);
+        return meshPicture(mesh_, camera.eye - camera.target, camera.up, {960, 720});
+    }
+
+    /// Returns the mesh of a finished run without an output.
+    [[nodiscard]] const scenes::SceneMesh& mesh() const { return mesh_; }
+    /// Returns the number of triangles that the cells gave, before the mesh was simplified.
+    [[nodiscard]] std::size_t unsimplified() const { return unsimplified_; }
+    /// Returns the upper bound on the memory, in bytes.
+    [[nodiscard]] double memory() const { return mesher_ ? static_cast<double>(mesher_->plan().bytes) : 0; }
 
 private:
     /// Simplifies the mesh and checks it again. Returns the deviation in meters; nothing if no limit is given. Throws
@@ -233,6 +274,11 @@ private:
         if (limits.triangles == 0 && limits.deviation == 0) return std::nullopt;
         scenes::SimplifiedMesh result = scenes::simplified(mesh, limits);
         check = scenes::checkMesh(result.mesh);
+        // The cells of a draft may be too large for what the whole mesh can be simplified to.
+        if (order_.out.empty() && (!check.good() || result.mesh.indices.empty())) {
+            check = scenes::checkMesh(mesh);
+            return std::nullopt;
+        }
         if (!check.good() || result.mesh.indices.empty())
             throw Failure(ErrorKind::check,
                           "The mesh is not closed any more when it is simplified that far; nothing was written. Give "
@@ -271,6 +317,8 @@ private:
     std::unique_ptr<scenes::SceneMesher> mesher_;
     std::vector<std::unique_ptr<render::PartFile>> staged_;
     JobReport report_;
+    scenes::SceneMesh mesh_;
+    std::size_t unsimplified_ = 0;
     double progress_ = 0;
     bool isDone_ = false;
 };
@@ -284,7 +332,9 @@ const Parameters& MeshJob::parameters() const
 
 JobNeeds MeshJob::needs() const
 {
-    return {.extensions = {scenes::meshEndings.begin(), scenes::meshEndings.end()}, .inWindow = true};
+    return {.extensions = {scenes::meshEndings.begin(), scenes::meshEndings.end()},
+            .inWindow = true,
+            .preview = PreviewForm::picture};
 }
 
 ParameterValues MeshJob::withScene(const ParameterValues& values, const JobScene& scene) const
@@ -299,6 +349,11 @@ ParameterValues MeshJob::withScene(const ParameterValues& values, const JobScene
     for (const std::string& typed : linesOf(values[t.set])) lines.push_back(typed);  // The last value counts.
     whole.set(t.set, joined(lines, "\n"));
     if (values.isInitial(t.time.row)) whole.set(t.time, shown->seconds);
+    if (shown->part && isWholeScene(values))
+        for (int axis = 0; axis < 3; ++axis) {
+            whole.set(t.low.at(static_cast<std::size_t>(axis)), shown->part->low[axis]);
+            whole.set(t.high.at(static_cast<std::size_t>(axis)), shown->part->high[axis]);
+        }
     return whole;
 }
 
@@ -332,6 +387,9 @@ JobPlan MeshJob::plan(const ParameterValues& given, const JobScene& window, cons
     };
     if (const auto shown = shownInWindow(window); shown && shown->isEdited && given[meshTable().file].empty())
         refuse("The scene has changes that are not in its file yet; save it first (File > Save).");
+    if (isWholeScene(given) && !isWholeScene(values))
+        plan.warnings.emplace_back("The scene has no end; the mesh is cut around what the view shows. Set Low and High "
+                                   "for another part.");
     if (!scene.animated() && values[meshTable().time] != 0)
         refuse("--time has no effect on a scene in which nothing moves; leave it out.");
     try {
@@ -349,6 +407,44 @@ JobPlan MeshJob::plan(const ParameterValues& given, const JobScene& window, cons
 std::unique_ptr<JobRun> MeshJob::start(JobOrder order) const
 {
     return std::make_unique<MeshRun>(std::move(order));
+}
+
+ParameterValues MeshJob::draft(const ParameterValues& values, const JobInputs& inputs) const
+{
+    constexpr double draftCells = 64;  // Along the longest side.
+    const MeshTable& t = meshTable();
+    const auto& scene = static_cast<const MeshInputs&>(inputs).scene;
+    const scenes::SceneField field(scene, values[t.time], parametersOf(*scene, values));
+    const render::Box box = meshedBox(field, requestOf(values));
+    const glm::dvec3 size = box.high - box.low;
+    ParameterValues coarse = values;
+    coarse.set(t.cell, std::max(values[t.cell], std::max({size.x, size.y, size.z}) / draftCells));
+    return coarse;
+}
+
+JobForecast MeshJob::forecast(const ParameterValues& values, const FinishedDraft& draft,
+                              const std::filesystem::path& out) const
+{
+    const MeshTable& t = meshTable();
+    const auto& run = static_cast<const MeshRun&>(draft.run);
+    // Work, triangles and memory belong to the surface, so that they grow with the square of the resolution.
+    const double finer = draft.values[t.cell] / values[t.cell], more = finer * finer;
+    const bool isLimited = values[t.triangles] > 0, deviates = values[t.deviation] > 0;
+    double triangles = more * static_cast<double>(run.unsimplified());
+    if (isLimited) triangles = std::min(triangles, static_cast<double>(values[t.triangles]));
+    JobForecast forecast;
+    const bool isBound = deviates && !isLimited;
+    const double unit = std::pow(10.0, std::max(std::floor(std::log10(std::max(triangles, 1.0))) - 2, 0.0));
+    triangles = std::round(triangles / unit) * unit;  // Three digits are known at most.
+    forecast.facts.push_back({isBound ? "Triangles at most" : "Triangles about", triangles});
+    if (const auto format = scenes::meshFormat(out.string()); format && !run.mesh().indices.empty()) {
+        const double each = static_cast<double>(meshFile(run.mesh(), *format, "scene").size()) /
+                            static_cast<double>(run.mesh().indices.size() / 3);
+        forecast.facts.push_back({isBound ? "File at most" : "File about", triangles * each / 1e6, "MB"});
+    }
+    forecast.facts.push_back({"Memory at most", std::max(std::round(more * run.memory() / 1e6), 1.0), "MB"});
+    forecast.seconds = draft.seconds * more;
+    return forecast;
 }
 
 }  // namespace vitrine::jobs

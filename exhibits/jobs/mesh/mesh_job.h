@@ -22,6 +22,11 @@ public:
     [[nodiscard]] std::unique_ptr<JobRun> start(JobOrder) const override;
     /// Returns the values with the scene that SDF Scenes shows, unless a file is given.
     [[nodiscard]] ParameterValues withScene(const ParameterValues&, const JobScene&) const override;
+    /// Returns the values of a coarser mesh.
+    [[nodiscard]] ParameterValues draft(const ParameterValues&, const JobInputs&) const override;
+    [[nodiscard]] std::string_view draftNote() const override { return "The preview has larger cells."; }
+    [[nodiscard]] JobForecast forecast(const ParameterValues&, const FinishedDraft&,
+                                       const std::filesystem::path&) const override;
     /// Returns no scene: a mesh depends on its file alone.
     [[nodiscard]] JobScene sceneFor(const ParameterValues&, JobScene) const override { return {}; }
 };

@@ -1,5 +1,6 @@
 #include "exhibits/jobs/picture/picture_job.h"
 
+#include "exhibits/jobs/kit/expected_size.h"
 #include "exhibits/jobs/picture/picture_table.h"
 #include "exhibits/museum/exr_metadata.h"
 #include "exhibits/museum/picture_settings.h"
@@ -252,7 +253,8 @@ JobNeeds PictureJob::needs() const
             .inWindow = true,
             .report = "File for the frame report as JSON: passes that ran, passes that were skipped and why, counters, "
                       "times, memory by owner",
-            .carriesSettings = true};
+            .carriesSettings = true,
+            .preview = PreviewForm::picture};
 }
 
 std::shared_ptr<const JobInputs> PictureJob::read(const ParameterValues&) const
@@ -304,6 +306,22 @@ double PictureJob::effort(const ParameterValues& values, const JobScene& scene) 
 {
     const glm::dvec2 size = sizeOf(values, scene);
     return size.x * size.y * samplesOf(values, scene);
+}
+
+JobForecast PictureJob::forecast(const ParameterValues& values, const FinishedDraft& draft,
+                                 const std::filesystem::path& out) const
+{
+    const auto& run = static_cast<const PictureRun&>(draft.run);
+    // A draft has the color alone.
+    if (!values[pictureTable().channels].empty()) return {};
+    const glm::dvec2 size = sizeOf(values, run.scene()), drawn = run.request().frame.raster.size;
+    try {
+        const auto part = stagedPicture(run.scene(), run.request(), values, draftFile(out), run.picture());
+        const auto bytes = static_cast<double>(std::filesystem::file_size(part->path()));
+        return {{fileAbout(grownBytes(bytes, size.x * size.y / (drawn.x * drawn.y), out))}};
+    } catch (const Failure&) {
+        return {};  // The plan or the export says why nothing can be written.
+    }
 }
 
 ParameterValues PictureJob::draft(const ParameterValues& values, const JobInputs&) const

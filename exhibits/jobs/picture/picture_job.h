@@ -20,6 +20,9 @@ public:
 
     /// Returns the picture of a run without an output; empty until the run is done.
     [[nodiscard]] const render::Image& picture() const { return picture_; }
+    [[nodiscard]] render::Image previewPicture() const override { return picture_; }
+    [[nodiscard]] const JobScene& scene() const { return order_.scene; }
+    [[nodiscard]] const PictureRequest& request() const { return request_; }
 
 private:
     void begin();
@@ -59,6 +62,8 @@ public:
     {
         return "The preview is smaller, with one sample per pixel.";
     }
+    [[nodiscard]] JobForecast forecast(const ParameterValues&, const FinishedDraft&,
+                                       const std::filesystem::path&) const override;
 };
 
 /// Returns the picture that these values order. `out` decides whether samples are averaged in linear light, and which

@@ -66,7 +66,9 @@ void refuseUseless(const GivenArguments& given)
     const bool chart = origin == ViewOrigin::chart, scene = !given.subject.empty();
     const std::string onChart = on("a --chart, which has views of its own");
     if (chart && scene) throw Failure(ErrorKind::usage, "--exhibit " + onChart);
-    check.refuse(chart, onChart, t.files, t.quilt, t.compensate, t.fitting, t.places, t.every, t.pingPong);
+    check.refuse(chart, onChart, t.files, t.quilt, t.compensate, t.fitting, t.places, t.every, t.pingPong, t.cropMarks,
+                 t.registrationMarks, t.colorBar, t.pitchStrip);
+    check.refuse(given.values[t.outputProfile].empty(), without("--profile"), t.intent, t.blackPoint);
     if (scene && origin != ViewOrigin::shown) throw Failure(ErrorKind::usage, originRefusal(origin, scene));
     check.refuse(!chart || given.values[t.chart] != printing::ChartKind::pitch, without("--chart pitch"), t.chartSpan);
     check.refuse(!scene, without("--exhibit"), t.viewWidth, t.samples, t.baselineScale, t.convergence, t.turn, t.sweeps,
@@ -81,6 +83,11 @@ void refuseUseless(const GivenArguments& given)
     if (chart && given.values[t.border] != 0)
         throw Failure(ErrorKind::usage, "--border-mm: charts have a border of their own.");
 }
+
+/// The ICC profile into which a print is converted, as read.
+struct ProfileInputs final : JobInputs {
+    std::string profile;
+};
 
 }  // namespace
 }  // namespace print_job
@@ -99,9 +106,11 @@ JobNeeds PrintJob::needs() const
             .carriesSettings = true};
 }
 
-std::shared_ptr<const JobInputs> PrintJob::read(const ParameterValues&) const
+std::shared_ptr<const JobInputs> PrintJob::read(const ParameterValues& values) const
 {
-    return std::make_shared<JobInputs>();
+    auto inputs = std::make_shared<print_job::ProfileInputs>();
+    inputs->profile = printing::outputProfile(values);
+    return inputs;
 }
 
 ParameterValues PrintJob::completed(const GivenArguments& given) const
@@ -130,9 +139,10 @@ std::string PrintJob::refusedInParts(const ParameterValues& values) const
     return "only views that are rendered are made in parts; give an --exhibit and --out.";
 }
 
-JobPlan PrintJob::plan(const ParameterValues& values, const JobScene& scene, const JobInputs&,
+JobPlan PrintJob::plan(const ParameterValues& values, const JobScene& scene, const JobInputs& inputs,
                        const std::filesystem::path& out) const
 {
+    const std::string& profile = static_cast<const print_job::ProfileInputs&>(inputs).profile;
     JobPlan plan;
     plan.ifStopped = "Stopped; nothing was written.";
     plan.refusal = print_job::originRefusal(values[printTable().origin], scene.museum != nullptr);
@@ -141,11 +151,12 @@ JobPlan PrintJob::plan(const ParameterValues& values, const JobScene& scene, con
         const printing::PrintLayout layout(printing::printSettings(values, printing::viewCount(values)));
         if (scene.museum) static_cast<void>(printing::viewSize(layout, values));
         if (out.empty()) return plan;
-        const printing::PrintPlan print = printing::printPlan(values, nullptr, out);
+        const printing::PrintPlan print = printing::printPlan(values, nullptr, out, &profile);
         plan.refusal = print.refusal;
         if (!plan.refusal.empty()) return plan;
         plan.facts = printFacts(print, values[printTable().origin] != ViewOrigin::chart);
-        for (const std::filesystem::path& file : printing::printFiles(layout, printing::printFile(values, out))) {
+        for (const std::filesystem::path& file :
+             printing::printFiles(layout, printing::printFile(values, out, &profile))) {
             plan.files.push_back({file, "print"});
             plan.files.push_back({file.string() + ".json", "description"});
         }

@@ -2,6 +2,7 @@
 
 #include "exhibits/jobs/kit/job_document.h"
 #include "exhibits/printing/proof.h"
+#include "exhibits/printing/read_print.h"
 #include "render/files/atomic_write.h"
 #include "render/image/image_io.h"
 
@@ -14,7 +15,7 @@ namespace {
 struct ProofTable final : Parameters {
     Group printGroup = group("Print");
     File print = file("print", "Print that `vitrine print` wrote; of a print in tiles, any of them.",
-                      extensions(render::streamedEndings()), positional(), mustBeGiven());
+                      extensions(render::readStreamEndings()), positional(), mustBeGiven());
 
     Group eyeGroup = group("Eye");
     Real angle = real("angle", 0, degree, {degrees(-85), degrees(85)},
@@ -22,7 +23,7 @@ struct ProofTable final : Parameters {
                       typedIn(degree), mustBeGiven());
     Real angleAlong = real("angleY", 0, degree, {degrees(-85), degrees(85)},
                            "Angle of the eye along the lenses; positive above, or to the right for horizontal lenses.",
-                           typedIn(degree));
+                           typedIn(degree), labeled("Angle along the lenses"));
     Real distance = real("distance", std::numeric_limits<double>::infinity(), centimeter,
                          Range{0.0001, 1000, logarithmic}.soft(0.1, 10), "Distance of the eye from the print.",
                          reads(std::numeric_limits<double>::infinity(), "inf"), option("distance-mm", millimeter));

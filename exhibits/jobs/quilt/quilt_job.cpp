@@ -1,5 +1,6 @@
 #include "exhibits/jobs/quilt/quilt_job.h"
 
+#include "exhibits/jobs/kit/expected_size.h"
 #include "exhibits/jobs/kit/job_document.h"
 #include "exhibits/jobs/quilt/quilt_table.h"
 #include "exhibits/museum/picture_settings.h"
@@ -112,6 +113,7 @@ public:
     [[nodiscard]] std::string_view doing() const override { return "drawing"; }
     [[nodiscard]] const JobReport& report() const override { return report_; }
     void publish() override { render::publishAll(staged_); }
+    [[nodiscard]] render::Image previewPicture() const override { return quilt_; }
 
 private:
     void begin()
@@ -162,7 +164,8 @@ const Parameters& QuiltJob::parameters() const
 
 JobNeeds QuiltJob::needs() const
 {
-    return {.anyScene = true, .extensions = render::writtenEndings(8), .inWindow = true};
+    return {
+        .anyScene = true, .extensions = render::writtenEndings(8), .inWindow = true, .preview = PreviewForm::picture};
 }
 
 std::shared_ptr<const JobInputs> QuiltJob::read(const ParameterValues&) const
@@ -196,6 +199,18 @@ double QuiltJob::effort(const ParameterValues& values, const JobScene& scene) co
 {
     const glm::dvec2 size = quilts::quiltSize(values);
     return size.x * size.y * quilts::samplesOf(values, scene);
+}
+
+JobForecast QuiltJob::forecast(const ParameterValues& values, const FinishedDraft& draft,
+                               const std::filesystem::path& out) const
+{
+    const render::Image quilt = draft.run.previewPicture();
+    const glm::dvec2 size = quilts::quiltSize(values);
+    try {
+        return {{fileAbout(grownBytes(pictureBytes(quilt, out), size.x * size.y / quilt.width / quilt.height, out))}};
+    } catch (const Failure&) {
+        return {};  // The plan or the export says why nothing can be written.
+    }
 }
 
 ParameterValues QuiltJob::draft(const ParameterValues& values, const JobInputs&) const

@@ -22,6 +22,8 @@ public:
     [[nodiscard]] std::unique_ptr<JobRun> start(JobOrder) const override;
     [[nodiscard]] double effort(const ParameterValues&, const JobScene&) const override;
     [[nodiscard]] ParameterValues draft(const ParameterValues&, const JobInputs&) const override;
+    [[nodiscard]] JobForecast forecast(const ParameterValues&, const FinishedDraft&,
+                                       const std::filesystem::path&) const override;
     [[nodiscard]] std::string_view draftNote() const override
     {
         return "The views of the preview are smaller, with one sample per pixel.";

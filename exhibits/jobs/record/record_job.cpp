@@ -1,6 +1,8 @@
 #include "exhibits/jobs/record/record_job.h"
 
+#include "exhibits/jobs/kit/expected_size.h"
 #include "exhibits/jobs/kit/job_document.h"
+#include "exhibits/jobs/record/record_preview.h"
 #include "exhibits/jobs/record/record_table.h"
 #include "exhibits/museum/picture_settings.h"
 #include "exhibits/recording/record.h"
@@ -8,7 +10,10 @@
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
 #include "render/files/number_text.h"
+#include "render/video/video_file.h"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <optional>
 
@@ -22,6 +27,8 @@ const RecordTable& recordTable()
 
 namespace jobs {
 namespace {
+
+constexpr int frameSideOfDraft = 240;  // Pixels of each frame in the preview.
 
 struct RecordInputs final : JobInputs {
     std::optional<Tour> tour, bookmarks;
@@ -65,10 +72,8 @@ RecordingRequest requestOf(const ParameterValues& values, const JobScene& scene)
 std::vector<Fact> factsOf(const RecordingRequest& request)
 {
     const glm::dvec2 size = request.picture.frame.raster.size;
-    const double frames = request.frames(), channels = request.picture.frame.transparent ? 4 : 3;
-    return {{"Frames", frames},
-            {"Frame size", render::shortestNumber(size.x) + " × " + render::shortestNumber(size.y), "px"},
-            {"Uncompressed", frames * size.x * size.y * channels / 1e6, "MB"}};
+    return {{"Frames", static_cast<double>(request.frames())},
+            {"Frame size", render::shortestNumber(size.x) + " × " + render::shortestNumber(size.y), "px"}};
 }
 
 /// Moves the camera around its target: in a loop, or to and fro about the view. Throws Failure (ErrorKind::usage) if it
@@ -80,7 +85,7 @@ void turnAround(const ParameterValues& values, const JobScene& scene, RecordingR
     const double angle = given != 0 ? given : (frame.alone ? 2 : 1.0 / 3) * std::numbers::pi;
     request.closed = isWholeTurns(angle);
     request.camera = turntable(frame.camera, angle, paceOf(values, request.closed ? Pace::constant : Pace::eased));
-    if (frame.alone || firstCollision(scene.museum->obstacles(scene.state), request.camera) < 0) return;
+    if (frame.alone || firstCollision(scene.museum->surroundings().obstacles(scene.state), request.camera) < 0) return;
     throw Failure(ErrorKind::usage, "A camera that turns by " + render::shortNumber(angle * 180 / std::numbers::pi) +
                                         " degrees runs into a wall or an object; turn by a smaller angle, or "
                                         "show the exhibit alone.");
@@ -118,7 +123,7 @@ RecordingRequest wholeRequest(const JobOrder& order)
                           : inputs.tour                 ? *inputs.tour
                                                         : museumTour(museum, order.scene.state);
         request.closed = tour.closed;
-        request.camera = [way = tourPath(museum.obstacles(order.scene.state), tour),
+        request.camera = [way = tourPath(museum.surroundings().obstacles(order.scene.state), tour),
                           pace = paceOf(order.values, tour.pace)](double part) { return way.at(paced(pace, part)); };
     }
     return request;
@@ -162,8 +167,9 @@ private:
         backend_ = order_.backend ? order_.backend() : nullptr;
         if (!backend_) throw Failure(ErrorKind::openGl, "Nothing can be recorded: there is no graphics context.");
         const JobScene& scene = order_.scene;
-        recording_ = std::make_unique<Recording>(*scene.museum, *backend_, scene.state, scene.subject, *request_,
-                                                 order_.out, RecordingShare{order_.share.makes, order_.share.from});
+        recording_ =
+            std::make_unique<Recording>(*scene.museum, *backend_, RecordedScene{scene.state, scene.subject}, *request_,
+                                        order_.out, RecordingShare{order_.share.makes, order_.share.from});
     }
     void end()
     {
@@ -197,7 +203,11 @@ JobNeeds RecordJob::needs() const
     // Videos, then frames.
     std::vector<std::string_view> endings{"mp4", "webm", "gif", "webp", "apng", "png"};
     endings.emplace_back("exr");
-    return {.anyScene = true, .extensions = std::move(endings), .inWindow = true, .inParts = true};
+    return {.anyScene = true,
+            .extensions = std::move(endings),
+            .inWindow = true,
+            .inParts = true,
+            .preview = PreviewForm::picture};
 }
 
 std::shared_ptr<const JobInputs> RecordJob::read(const ParameterValues& values) const
@@ -233,8 +243,48 @@ JobPlan RecordJob::plan(const ParameterValues& values, const JobScene& scene, co
     return plan;
 }
 
+double RecordJob::effort(const ParameterValues& values, const JobScene& scene) const
+{
+    const RecordingRequest request = requestOf(values, scene);
+    const glm::dvec2 size = request.picture.frame.raster.size;
+    const double picturesPerFrame = request.shutter > 0 ? std::max(request.shutterSamples, 1) : 1;
+    return size.x * size.y * request.picture.samples * picturesPerFrame * request.frames();
+}
+
+ParameterValues RecordJob::draft(const ParameterValues& values, const JobInputs&) const
+{
+    const RecordTable& t = recordTable();
+    const double shrink =
+        frameSideOfDraft / static_cast<double>(std::max({values[t.width], values[t.height], frameSideOfDraft}));
+    // Videos in 4:2:0 need even sizes.
+    const auto smaller = [&](int pixels) {
+        return shrink < 1 ? std::max(2 * static_cast<int>(std::lround(pixels * shrink / 2)), 2) : pixels;
+    };
+    ParameterValues small = values;
+    small.set(t.width, smaller(values[t.width]));
+    small.set(t.height, smaller(values[t.height]));
+    small.set(t.samples, 1);
+    small.set(t.shutter, 0.0);
+    return small;
+}
+
+JobForecast RecordJob::forecast(const ParameterValues& values, const FinishedDraft& draft,
+                                const std::filesystem::path& out) const
+{
+    const RecordTable& t = recordTable();
+    const auto& preview = static_cast<const RecordPreview&>(draft.run);
+    if (!isFramePattern(out) && !render::videoFormatOf(out)) return {};
+    const auto pixels = [&](const ParameterValues& of) { return static_cast<double>(of[t.width]) * of[t.height]; };
+    try {
+        return {{fileAbout(grownBytes(preview.bytes(out), pixels(values) / pixels(draft.values), out))}};
+    } catch (const Failure&) {
+        return {};  // The export itself says why nothing can be written.
+    }
+}
+
 std::unique_ptr<JobRun> RecordJob::start(JobOrder order) const
 {
+    if (order.out.empty()) return std::make_unique<RecordPreview>(std::move(order), wholeRequest);
     return std::make_unique<RecordRun>(std::move(order));
 }
 

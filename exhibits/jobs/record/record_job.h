@@ -22,6 +22,15 @@ public:
     [[nodiscard]] std::unique_ptr<JobRun> start(JobOrder) const override;
     /// Returns true if the camera turns around its target or stays.
     [[nodiscard]] bool usesCamera(const ParameterValues&, const JobScene&) const override;
+    [[nodiscard]] double effort(const ParameterValues&, const JobScene&) const override;
+    /// Returns the values of small frames without motion blur.
+    [[nodiscard]] ParameterValues draft(const ParameterValues&, const JobInputs&) const override;
+    [[nodiscard]] std::string_view draftNote() const override
+    {
+        return "The preview has frames from start to end, small and with one sample per pixel.";
+    }
+    [[nodiscard]] JobForecast forecast(const ParameterValues&, const FinishedDraft&,
+                                       const std::filesystem::path&) const override;
     /// Returns the pattern of a video's frames. Frames that are files themselves need no merging.
     [[nodiscard]] std::string partItems(const std::filesystem::path& out) const override;
 };

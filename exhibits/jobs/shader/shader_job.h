@@ -21,12 +21,16 @@ public:
         return {.anySettings = true,
                 .fileOf = {"your_shader", "file"},
                 .extensions = {"html", "fs", "glsl", "json"},
-                .inWindow = true};
+                .inWindow = true,
+                .preview = PreviewForm::text};
     }
     [[nodiscard]] std::shared_ptr<const JobInputs> read(const ParameterValues&) const override;
     [[nodiscard]] JobPlan plan(const ParameterValues&, const JobScene&, const JobInputs&,
                                const std::filesystem::path& out) const override;
     [[nodiscard]] std::unique_ptr<JobRun> start(JobOrder) const override;
+    [[nodiscard]] std::string_view draftNote() const override { return "The preview shows the text of the shader."; }
+    [[nodiscard]] JobForecast forecast(const ParameterValues&, const FinishedDraft&,
+                                       const std::filesystem::path&) const override;
 };
 
 }  // namespace vitrine::jobs

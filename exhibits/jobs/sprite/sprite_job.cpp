@@ -115,7 +115,7 @@ void SpriteRun::publish()
 
 JobNeeds SpriteJob::needs() const
 {
-    return {.subject = spriteLookName, .extensions = {"png"}, .inWindow = true};
+    return {.subject = spriteLookName, .extensions = {"png"}, .inWindow = true, .preview = PreviewForm::sprites};
 }
 
 std::shared_ptr<const JobInputs> SpriteJob::read(const ParameterValues& values) const
@@ -172,6 +172,14 @@ ParameterValues SpriteJob::draft(const ParameterValues& values, const JobInputs&
             break;
     }
     return fewer;
+}
+
+JobForecast SpriteJob::forecast(const ParameterValues& values, const FinishedDraft& draft,
+                                const std::filesystem::path&) const
+{
+    const SpriteTable& t = spriteTable();
+    const double cells = static_cast<double>(values[t.directions]) * std::max(values[t.frames], draft.values[t.frames]);
+    return {{}, draft.seconds * cells / (static_cast<double>(draft.values[t.directions]) * draft.values[t.frames])};
 }
 
 }  // namespace vitrine::jobs

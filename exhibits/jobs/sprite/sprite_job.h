@@ -58,6 +58,8 @@ public:
     [[nodiscard]] std::unique_ptr<JobRun> start(JobOrder) const override;
     /// Returns values with fewer frames and directions if drawing all of them takes long.
     [[nodiscard]] ParameterValues draft(const ParameterValues&, const JobInputs&) const override;
+    [[nodiscard]] JobForecast forecast(const ParameterValues&, const FinishedDraft&,
+                                       const std::filesystem::path&) const override;
 };
 
 }  // namespace vitrine::jobs

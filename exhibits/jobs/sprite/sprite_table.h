@@ -95,7 +95,8 @@ struct SpriteTable final : Parameters {
                when(description), labeled("Form of the description"));
     Toggle godot = toggle("godot", false,
                           "Write a resource of Godot 4 (.tres): SpriteFrames with an animation for each direction, lit "
-                          "by the normal map.");
+                          "by the normal map.",
+                          labeled("Resource for Godot"));
     Choice<SpritePaletteFile> savedPalette = choice(
         "savedPalette", SpritePaletteFile::none, {"none", "gpl", "hex", "pal"},
         "File of the palette to write beside the sheet: none, of GIMP (.gpl), of Lospec (.hex), or of Paint Shop "

@@ -6,9 +6,10 @@
 #include "exhibits/jobs/table/measurements_table.h"
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
+#include "render/text/joined.h"
 
-#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace vitrine::jobs {
 namespace table_job {
@@ -26,28 +27,18 @@ const MeasuresTable* measuresOf(const JobScene& scene)
     return scene.museum ? capability<MeasuresTable>(scene.museum->subject(scene.subject)) : nullptr;
 }
 
-/// Returns comma-separated values with another separator. Fields that contain it are put into quotes.
-std::string separated(const std::string& csv, char separator)
+/// Returns the lines as a file. Texts that contain the separator or a quote are put into quotes.
+std::string separated(const std::vector<std::vector<std::string>>& lines, char separator)
 {
-    if (separator == ',') return csv;
-    std::string text, field;
-    bool isQuoted = false;
-    const auto endField = [&] {
-        const bool quotes = field.find(separator) != std::string::npos && field.front() != '"';
-        text += quotes ? '"' + field + '"' : field;
-        field.clear();
+    const auto cell = [&](const std::string& text) {
+        if (text.find_first_of(std::string("\"\n") + separator) == std::string::npos) return text;
+        std::string quoted = "\"";
+        for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);
+        return quoted + '"';
     };
-    for (const char c : csv) {
-        if (c == '"') isQuoted = !isQuoted;
-        if (isQuoted || (c != ',' && c != '\n')) {
-            field += c;
-            continue;
-        }
-        endField();
-        text += c == ',' ? separator : c;
-    }
-    endField();
-    return text;
+    std::string file;
+    for (const std::vector<std::string>& line : lines) file += joined(line, std::string(1, separator), cell) + '\n';
+    return file;
 }
 
 class TableRun final : public JobRun {
@@ -63,25 +54,43 @@ public:
             backend_ = order_.backend ? order_.backend() : nullptr;
             if (!backend_) throw Failure(ErrorKind::openGl, "Nothing can be measured: there is no graphics context.");
         }
-        if (!table_->step(*backend_)) end();
+        ++done_;
+        if (!table_->step(*backend_) || done_ >= lines()) end();
     }
-    [[nodiscard]] double progress() const override { return isDone_ ? 1 : table_ ? table_->progress() : 0; }
+    [[nodiscard]] double progress() const override { return isDone_ ? 1 : table_ ? table_->progress() / share() : 0; }
     [[nodiscard]] std::string_view doing() const override { return "measuring"; }
     [[nodiscard]] const JobReport& report() const override { return report_; }
     void publish() override { render::publishAll(staged_); }
+    [[nodiscard]] std::string previewText() const override { return text_; }
+
+    /// Returns the finished share of the whole table's time, 0 to 1.
+    [[nodiscard]] double shareOfTable() const { return table_ ? table_->progress() : 0; }
+    /// Returns the number of lines of the whole table.
+    [[nodiscard]] std::size_t linesOfTable() const { return table_ ? table_->expectedLines() : 0; }
 
 private:
+    /// Returns how many lines are measured.
+    [[nodiscard]] std::size_t lines() const
+    {
+        const auto most = static_cast<std::size_t>(order_.values[tableTable().lines]);
+        return most > 0 ? std::min(most, table_->expectedLines()) : table_->expectedLines();
+    }
+    /// Returns the share of the table that these lines are.
+    [[nodiscard]] double share() const
+    {
+        return static_cast<double>(lines()) / static_cast<double>(std::max<std::size_t>(table_->expectedLines(), 1));
+    }
     void end()
     {
         constexpr std::array separators{',', ';', '\t'};
-        const std::string csv = table_->csv();
+        const auto& texts = table_->lines();
         backend_.reset();
         isDone_ = true;
-        const auto lines = std::count(csv.begin(), csv.end(), '\n');
-        report_.facts = {{"Lines", static_cast<double>(lines - 1)}};
-        if (order_.out.empty()) return;
+        report_.facts = {{"Lines", static_cast<double>(texts.size() - 1)}};
         const auto chosen = static_cast<std::size_t>(order_.values[tableTable().separator]);
-        staged_.push_back(render::stagedFile(order_.out, separated(csv, separators[chosen])));
+        text_ = separated(texts, separators.at(chosen));
+        if (order_.out.empty()) return;
+        staged_.push_back(render::stagedFile(order_.out, text_));
         staged_.push_back(
             render::stagedFile(documentFile(order_.out), documentText(TableJob(), order_, report_.facts)));
         report_.files = {order_.out, documentFile(order_.out)};
@@ -92,6 +101,8 @@ private:
     std::unique_ptr<render::RenderBackend> backend_;
     std::vector<std::unique_ptr<render::PartFile>> staged_;
     JobReport report_;
+    std::string text_;  ///< The finished file.
+    std::size_t done_ = 0;
     bool isDone_ = false;
 };
 
@@ -125,6 +136,28 @@ JobPlan TableJob::plan(const ParameterValues&, const JobScene& scene, const JobI
 std::unique_ptr<JobRun> TableJob::start(JobOrder order) const
 {
     return std::make_unique<table_job::TableRun>(std::move(order));
+}
+
+ParameterValues TableJob::draft(const ParameterValues& values, const JobInputs&) const
+{
+    constexpr int draftLines = 3;
+    const Count& lines = table_job::tableTable().lines;
+    ParameterValues first = values;
+    first.set(lines, values[lines] > 0 ? std::min(values[lines], draftLines) : draftLines);
+    return first;
+}
+
+JobForecast TableJob::forecast(const ParameterValues& values, const FinishedDraft& draft,
+                               const std::filesystem::path&) const
+{
+    const auto& run = static_cast<const table_job::TableRun&>(draft.run);
+    const Count& limit = table_job::tableTable().lines;
+    const auto all = static_cast<double>(run.linesOfTable()), drawn = static_cast<double>(draft.values[limit]);
+    const double lines = values[limit] > 0 ? std::min<double>(values[limit], all) : all;
+    if (!(run.shareOfTable() > 0)) return {};
+    const double seconds = draft.seconds / run.shareOfTable() * lines / all;
+    const double kilobytes = static_cast<double>(run.previewText().size()) * lines / drawn / 1000;
+    return {{{"Lines", lines}, {"File about", std::max(std::round(kilobytes), 1.0), "kB"}}, seconds};
 }
 
 }  // namespace vitrine::jobs

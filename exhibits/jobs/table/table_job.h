@@ -17,12 +17,21 @@ public:
     [[nodiscard]] const Parameters& parameters() const override;
     [[nodiscard]] JobNeeds needs() const override
     {
-        return {.anySettings = true, .extensions = {"csv"}, .inWindow = true, .timesPasses = true};
+        return {.anySettings = true,
+                .extensions = {"csv"},
+                .inWindow = true,
+                .timesPasses = true,
+                .preview = PreviewForm::text};
     }
     [[nodiscard]] std::shared_ptr<const JobInputs> read(const ParameterValues&) const override;
     [[nodiscard]] JobPlan plan(const ParameterValues&, const JobScene&, const JobInputs&,
                                const std::filesystem::path& out) const override;
     [[nodiscard]] std::unique_ptr<JobRun> start(JobOrder) const override;
+    /// Returns the values of a run that measures the first lines.
+    [[nodiscard]] ParameterValues draft(const ParameterValues&, const JobInputs&) const override;
+    [[nodiscard]] std::string_view draftNote() const override { return "The preview shows the first lines."; }
+    [[nodiscard]] JobForecast forecast(const ParameterValues&, const FinishedDraft&,
+                                       const std::filesystem::path&) const override;
 };
 
 }  // namespace vitrine::jobs

@@ -1,4 +1,5 @@
 #include "render/image/oiio/guarded.h"
+#include "render/image/oiio/pdf_rows.h"
 #include "render/image/oiio/read.h"
 #include "render/image/oiio/row_reader.h"
 #include "render/image/oiio/rows.h"
@@ -46,6 +47,10 @@ public:
     std::string openRows(const OiioRowTarget& target, std::unique_ptr<OiioRows>& out) noexcept override
     {
         return guarded([&] { return openRowsWithOiio(target, out); });
+    }
+    std::string openPdfRows(const OiioRowTarget& target, std::unique_ptr<OiioRows>& out) noexcept override
+    {
+        return guarded([&] { return openPdfRowsWithQpdf(target, out); });
     }
     std::string checkRows(const OiioRowTarget& target, const std::vector<WrittenRow>& rows) noexcept override
     {

@@ -38,6 +38,7 @@ std::string openRowReaderWithOiio(const std::string& path, std::unique_ptr<OiioR
     std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create("tiff");
     OIIO::ImageSpec config;
     config.attribute("oiio:UnassociatedAlpha", 1);
+    config.attribute("oiio:RawColor", 1);  // Inks stay inks; their profile knows their colors.
     OIIO::ImageSpec spec;
     if (!input || !input->open(path, spec, config))
         return "it is broken (" + (input ? input->geterror() : std::string()) + ")";
@@ -54,6 +55,7 @@ std::string openRowReaderWithOiio(const std::string& path, std::unique_ptr<OiioR
     reader->width = spec.width;
     reader->height = spec.height;
     reader->channels = spec.nchannels;
+    reader->isInks = spec.get_string_attribute("tiff:ColorSpace") == "CMYK";
     reader->bits = spec.format == OIIO::TypeDesc::UINT8 ? 8 : 16;
     if (const OIIO::ParamValue* profile = spec.find_attribute("ICCProfile"))
         reader->profile.assign(static_cast<const char*>(profile->data()),

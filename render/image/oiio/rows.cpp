@@ -61,10 +61,18 @@ std::string openRowsWithOiio(const OiioRowTarget& target, std::unique_ptr<OiioRo
 {
     std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("tiff");
     if (!output) return "this OpenImageIO cannot write TIFF";
-    OIIO::ImageSpec spec(target.width, target.height, 3, typeOf(target));
+    OIIO::ImageSpec spec(target.width, target.height, target.channels, typeOf(target));
+    if (target.channels == 4) {
+        spec.attribute("tiff:ColorSpace", "CMYK");
+        spec.channelnames = {"C", "M", "Y", "K"};
+        spec.alpha_channel = -1;
+    }
     spec.attribute("compression", target.compression);
     if (target.compression != "none") spec.attribute("tiff:predictor", 2);
-    spec.attribute("oiio:ColorSpace", "sRGB");
+    if (target.channels == 3)
+        spec.attribute("oiio:ColorSpace", "sRGB");
+    else
+        spec.attribute("Exif:ColorSpace", 0xFFFF);  // Not sRGB. Without an Exif tag, 2.4.7 cannot close the file.
     spec.attribute("XResolution", static_cast<float>(target.dpiX));
     spec.attribute("YResolution", static_cast<float>(target.dpiY));
     spec.attribute("ResolutionUnit", "in");
@@ -84,11 +92,12 @@ std::string checkRowsWithOiio(const OiioRowTarget& target, const std::vector<Wri
 {
     const Unlimited unlimited;
     const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create("tiff");
-    OIIO::ImageSpec spec;
-    if (!input || !input->open(target.path, spec)) {
+    OIIO::ImageSpec spec, config;
+    config.attribute("oiio:RawColor", 1);  // Inks stay inks.
+    if (!input || !input->open(target.path, spec, config)) {
         return "the written file cannot be opened (" + (input ? input->geterror() : std::string()) + ")";
     }
-    if (spec.width != target.width || spec.height != target.height || spec.nchannels != 3 ||
+    if (spec.width != target.width || spec.height != target.height || spec.nchannels != target.channels ||
         spec.format != typeOf(target)) {
         return "the written file has another size";
     }

@@ -1,9 +1,8 @@
 #include "render/video/ffmpeg/sound.h"
 
-#include "render/video/ffmpeg/owned.h"
+#include "render/video/ffmpeg/decoder.h"
 
 extern "C" {
-#include <libavutil/dict.h>
 #include <libavutil/samplefmt.h>
 }
 
@@ -14,32 +13,6 @@ extern "C" {
 
 namespace vitrine::render::ffmpeg {
 namespace {
-
-void readable(int result)
-{
-    if (result >= 0) return;
-    std::array<char, AV_ERROR_MAX_STRING_SIZE> why{};
-    av_strerror(result, why.data(), why.size());
-    throw Problem{std::string("it is broken (") + why.data() + ")"};
-}
-
-struct Close {
-    void operator()(AVFormatContext* opened) const { avformat_close_input(&opened); }
-};
-
-using Opened = std::unique_ptr<AVFormatContext, Close>;
-
-Opened opened(const std::string& path)
-{
-    AVDictionary* options = nullptr;
-    av_dict_set(&options, "protocol_whitelist", "file", 0);
-    av_dict_set(&options, "format_whitelist", "wav,flac", 0);
-    AVFormatContext* file = nullptr;
-    const int result = avformat_open_input(&file, ("file:" + path).c_str(), nullptr, &options);
-    av_dict_free(&options);
-    if (result < 0) throw Problem{"its format is not supported"};
-    return Opened(file);
-}
 
 template <typename T> double valueAt(const std::uint8_t* data, int index)
 {
@@ -65,43 +38,9 @@ float sampleAt(const AVFrame& frame, int channel, int channels, int index)
     }
 }
 
-/// Decoder of the first sound of a file.
-class Decoder {
+/// Collects the samples of a sound.
+class Samples {
 public:
-    explicit Decoder(AVFormatContext& file) : file_(file)
-    {
-        readable(avformat_find_stream_info(&file_, nullptr));
-        const AVCodec* codec = nullptr;
-        stream_ = av_find_best_stream(&file_, AVMEDIA_TYPE_AUDIO, -1, -1, &codec, 0);
-        if (stream_ < 0 || !codec) throw Problem{"it has no sound that this machine's FFmpeg can decode"};
-        codec_.reset(checked("making the decoder", avcodec_alloc_context3(codec)));
-        readable(avcodec_parameters_to_context(codec_.get(), file_.streams[stream_]->codecpar));
-        readable(avcodec_open2(codec_.get(), codec, nullptr));
-    }
-
-    Sound run()
-    {
-        const Owned<AVPacket> packet(checked("making a packet", av_packet_alloc()));
-        while (av_read_frame(&file_, packet.get()) >= 0) {
-            if (packet->stream_index == stream_) decode(packet.get());
-            av_packet_unref(packet.get());
-        }
-        decode(nullptr);
-        if (sound_.samples.empty()) throw Problem{"it has no samples"};
-        return std::move(sound_);
-    }
-
-private:
-    void decode(const AVPacket* packet)
-    {
-        readable(avcodec_send_packet(codec_.get(), packet));
-        for (;;) {
-            const int result = avcodec_receive_frame(codec_.get(), frame_.get());
-            if (result == AVERROR(EAGAIN) || result == AVERROR_EOF) return;
-            readable(result);
-            take(*frame_);
-        }
-    }
     void take(const AVFrame& frame)
     {
         const int channels = frame.ch_layout.nb_channels;
@@ -119,10 +58,13 @@ private:
             for (int c = 0; c < kept; ++c) sound_.samples.push_back(sampleAt(frame, c, channels, i));
     }
 
-    AVFormatContext& file_;
-    int stream_ = -1;
-    Owned<AVCodecContext> codec_;
-    Owned<AVFrame> frame_{checked("making a frame", av_frame_alloc())};
+    Sound taken()
+    {
+        if (sound_.samples.empty()) throw Problem{"it has no samples"};
+        return std::move(sound_);
+    }
+
+private:
     Sound sound_;
 };
 
@@ -130,8 +72,10 @@ private:
 
 Sound soundOf(const std::string& path)
 {
-    const Opened file = opened(path);
-    return Decoder(*file).run();
+    Decoder decoder(path, "wav,flac", AVMEDIA_TYPE_AUDIO, "it has no sound that this machine's FFmpeg can decode");
+    Samples samples;
+    while (const AVFrame* frame = decoder.next()) samples.take(*frame);
+    return samples.taken();
 }
 
 }  // namespace vitrine::render::ffmpeg

@@ -1,4 +1,6 @@
 #include "render/image/video_codec.h"
+#include "render/video/ffmpeg/frames.h"
+#include "render/video/ffmpeg/guarded.h"
 #include "render/video/ffmpeg/output.h"
 #include "render/video/ffmpeg/owned.h"
 #include "render/video/ffmpeg/sound.h"
@@ -161,18 +163,6 @@ public:
         });
     }
 
-    template <typename Work> static std::string guarded(const Work& work) noexcept
-    {
-        try {
-            work();
-            return {};
-        } catch (const Problem& problem) {
-            return problem.text;
-        } catch (const std::exception& error) {
-            return error.what();
-        }
-    }
-
 private:
     AVFilterContext* filterNode(const char* name, const char* instance, const std::string& arguments)
     {
@@ -300,11 +290,11 @@ public:
     std::string open(const VideoSpec& spec, const std::string& path, VideoOutput& output,
                      std::unique_ptr<VideoFrames>& out) noexcept override
     {
-        return Writer::guarded([&] { out = std::make_unique<Writer>(spec, path, output); });
+        return guarded([&] { out = std::make_unique<Writer>(spec, path, output); });
     }
     std::string readComment(const std::string& path, VideoFormat format, std::string& out) noexcept override
     {
-        return Writer::guarded([&] {
+        return guarded([&] {
             const char* name = format == VideoFormat::webm ? "matroska" : "mov";
             const AVInputFormat* demuxer = av_find_input_format(name);
             if (!demuxer) throw Problem{"this machine's FFmpeg cannot read the format"};
@@ -319,11 +309,19 @@ public:
     }
     std::string readStill(std::string_view bytes, bool isGif, StoredPicture& out) noexcept override
     {
-        return Writer::guarded([&] { out = stillPicture(bytes, isGif); });
+        return guarded([&] { out = stillPicture(bytes, isGif); });
     }
     std::string readSound(const std::string& path, Sound& out) noexcept override
     {
-        return Writer::guarded([&] { out = soundOf(path); });
+        return guarded([&] { out = soundOf(path); });
+    }
+    std::string countFrames(const std::string& path, std::size_t& out) noexcept override
+    {
+        return guarded([&] { out = framesOf(path); });
+    }
+    std::string openReader(const std::string& path, std::unique_ptr<VideoReader>& out) noexcept override
+    {
+        return guarded([&] { out = readerOf(path); });
     }
     [[nodiscard]] const char* libraryVersion() const noexcept override { return version_.c_str(); }
 

@@ -164,6 +164,22 @@ TEST_F(Serve, RendersTheBytesOfTheCommandLine)
     EXPECT_EQ(client_.call("render", params)["error"]["code"], -32602) << "PNG has no place for depth";
 }
 
+TEST_F(Serve, RendersAVisitorsShaderWithItsInputsAndEvents)
+{
+    const std::string shader = folder_ / "own.fs", wanted = folder_ / "wanted.png";
+    writeBytes(shader, "/*{\"INPUTS\": [{\"NAME\": \"gain\", \"TYPE\": \"float\", \"DEFAULT\": 0.5}, {\"NAME\": "
+                       "\"flash\", \"TYPE\": \"event\"}]}*/\n"
+                       "void main() { gl_FragColor = vec4(gain, flash ? 1.0 : 0.0, 0.0, 1.0); }\n");
+    const Ended ended = test::vitrine({"render", "your_shader", "--alone", "--size", "8x8", "--set", "file=" + shader,
+                                       "--set", "gain=0.25", "--set", "flashAt=0", "--out", wanted});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    const Json answer = client_.result("render", {{"exhibit", "your_shader"},
+                                                  {"alone", true},
+                                                  {"size", {8, 8}},
+                                                  {"set", {{"file", shader}, {"gain", 0.25}, {"flashAt", 0}}}});
+    EXPECT_EQ(decoded(answer["png"].get<std::string>()), test::bytesOf(wanted));
+}
+
 TEST_F(Serve, RecordsTheBytesOfTheCommandLineByTheSameOptions)
 {
     const std::string wanted = folder_ / "wanted.apng", out = folder_ / "out.apng";

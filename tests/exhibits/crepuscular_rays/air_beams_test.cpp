@@ -34,8 +34,7 @@ struct SlabShot : RayShot {
 TEST_F(Rays, OfTheVolumeAreTheClosedFormOfALitSlabForAnyNumberOfSteps)
 {
     SlabShot shot;
-    const dvec3 towardsSun = glm::normalize(dvec3(std::sin(-3 * degree) * std::cos(19 * degree), std::sin(19 * degree),
-                                                  -std::cos(-3 * degree) * std::cos(19 * degree)));
+    const dvec3& towardsSun = shotTowardsSun;
     const dvec3 sunLight = blackBodyColor(6500) * shot.hall()[hallTable().sunStrength];
     for (const int steps : {1, 2, 64}) {
         shot.rays().set(raysTable().volumeSteps, steps);
@@ -153,7 +152,7 @@ TEST_F(Rays, OfTheVolumeAreThoseOfAMapDrawnAnewHoweverTheMobileCameToTurn)
     // Another sun in between draws the whole map again.
     shot.hall().set(hallTable().sunAzimuth, 0.2);
     (void)shot.take();
-    shot.hall().resetParameter(hallTable().sunAzimuth.row);
+    shot.hall().set(hallTable().sunAzimuth, straightSunAzimuth);
     (void)shot.take();
     const render::Image anew = gallery().renderer.read("shadow.hall");
     EXPECT_EQ(test::largestDifference(stepped, anew), 0);
@@ -172,7 +171,7 @@ TEST_F(Rays, TheProbeIsTheSameHoweverTheMobileHungWhenItWasMade)
         shot.hall().set(hallTable().sunAzimuth, 0.2);  // Another sun in between makes the probe again.
         (void)shot.take();
         const render::Image elsewhere = gallery().renderer.read("probe.irradiance");
-        shot.hall().resetParameter(hallTable().sunAzimuth.row);
+        shot.hall().set(hallTable().sunAzimuth, straightSunAzimuth);
         (void)shot.take();
         const render::Image irradiance = gallery().renderer.read("probe.irradiance");
         EXPECT_GT(test::largestDifference(irradiance, elsewhere), 0);

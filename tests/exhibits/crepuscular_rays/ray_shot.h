@@ -10,6 +10,11 @@ namespace vitrine::test {
 
 class Rays : public GlTest {};
 
+/// Direction to the sun in a RayShot.
+inline const glm::dvec3 shotTowardsSun(std::sin(straightSunAzimuth) * std::cos(straightSunElevation),
+                                       std::sin(straightSunElevation),
+                                       -std::cos(straightSunAzimuth) * std::cos(straightSunElevation));
+
 /// Shot of the window from the middle of the hall, in linear light. White rays of strength 1; the exposure does not
 /// change them.
 struct RayShot : Shot {
@@ -21,6 +26,7 @@ struct RayShot : Shot {
         see({0.4, 1.65, -1}, {0.1, 3.8, -12});
         hall().set(hallTable().exposure, -std::log2(7.5));
         hall().set(hallTable().sunTemperature, 6500.0);
+        letTheSunIn(hall());
         rays().set(raysTable().technique, technique);
         rays().set(raysTable().weight, 1.0);
         rays().set(raysTable().tint, ColorValue{glm::dvec3(1)});

@@ -18,9 +18,7 @@ using glm::dvec2;
 using glm::dvec3;
 using namespace test;
 
-/// Direction to the sun at the hall's initial values.
-const dvec3 towardsSun(std::sin(-3 * degree) * std::cos(19 * degree), std::sin(19 * degree),
-                       -std::cos(-3 * degree) * std::cos(19 * degree));
+const dvec3& towardsSun = shotTowardsSun;
 
 /// Returns the largest difference of a white mask from `expected`, over all pixels counted from the lower left.
 double worstOf(const Picture& p, const dvec3& white, const std::function<double(const dvec2&)>& expected)

@@ -127,9 +127,7 @@ TEST_F(Rays, AreTheMeanThatFloat64Finds)
         shot.rays().set(raysTable().samples, 64);
         const Picture loop = shot.take();
         const Mask mask;
-        const dvec3 towardsSun(std::sin(-3 * degree) * std::cos(19 * degree), std::sin(19 * degree),
-                               -std::cos(-3 * degree) * std::cos(19 * degree));
-        const SunInPicture sun = sunInPicture(loop.view, towardsSun);
+        const SunInPicture sun = sunInPicture(loop.view, shotTowardsSun);
         ASSERT_TRUE(sun.inFront);
         if (sun.beyond > 0) {
             // If the light were clamped to the picture, every ray would bend: the central one by this much.

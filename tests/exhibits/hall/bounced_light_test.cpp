@@ -23,7 +23,7 @@ constexpr const char* bouncePasses[] = {"hall/bounced light in the air", "hall/b
 
 const SunTransfer& transfer()
 {
-    return test::building().sunTransfer();
+    return test::building().surfaces().lightmaps().sun;
 }
 
 Air airAt(double azimuth, double elevation)
@@ -106,7 +106,7 @@ TEST(BouncedLight, IsWithinATenthOfAPathTracer)
 /// Returns the mean of the sky's lightmap, for a sky of radiance 1, over a square of the reference.
 double skyOn(const render::Json& region)
 {
-    const render::Texture& map = *test::building().skyLightmap();
+    const render::Texture& map = *test::building().surfaces().lightmaps().sky;
     const auto channels = static_cast<std::size_t>(map.channels);
     double sum = 0;
     for (const render::Json& at : region.at("atlas")) {
@@ -114,7 +114,7 @@ double skyOn(const render::Json& region)
         const auto y = static_cast<std::size_t>(at[1].get<double>() * map.height);
         for (std::size_t c = 0; c < 3; ++c) {
             const double code = map.bytes[(y * static_cast<std::size_t>(map.width) + x) * channels + c] / 255.0;
-            sum += code * code * test::building().skyLightmapScale() / 3;
+            sum += code * code * test::building().surfaces().skyScale() / 3;
         }
     }
     return sum / static_cast<double>(region.at("atlas").size());

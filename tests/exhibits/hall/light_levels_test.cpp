@@ -37,7 +37,7 @@ TEST_F(LightLevels, TheMapOfBouncedLightIsThatOfFloat64)
     render::gl::Renderer renderer;
     (void)renderer.draw(plan);
     const render::Image map = renderer.read("light.bounced");
-    const SunTransfer& transfer = scene.model.sunTransfer();
+    const SunTransfer& transfer = scene.model.surfaces().lightmaps().sun;
     ASSERT_EQ(map.width, transfer.surfaces()->width);
     const test::Air air =
         test::airOf(transfer, transfer.at(shot.hall()[hallTable().sunAzimuth], shot.hall()[hallTable().sunElevation]));
@@ -188,8 +188,8 @@ constexpr Region regions[] = {
     {"right wall", 0.805, 0.19, 0.070, 0.09, 0.16, 0.25},
     {"pool of a picture light", 0.805, 0.306, 0.070, 0.139, 0.27, 0.45},
     {"far left wall", 0.305, 0.36, 0.047, 0.083, 0.16, 0.25},
-    {"wall of the window", 0.41, 0.36, 0.062, 0.16, 0.08, 0.16},
-    {"sunlit floor", 0.47, 0.811, 0.078, 0.055, 0.8, 0.93},
+    {"wall of the window", 0.60, 0.36, 0.05, 0.12, 0.08, 0.16},
+    {"sunlit floor", 0.325, 0.67, 0.04, 0.03, 0.48, 0.75},
 };
 /// From here on, an 8-bit display shows 250 or more.
 constexpr double nearlyWhite = 0.951;
@@ -283,17 +283,17 @@ TEST_F(LightLevels, OfTheFirstViewHaveContrastAndLeaveNothingWhite)
     EXPECT_GE(shown.deviation(), 33);
     EXPECT_LE(shown.middle(), 0.48);
     for (const std::string& wrong : shown.wrong) ADD_FAILURE() << wrong;
-    // Control: without a shoulder, the sunlit floor is white.
+    // Control: without a shoulder, more of the window is white, and the sunlit floor is too bright.
     shot.request.frame.averageIn = AverageIn::radiance;
     const Levels plain = levelsOf(shot.take(), plainSigmoid);
-    EXPECT_GT(plain.white, 0.01);
-    EXPECT_EQ(plain.wrong.size(), 1U);
+    EXPECT_GT(plain.white, 0.006);
+    EXPECT_GE(plain.wrong.size(), 1U);
 }
 
 TEST_F(LightLevels, AreNotVeiledByDustInTheBeam)
 {
     // From the window, along the sunlight: all of the hall is seen through the lit dust.
-    const Levels shown = levelsOf(displayed({{0, 1.65, -10.5}, {0, 1.9, 10}}).take(), asShown);
+    const Levels shown = levelsOf(displayed({{0, 1.65, -10.5}, {-4.7, 1.9, 10}}).take(), asShown);
     EXPECT_GE(shown.deviation(), 28);
     EXPECT_LE(shown.below(0.01), 70);
 }

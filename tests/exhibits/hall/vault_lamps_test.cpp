@@ -54,12 +54,12 @@ std::vector<LampSquare> lampSquares()
 /// Returns the mean of the lightmap's alpha over the square, as shaders read it.
 double lampsOnLightmap(const LampSquare& square)
 {
-    const render::Texture& map = *test::building().skyLightmap();
+    const render::Texture& map = *test::building().surfaces().lightmaps().sky;
     double sum = 0;
     for (const glm::dvec2& at : square.atlas) {
         const glm::ivec2 texel(at * glm::dvec2(map.width, map.height));
         const double code = map.bytes[static_cast<std::size_t>(4 * (texel.y * map.width + texel.x) + 3)] / 255.0;
-        sum += code * code * test::building().lampLight().surfaceScale();
+        sum += code * code * test::building().surfaces().lightmaps().lamps.surfaceScale();
     }
     return sum / static_cast<double>(square.atlas.size());
 }
@@ -67,7 +67,7 @@ double lampsOnLightmap(const LampSquare& square)
 /// Returns the same for the air in front of the square.
 double lampsInAir(const LampSquare& square)
 {
-    const LampLight& lamps = test::building().lampLight();
+    const LampLight& lamps = test::building().surfaces().lightmaps().lamps;
     test::Air air(lamps.air()->bytes.size());
     for (std::size_t i = 0; i < air.size(); ++i) {
         const double code = lamps.air()->bytes[i] / 255.0;
@@ -75,13 +75,13 @@ double lampsInAir(const LampSquare& square)
     }
     double sum = 0;
     for (const glm::dvec3& place : square.places)
-        sum += test::airOn(test::building().sunTransfer(), air, place, square.normal);
+        sum += test::airOn(test::building().surfaces().lightmaps().sun, air, place, square.normal);
     return sum / static_cast<double>(square.places.size());
 }
 
 TEST(VaultLamps, LightTheHallAsAPathTracerSays)
 {
-    ASSERT_EQ(test::building().skyLightmap()->channels, 4);
+    ASSERT_EQ(test::building().surfaces().lightmaps().sky->channels, 4);
     double mean = 0;
     const std::vector<LampSquare> squares = lampSquares();
     ASSERT_EQ(squares.size(), 8U);

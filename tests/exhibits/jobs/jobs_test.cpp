@@ -5,6 +5,8 @@
 #include "exhibits/framework/table/random_values.h"
 #include "exhibits/framework/table/value_text.h"
 #include "exhibits/jobs.h"
+#include "exhibits/jobs/comparison/comparison_job.h"
+#include "exhibits/jobs/comparison/comparison_table.h"
 #include "exhibits/jobs/kit/command_line.h"
 #include "exhibits/jobs/kit/given_values.h"
 #include "exhibits/jobs/kit/job_document.h"
@@ -23,6 +25,7 @@
 #include <filesystem>
 #include <future>
 #include <set>
+#include <sstream>
 
 namespace vitrine {
 namespace {
@@ -103,11 +106,13 @@ TEST(EveryJob, HasAnOptionAKeyAndAHelpTextForEachParameter)
 {
     for (const Job* job : everyJob()) {
         std::set<std::string> names{"--out", "--like", "--dry-run", "--json", "--preset", "--help", "--language"};
-        if (job->needs().hasScene()) names.insert("--set");
+        if (job->needs().hasScene() && !job->needs().twoSettings) names.insert("--set");
         if (job->needs().choosesSubject()) names.insert(job->needs().sceneByOption ? "--exhibit" : "exhibit");
         if (job->needs().anyScene)
             names.insert({"--settings-only", "--animate", "--time", "--seed", "--eye", "--target", "--fov", "--scale",
                           "--rotate", "--alone", "--transparent", "--environment", "--model"});
+        if (job->needs().twoSettings)
+            names.insert({"a", "b", "--exhibit", "--time", "--seed", "--eye", "--target", "--fov"});
         // A parameter takes the place of an option of the scene.
         for (const JobOption& option : optionsOf(job->parameters()))
             if (job->needs().anyScene && option.name == "--transparent") names.erase(option.name);
@@ -134,6 +139,37 @@ TEST(EveryJob, HasAnOptionAKeyAndAHelpTextForEachParameter)
         EXPECT_EQ(findJob(job->name()), job == &contact ? nullptr : job);
     }
     EXPECT_EQ(findJob("nothing"), nullptr);
+}
+
+/// Returns what is hard to read in a label; empty: nothing.
+std::string unclearWord(const std::string& label)
+{
+    // Units and abbreviations as a name without spaces has them, and words that say nothing alone.
+    static const std::set<std::string> shortened{"kb",  "mb",  "gb",  "px",  "mm",  "cm",  "um",  "ms",  "hz",  "dpi",
+                                                 "lpi", "fps", "deg", "num", "max", "min", "res", "pos", "dir", "idx"};
+    static const std::set<std::string> alone{"set", "with", "find", "every", "alone", "use", "as",
+                                             "at",  "by",   "from", "to",    "of",    "for", "godot"};
+    std::istringstream words(label);
+    std::string all;
+    for (std::string word; words >> word;) {
+        if (shortened.contains(word)) return word;
+        word.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(word.front())));
+        if (all.empty() && shortened.contains(word)) return word;
+        all += (all.empty() ? "" : " ") + word;
+    }
+    return alone.contains(all) ? all : std::string();
+}
+
+TEST(EveryJob, HasLabelsOfPlainWords)
+{
+    for (const Job* job : everyJob())
+        for (const ParameterInfo& parameter : job->parameters().rows())
+            EXPECT_EQ(unclearWord(label(parameter)), "") << job->name() << ": " << label(parameter);
+    // Control: such labels are found.
+    EXPECT_EQ(unclearWord("Memory mb"), "mb");
+    EXPECT_EQ(unclearWord("Set"), "set");
+    EXPECT_EQ(unclearWord("Dpi"), "dpi");
+    EXPECT_EQ(unclearWord("Memory limit in MB"), "");
 }
 
 TEST(EveryJob, ReadsRandomValuesBackFromItsCommandLine)
@@ -477,11 +513,9 @@ TEST(RecordJob, TellsFramesAndWhatCannotBeBeforeItStarts)
     const auto planned = [&](const std::vector<std::string>& words, const std::string& out = {}) {
         return job.plan(typedValues(job, words), order.scene, *order.inputs, out);
     };
-    // 2.5 s at 12 frames a second, of 40 x 20 pixels with 3 bytes.
     const JobPlan plan = planned({"--seconds=2.5", "--fps=12", "--size=40x20"});
     EXPECT_EQ(plan.refusal, "");
-    EXPECT_EQ(plan.facts,
-              (std::vector<Fact>{{"Frames", 30.0}, {"Frame size", "40 × 20", "px"}, {"Uncompressed", 0.072, "MB"}}));
+    EXPECT_EQ(plan.facts, (std::vector<Fact>{{"Frames", 30.0}, {"Frame size", "40 × 20", "px"}}));
     EXPECT_TRUE(plan.files.empty());
     const auto refused = [&](const std::vector<std::string>& words, const std::string& out, const std::string& part) {
         EXPECT_PRED_FORMAT2(testing::IsSubstring, part.c_str(), planned(words, out).refusal);
@@ -494,6 +528,47 @@ TEST(RecordJob, TellsFramesAndWhatCannotBeBeforeItStarts)
     refused({"--path=bookmarks"}, "", "A tour needs the hall");
     EXPECT_PRED_FORMAT2(testing::IsSubstring, "the frames so far are whole", planned({}, "f/%02d.png").ifStopped);
     EXPECT_EQ(planned({}, "a.mp4").ifStopped, "Stopped; nothing was written.");
+}
+
+TEST(RecordJob, PreviewsFramesAlongItsPathAndJudgesTheSizeOfItsFile)
+{
+    const Job& job = *findJob("record");
+    const SmallOrders small;
+    JobOrder order = small.of(job).value();
+    order.values = typedValues(job, {"--turn=360", "--seconds=1", "--fps=8", "--size=480x270", "--samples=1"});
+    const ParameterValues whole = order.values;
+    order.values = job.draft(whole, *order.inputs);
+    const ParameterValues drawn = order.values;
+    const auto run = job.start(std::move(order));
+    int draws = 0;
+    for (; run->next() != JobRun::Next::done; run->step([](double) { return true; }))
+        draws += run->next() == JobRun::Next::draw ? 1 : 0;
+    EXPECT_EQ(draws, 8);  // Six frames, and the one after two of them.
+    // Two columns and three rows of 240 x 136 pixels, 2 apart.
+    const render::Image picture = run->previewPicture();
+    EXPECT_EQ(glm::ivec2(picture.width, picture.height), glm::ivec2(2 * 240 + 2, 3 * 136 + 4));
+    const auto isAlike = [&](int frame, int other) {
+        for (int y = 0; y < 136; ++y)
+            for (int x = 0; x < 240; ++x)
+                for (int c = 0; c < 3; ++c)
+                    if (picture.at(frame % 2 * 242 + x, frame / 2 * 138 + y, c) !=
+                        picture.at(other % 2 * 242 + x, other / 2 * 138 + y, c))
+                        return false;
+        return true;
+    };
+    for (int i = 1; i < 6; ++i) EXPECT_FALSE(isAlike(0, i)) << i;  // The camera turns.
+    const auto megabytes = [&](const char* out) {
+        const JobForecast forecast = job.forecast(whole, {drawn, *run, 1}, out);
+        if (forecast.facts.size() != 1) return -1.0;
+        EXPECT_EQ(forecast.facts[0].label, "File about");
+        return std::get<double>(forecast.facts[0].value) * (forecast.facts[0].unit == "kB" ? 1e-3 : 1);
+    };
+    // Less than without compression, and more than nothing.
+    for (const char* out : {"a.mp4", "a.webm", "a.gif", "a.webp", "a.apng", "f/%04d.png"}) {
+        EXPECT_GT(megabytes(out), 0.001) << out;
+        EXPECT_LT(megabytes(out), 8 * 480 * 270 * 3 / 1e6) << out;
+    }
+    EXPECT_EQ(megabytes("a.avi"), -1);
 }
 
 TEST(RecordJob, UsesTheCameraWhereItTurnsOrStays)
@@ -545,6 +620,57 @@ TEST(JobDocument, OfAnySceneHoldsWhatIsShownAndHow)
     EXPECT_EQ(*read.taken->camera, order.scene.frame.camera);
     EXPECT_EQ(read.scene.values, order.scene.state.values);
     EXPECT_TRUE(read.notes.empty());
+}
+
+TEST(ComparisonJob, PlansTwoSettingsOrSaysWhatIsMissing)
+{
+    const Museum museum{allExhibits()};
+    const ComparisonJob job;
+    ParameterValues values(job.parameters());
+    JobScene scene{&museum, museum.initialSceneState(), museum.find("sdf_morph").value(), {}};
+    const auto planned = [&] { return job.plan(values, scene, *job.read(values), "out"); };
+    const auto refusedWith = [&](const char* part) {
+        EXPECT_PRED_FORMAT2(testing::IsSubstring, part, planned().refusal);
+    };
+    refusedWith("no settings B");
+    values.set(comparisonTable().with, std::string("mesh"));
+    EXPECT_EQ(planned().refusal, "");
+    EXPECT_EQ(planned().facts.back(), (Fact{"Parameters that differ", 1.0}));
+    EXPECT_EQ(planned().offers.at("with"), (std::vector<std::string>{"", "mesh", "field", "cost"}));
+    EXPECT_EQ(planned().files.front().path, "out");
+    scene.other = OtherSettings{scene.state, "B"};
+    refusedWith("not both");
+    values.set(comparisonTable().with, std::string());
+    EXPECT_EQ(planned().facts.back(), (Fact{"Parameters that differ", 0.0}));
+    scene.other.reset();
+    values.set(comparisonTable().with, std::string("soup"));
+    refusedWith("mesh, field, cost");
+    scene.subject = hallIndex;
+    refusedWith("--exhibit");
+}
+
+TEST(ComparisonJob, KeepsBothSettingsInItsDocument)
+{
+    const Museum museum{allExhibits()};
+    const ComparisonJob job;
+    const std::size_t shown = museum.find("sdf_morph").value();
+    const std::size_t morph = museum.subject(shown).parameters().find("morph").value();
+    JobOrder order{ParameterValues(job.parameters()), {&museum, museum.initialSceneState(), shown, {}}};
+    order.scene.name = "soft.json";
+    order.scene.frame.time = 2;
+    order.scene.state.values[shown].setParameter(morph, 0.25);
+    order.scene.other = OtherSettings{museum.initialSceneState(), "hard.json"};
+    order.scene.other->state.values[shown].setParameter(morph, 0.75);
+    const JobDocument read = parseDocument(documentText(job, order, {}), "a.json", job, &museum);
+    EXPECT_EQ(read.values, order.values);
+    EXPECT_EQ(read.scene.values, order.scene.state.values);
+    EXPECT_EQ(read.chosen, "sdf_morph");
+    EXPECT_EQ(read.name, "soft.json");
+    ASSERT_TRUE(read.taken);
+    EXPECT_EQ(read.taken->time, 2);
+    ASSERT_TRUE(read.other);
+    EXPECT_EQ(read.other->name, "hard.json");
+    EXPECT_EQ(read.other->state.values, order.scene.other->state.values);
 }
 
 TEST(JobRun, StopsWhereItsWatchSaysSo)

@@ -117,6 +117,7 @@ TEST_F(FrameReports, AnEffectThatIsOffHasNoPassNoProgramAndNoTexture)
         SCOPED_TRACE(std::string(s.exhibit) + '.' + s.row);
         const std::size_t exhibit = *gallery().museum.find(s.exhibit);
         Shot on = shotOf(exhibit == hallIndex && s.alone ? *gallery().museum.find("sdf_morph") : exhibit, s.alone);
+        test::letTheSunIn(on.sceneState.hall());
         const std::size_t row = *on.sceneState.values[exhibit].table().find(s.row);
         Shot off = on;
         on.sceneState.values[exhibit].setParameter(row, s.on);

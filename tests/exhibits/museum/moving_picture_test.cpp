@@ -204,6 +204,8 @@ render::Camera turned(const render::Camera& camera, double pixels, int rows)
 
 class TurnedByAPixel : public GlTest {
 protected:
+    static constexpr double mostOfAnExhibit = 2;  ///< Percent of the pixels.
+
     /// Returns the percentage of pixels in the middle third that differ by more than 16 levels from the frame one pixel
     /// before, shifted back.
     double shareThatDiffers(const char* subject, bool antialiasing)
@@ -247,15 +249,21 @@ TEST_F(TurnedByAPixel, TheHallStandsStill)
     EXPECT_GT(shareThatDiffers("hall", false), 1.5 * share) << "the control: single frames";
 }
 
-TEST_F(TurnedByAPixel, ExhibitsStandStill)
+TEST_F(TurnedByAPixel, TheFurStandsStill)
 {
-    const Museum& museum = gallery().museum;
-    for (std::size_t i = 0; i < museum.exhibits().size(); ++i) {
-        const std::string subject(museum.exhibits()[i].exhibit.name());
-        const double share = shareThatDiffers(subject.c_str(), true);
-        EXPECT_LE(share, 2) << subject;
+    EXPECT_LE(shareThatDiffers("fur", true), mostOfAnExhibit);
+    EXPECT_GT(shareThatDiffers("fur", false), mostOfAnExhibit) << "the control: single frames";
+}
+
+/// Takes a minute and more; the fur, which has the finest details, is also in the short suite.
+class EveryExhibitTurnedByAPixel : public TurnedByAPixel {};
+
+TEST_F(EveryExhibitTurnedByAPixel, StandsStill)
+{
+    for (const MuseumExhibit& each : gallery().museum.exhibits()) {
+        const std::string subject(each.exhibit.name());
+        EXPECT_LE(shareThatDiffers(subject.c_str(), true), mostOfAnExhibit) << subject;
     }
-    EXPECT_GT(shareThatDiffers("fur", false), 2) << "the control: single frames";
 }
 
 }  // namespace

@@ -119,6 +119,8 @@ LightAt inTheHall(const std::string& file, int squares)
     shot.request.frame.subject.reset();
     shot.request.frame.time = 0;
     ParameterValues& hall = shot.hall();
+    letTheSunIn(hall);
+    hall.set(hallTable().sunTemperature, 4700.0);  // Has less color than the initial one.
     for (const Toggle* off : {&hallTable().sunShadows, &hallTable().reflectionProbe, &hallTable().contactShadows})
         hall.set(*off, false);
     const OwnObjectParameters& rows = hallTable().objects.front();
@@ -131,7 +133,7 @@ LightAt inTheHall(const std::string& file, int squares)
     hall.set(rows.modelAlong, 2.0);
     hall.set(rows.modelRotation, 0.0);
     const auto prepared = gallery().museum.prepare(shot.sceneState, shot.request.frame);
-    const render::Box box = gallery().museum.ownObjects(prepared).front().box;
+    const render::Box box = gallery().museum.surroundings().ownObjects(prepared).front().box;
     const test::Picture picture = shot.take();
     const double scale = (box.high.x - box.low.x) / squares;
     return [=](const glm::dvec3& place) {

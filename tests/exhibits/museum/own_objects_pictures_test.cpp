@@ -36,7 +36,7 @@ TEST_F(OwnObjectsPictures, EachStandsAtItsPlaceAndTakingOneAwayChangesItsPixelsA
     }
     const Picture all = shot.take();
     const auto prepared = gallery().museum.prepare(shot.sceneState, shot.request.frame);
-    const std::vector<OwnObjectShown> objects = gallery().museum.ownObjects(prepared);
+    const std::vector<OwnObjectShown> objects = gallery().museum.surroundings().ownObjects(prepared);
     ASSERT_EQ(objects.size(), mostOwnObjects);
     for (const OwnObjectShown& one : objects) {
         SCOPED_TRACE(one.which);

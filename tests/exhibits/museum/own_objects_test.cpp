@@ -43,7 +43,7 @@ Scene withBears(std::initializer_list<std::size_t> places)
 /// Returns the center of the lowest side of the only object.
 dvec3 foot(const Scene& scene)
 {
-    const auto all = museum().ownObjects(museum().prepare(scene.sceneState, scene.request));
+    const auto all = museum().surroundings().ownObjects(museum().prepare(scene.sceneState, scene.request));
     if (all.size() != 1) return dvec3(NAN);
     const render::Box& box = all.front().box;
     return {box.center().x, box.low.y, box.center().z};
@@ -51,7 +51,7 @@ dvec3 foot(const Scene& scene)
 
 std::optional<Pointed> pointedIn(const Scene& scene)
 {
-    return museum().pick(museum().prepare(scene.sceneState, scene.request), scene.request, {0, 0});
+    return museum().surroundings().pick(museum().prepare(scene.sceneState, scene.request), scene.request, {0, 0});
 }
 
 TEST(OwnObjects, EmptyPlacesCostNothingAndAreSaidToBeEmpty)
@@ -79,7 +79,7 @@ TEST(OwnObjects, StandAtFourPlacesAndEachIsPickedAndVisitedByItself)
     for (std::size_t which = 0; which < mostOwnObjects; ++which)
         EXPECT_EQ(reasonFor(plan, passes.at(which)), "it ran") << which;
     const auto prepared = museum().prepare(scene.sceneState, scene.request);
-    const std::vector<OwnObjectShown> all = museum().ownObjects(prepared);
+    const std::vector<OwnObjectShown> all = museum().surroundings().ownObjects(prepared);
     ASSERT_EQ(all.size(), mostOwnObjects);
     for (const OwnObjectShown& one : all) {
         SCOPED_TRACE(one.which);
@@ -133,16 +133,17 @@ TEST(OwnObjects, AndTheirPlinthsStopTheVisitor)
 {
     Scene scene = withBears({1, 2});
     const auto prepared = museum().prepare(scene.sceneState, scene.request);
-    for (const OwnObjectShown& one : museum().ownObjects(prepared)) {
+    for (const OwnObjectShown& one : museum().surroundings().ownObjects(prepared)) {
         const dvec3 middle = one.box.center();
         const dvec3 from(middle.x, 1.65, middle.z + 1.6), to(middle.x, 1.65, middle.z);
-        EXPECT_LT(glm::distance(museum().walk(from, to), to), 1e-9) << "the bare hall stops one here";
-        EXPECT_GT(museum().walk(prepared, from, to).z, middle.z + 0.3);
+        EXPECT_LT(glm::distance(museum().surroundings().walk(from, to), to), 1e-9) << "the bare hall stops one here";
+        EXPECT_GT(museum().surroundings().walk(prepared, from, to).z, middle.z + 0.3);
     }
     // The hall without objects is unchanged.
     const Scene none = withBears({});
     const dvec3 from(-4.9, 1.65, -1.9), to(-4.9, 1.65, -3.5);
-    EXPECT_EQ(museum().walk(museum().prepare(none.sceneState, none.request), from, to), museum().walk(from, to));
+    EXPECT_EQ(museum().surroundings().walk(museum().prepare(none.sceneState, none.request), from, to),
+              museum().surroundings().walk(from, to));
 }
 
 TEST(OwnObjects, ABadFileLeavesTheOthersAsTheyAreAndIsNamedOnce)

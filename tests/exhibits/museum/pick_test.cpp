@@ -25,14 +25,14 @@ void expectWhatIsDrawn(Shot& shot, const char* where)
         if ((x + y) % 3 != 0) return;  // One query takes a millisecond.
         const glm::dvec2 ndc((x + 0.5) / p.width() * 2 - 1, 1 - (y + 0.5) / p.height() * 2);
         ++compared;
-        const auto found = gallery().museum.pick(prepared, shot.request.frame, ndc);
+        const auto found = gallery().museum.surroundings().pick(prepared, shot.request.frame, ndc);
         if (!p.hit(x, y)) {
             // The sky is visible through the window; picking its panes is correct.
             wrong += found && found->exhibit != panes;
             return;
         }
         const double cosine = glm::dot(glm::normalize(p.view.direction(ndc)), forward);
-        const double distance = gallery().museum.distanceTo(prepared, shot.request.frame, ndc) * cosine;
+        const double distance = gallery().museum.surroundings().distanceTo(prepared, shot.request.frame, ndc) * cosine;
         const double beyond = p.depth(x, y) - distance;
         if (found && found->exhibit == panes && beyond > 0) return;
         // A coat is picked as a whole; the drawn depth is somewhere between its hairs.
@@ -74,7 +74,7 @@ TEST_F(PickTest, AnExhibitCutOutOfTheHallIsTheExhibitInTheHallsLight)
         const glm::dvec2 ndc((x + 0.5) / cut.width() * 2 - 1, 1 - (y + 0.5) / cut.height() * 2);
         EXPECT_EQ(cut.alpha(x, y), cut.hit(x, y) ? 1 : 0);
         EXPECT_EQ(whole.alpha(x, y), 1);
-        const auto found = gallery().museum.pick(prepared, shot.request.frame, ndc);
+        const auto found = gallery().museum.surroundings().pick(prepared, shot.request.frame, ndc);
         const bool pointed = found && found->exhibit == shot.exhibit && !found->button;
         inside += pointed && cut.hit(x, y);
         outside += !pointed && !cut.hit(x, y);

@@ -202,8 +202,8 @@ TEST(Planning, OpensNoFile)
         for (const auto& [name, scene] : scenes) {
             found.emplace(name, wholeText(own.plan(prepared.at(name), scene.request)));
             (void)own.nextChange(prepared.at(name), scene.request);
-            (void)own.pick(prepared.at(name), scene.request, {0.1, -0.1});
-            (void)own.lookedAt(prepared.at(name));
+            (void)own.surroundings().pick(prepared.at(name), scene.request, {0.1, -0.1});
+            (void)own.surroundings().lookedAt(prepared.at(name));
         }
         control = own.prepare(unread.sceneState, unread.request).unreadableFiles();
     }

@@ -58,7 +58,8 @@ TEST(Walk, NeverEndsInsideAnythingHoweverOneWalks)
     for (int i = 0; i < 20000; ++i) {
         const double stride = i % 10 == 0 ? random.number(1, 30) : random.number(0, 0.5);
         const double angle = random.number(0, 6.283185307);
-        const dvec3 next = test::museum().walk(eye, eye + stride * dvec3(std::cos(angle), 0, std::sin(angle)));
+        const dvec3 next =
+            test::museum().surroundings().walk(eye, eye + stride * dvec3(std::cos(angle), 0, std::sin(angle)));
         ASSERT_LE(worstOverlap(next), 1e-5)
             << i << ": from " << eye.x << ',' << eye.z << " to " << next.x << ',' << next.z;
         ASSERT_TRUE(inHall(next)) << next.x << ',' << next.z;
@@ -71,14 +72,16 @@ TEST(Walk, NeverEndsInsideAnythingHoweverOneWalks)
 TEST(Walk, StopsAtAWallAndSlidesAlongIt)
 {
     const dvec3 from(-4.9, eyeHeight, -1.9);
-    const dvec3 straight = test::museum().walk(from, {-9, eyeHeight, -1.9});
+    const dvec3 straight = test::museum().surroundings().walk(from, {-9, eyeHeight, -1.9});
     EXPECT_GT(straight.x, -6.1 + visitorRadius - 0.2);
     EXPECT_LT(straight.x, -5.5);
-    const dvec3 slanted = test::museum().walk(from, {-9, eyeHeight, -0.9});
+    const dvec3 slanted = test::museum().surroundings().walk(from, {-9, eyeHeight, -0.9});
     EXPECT_NEAR(slanted.z, -0.9, 0.02);  // The part of the motion along the wall continues.
     EXPECT_GT(slanted.x, -6.1 + visitorRadius - 0.2);
     // Control: without obstacles, the visitor arrives.
-    EXPECT_LT(glm::length(test::museum().walk(from, {-4.9, eyeHeight, -1.2}) - dvec3(-4.9, eyeHeight, -1.2)), 1e-9);
+    EXPECT_LT(
+        glm::length(test::museum().surroundings().walk(from, {-4.9, eyeHeight, -1.2}) - dvec3(-4.9, eyeHeight, -1.2)),
+        1e-9);
 }
 
 TEST(Walk, NoStrideIsLongEnoughToLeaveTheHouse)
@@ -86,8 +89,8 @@ TEST(Walk, NoStrideIsLongEnoughToLeaveTheHouse)
     for (const double far : {20.0, 90.0, 1e4, 1e9})
         for (int i = 0; i < 64; ++i) {
             const double angle = i * 0.0981747704;
-            const dvec3 end = test::museum().walk({0, eyeHeight, 6}, dvec3(std::cos(angle), 0, std::sin(angle)) * far +
-                                                                         dvec3(0, eyeHeight, 6));
+            const dvec3 end = test::museum().surroundings().walk(
+                {0, eyeHeight, 6}, dvec3(std::cos(angle), 0, std::sin(angle)) * far + dvec3(0, eyeHeight, 6));
             EXPECT_TRUE(inHall(end)) << far << " m at " << angle << " ends at " << end.x << ',' << end.z;
         }
 }
@@ -99,7 +102,7 @@ TEST(Walk, AStepIntoNowhereKeepsThePlace)
     const dvec3 from(0, eyeHeight, 6);
     for (const dvec3 to :
          {dvec3(nan, eyeHeight, 6), dvec3(0, nan, 6), dvec3(0, eyeHeight, infinity), dvec3(-infinity, eyeHeight, nan)})
-        EXPECT_EQ(test::museum().walk(from, to), from);
+        EXPECT_EQ(test::museum().surroundings().walk(from, to), from);
 }
 
 TEST(Walk, EveryPlaceCanBeReachedOnFoot)
@@ -119,7 +122,7 @@ TEST(Walk, EveryPlaceCanBeReachedOnFoot)
             const dvec3 p(place.worldFromPlace[3]);
             double distance = std::hypot(p.x - at(cell).x, p.z - at(cell).z);
             if (distance < 3) {  // From the last cell the visitor goes as near as possible.
-                const dvec3 end = test::museum().walk(at(cell), {p.x, eyeHeight, p.z});
+                const dvec3 end = test::museum().surroundings().walk(at(cell), {p.x, eyeHeight, p.z});
                 distance = std::hypot(p.x - end.x, p.z - end.z);
             }
             const auto found = nearest.emplace(number, distance).first;
@@ -128,7 +131,7 @@ TEST(Walk, EveryPlaceCanBeReachedOnFoot)
         for (const auto& [dx, dz] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
             const std::pair<int, int> next{cell.first + dx, cell.second + dz};
             if (seen[next]) continue;
-            if (glm::length(test::museum().walk(at(cell), at(next)) - at(next)) > 1e-6) continue;
+            if (glm::length(test::museum().surroundings().walk(at(cell), at(next)) - at(next)) > 1e-6) continue;
             seen[next] = true;
             open.push_back(next);
         }
@@ -194,7 +197,7 @@ std::optional<LookedAt> lookFrom(const dvec3& eye, const dvec3& target)
     sceneState.camera.target = target;
     FrameRequest request;
     request.camera = sceneState.camera;
-    return test::museum().lookedAt(test::museum().prepare(sceneState, request));
+    return test::museum().surroundings().lookedAt(test::museum().prepare(sceneState, request));
 }
 
 TEST(LookedAt, TheButtonAnswersWithinTwoMetersOnly)
@@ -242,7 +245,8 @@ TEST(LookedAt, NoButtonAnswersThroughItsPlinth)
 
 std::optional<Pointed> pointed(const Scene& scene, glm::dvec2 ndc = {0, 0})
 {
-    return test::museum().pick(test::museum().prepare(scene.sceneState, scene.request), scene.request, ndc);
+    return test::museum().surroundings().pick(test::museum().prepare(scene.sceneState, scene.request), scene.request,
+                                              ndc);
 }
 
 TEST(Pick, FindsTheExhibitUnderThePointer)

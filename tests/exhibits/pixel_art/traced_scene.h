@@ -35,10 +35,15 @@ inline void meetSphere(std::optional<TracedHit>& best, const glm::dvec3& o, cons
     nearer(best, t, v + t * d);
 }
 
-/// Intersects a box of half size `half` around `c`, rotated by `turn` about y and `tilt` about x.
-inline void meetBox(std::optional<TracedHit>& best, const glm::dvec3& o, const glm::dvec3& d, const glm::dvec3& c,
-                    const glm::dvec3& half, double turn, double tilt = 0)
+/// Box that is rotated by `turn` about y and `tilt` about x, in radians.
+struct TracedBox {
+    glm::dvec3 center, half;  ///< `half` is half its size.
+    double turn = 0, tilt = 0;
+};
+
+inline void meetBox(std::optional<TracedHit>& best, const glm::dvec3& o, const glm::dvec3& d, const TracedBox& box)
 {
+    const auto& [c, half, turn, tilt] = box;
     const double cy = std::cos(turn), sy = std::sin(turn), cx = std::cos(tilt), sx = std::sin(tilt);
     const glm::dmat3 m = glm::dmat3(cy, 0, -sy, 0, 1, 0, sy, 0, cy) * glm::dmat3(1, 0, 0, 0, cx, sx, 0, -sx, cx);
     const glm::dvec3 lo = (o - c) * m, ld = d * m;
@@ -69,7 +74,7 @@ inline std::optional<TracedHit> solids(const glm::dvec3& o, const glm::dvec3& d)
     meetFloor(best, o, d);
     for (int i = 0; i < 5; ++i) {
         meetSphere(best, o, d, {-3.2 + 1.7 * i, 0.8 + 0.1 * i, 1.5 - 0.9 * i}, 0.55 + 0.12 * i);
-        meetBox(best, o, d, {3.1 - 1.6 * i, 0.7, 2.6 - 0.5 * i}, {0.4, 0.7 + 0.1 * i, 0.3}, 0.5 * i + 0.2, 0.15 * i);
+        meetBox(best, o, d, {{3.1 - 1.6 * i, 0.7, 2.6 - 0.5 * i}, {0.4, 0.7 + 0.1 * i, 0.3}, 0.5 * i + 0.2, 0.15 * i});
     }
     return best;
 }
@@ -82,8 +87,8 @@ inline std::optional<TracedHit> bars(const glm::dvec3& o, const glm::dvec3& d)
     constexpr double texel = 9.8 / 135;
     for (int i = 0; i < 12; ++i) {
         const double thick = 0.5 * texel * (1 + 0.5 * (i % 3));
-        meetBox(best, o, d, {-4.4 + 0.8 * i, 1.3, 4.4 - 0.8 * i}, {thick, 1.3, thick}, 0.2 * i);
-        meetBox(best, o, d, {-4 + 0.75 * i, 0.8 + 0.1 * i, 3 - 0.75 * i}, {thick, 1.2, thick}, 0.3 * i, 0.9);
+        meetBox(best, o, d, {{-4.4 + 0.8 * i, 1.3, 4.4 - 0.8 * i}, {thick, 1.3, thick}, 0.2 * i});
+        meetBox(best, o, d, {{-4 + 0.75 * i, 0.8 + 0.1 * i, 3 - 0.75 * i}, {thick, 1.2, thick}, 0.3 * i, 0.9});
     }
     return best;
 }

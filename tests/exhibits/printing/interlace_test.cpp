@@ -1,5 +1,6 @@
 #include "tests/exhibits/printing/samples.h"
 
+#include "exhibits/printing/print_numbers.h"
 #include "exhibits/printing/view_weights.h"
 #include "render/failure.h"
 

@@ -1,8 +1,8 @@
 // Prints that are larger than memory: views in a scratch file, rasters that are never stored, files read by rows.
 
 #include "exhibits/printing/print_file.h"
-#include "exhibits/printing/print_raster.h"
 #include "exhibits/printing/proof.h"
+#include "exhibits/printing/read_print.h"
 #include "render/files/scratch_file.h"
 #include "render/image/image_io.h"
 #include "tests/exhibits/printing/samples.h"

@@ -1,11 +1,14 @@
 #include "exhibits/printing/print_views.h"
 #include "render/failure.h"
 #include "render/image/image_io.h"
+#include "render/video/video_file.h"
 #include "tests/exhibits/printing/set_up_print.h"
+#include "tests/support/failures.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 
 namespace vitrine::printing {
 namespace {
@@ -54,6 +57,35 @@ TEST_F(PrintViewsTest, ReadsFilesSpreadEvenlyAndQuiltsFromTheBottomLeft)
     const auto four = readViews(withPictures(values_, {(folder_.path() / "quilt.png").string()}), {});
     ASSERT_EQ(four->count(), 4);
     for (int k = 0; k < 4; ++k) EXPECT_NEAR(four->full().row(k, 0)[0], 65535.0 * k / 3, 12);
+}
+
+TEST_F(PrintViewsTest, ReadsTheFramesOfAVideo)
+{
+    const std::filesystem::path clip = folder_ / "clip.mp4";
+    constexpr int frames = 6;
+    render::VideoFile video(clip, {.width = 64, .height = 48});
+    for (int k = 0; k < frames; ++k) video.add(render::Image(64, 48, 3, static_cast<float>(k) / (frames - 1)));
+    video.finish();
+    const auto levelOf = [](const PrintViews& views, int k) { return views.full().row(k, 20)[3 * 30] / 65535.0; };
+    values_.set(table_.views, 0);
+    const auto all = readViews(withPictures(values_, {clip.string()}), {});
+    ASSERT_EQ(all->count(), frames);
+    for (int k = 0; k < frames; ++k) EXPECT_NEAR(levelOf(*all, k), static_cast<double>(k) / (frames - 1), 0.02) << k;
+    EXPECT_EQ(all->sources()[3], "clip.mp4, frame 3");
+
+    // Every second one, and back again.
+    values_.set(table_.every, 2);
+    values_.set(table_.pingPong, true);
+    const auto some = readViews(withPictures(values_, {clip.string()}), {});
+    ASSERT_EQ(some->count(), 4);
+    for (const auto& [view, frame] : {std::pair{0, 0}, {1, 2}, {2, 4}, {3, 2}})
+        EXPECT_NEAR(levelOf(*some, view), static_cast<double>(frame) / (frames - 1), 0.02) << view;
+    EXPECT_THROW(static_cast<void>(readViews(withPictures(values_, {(folder_ / "none.mp4").string()}), {})), Failure);
+    std::ofstream(folder_ / "broken.mp4") << "no video";
+    EXPECT_NE(vitrine::test::failureOf([&] {
+                  static_cast<void>(readViews(withPictures(values_, {(folder_ / "broken.mp4").string()}), {}));
+              }).find("broken.mp4"),
+              std::string::npos);
 }
 
 TEST_F(PrintViewsTest, TakeTheShapeOfThePrintAndSayWhatThatCost)

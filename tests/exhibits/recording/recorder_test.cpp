@@ -123,8 +123,8 @@ TEST_F(RecorderTest, FramesThatAreThereAreKeptWhenTheyAreTheSame)
     const test::TemporaryFolder folder;
     const auto pattern = folder / "frames/%04d.png";
     const auto keptOf = [&](double until) {
-        Recording recording(gallery().museum, gallery().renderer, film.shot.sceneState, film.shot.exhibit, film.request,
-                            pattern);
+        Recording recording(gallery().museum, gallery().renderer, {film.shot.sceneState, film.shot.exhibit},
+                            film.request, pattern);
         while (recording.progress() < until && recording.step()) {
         }
         EXPECT_EQ(recording.finished(), until > 1);
@@ -157,8 +157,8 @@ TEST_F(RecorderTest, AStoppedVideoLeavesNothing)
     const Film film;
     const test::TemporaryFolder folder;
     {
-        Recording recording(gallery().museum, gallery().renderer, film.shot.sceneState, film.shot.exhibit, film.request,
-                            folder / "a.apng");
+        Recording recording(gallery().museum, gallery().renderer, {film.shot.sceneState, film.shot.exhibit},
+                            film.request, folder / "a.apng");
         while (recording.progress() < 0.6) recording.step();
     }
     EXPECT_TRUE(folder.files().empty());

@@ -80,7 +80,8 @@ TEST(TourFile, WhatIsWrongIsNamedByLineAndKey)
 
 TEST(TourPath, GoesStraightWhereNothingStands)
 {
-    const CameraPath path = tourPath(museum().obstacles(), twoViews({-0.5, 1.65, 10.5}, {0.5, 1.65, 10.5}));
+    const CameraPath path =
+        tourPath(museum().surroundings().obstacles(), twoViews({-0.5, 1.65, 10.5}, {0.5, 1.65, 10.5}));
     EXPECT_NEAR(path.length(), 1, 1e-6);
 }
 
@@ -112,10 +113,11 @@ TEST(TourPath, IsLedRoundWhatStandsBetween)
         dvec3 a = dvec3(world * glm::dvec4(-reach, 0, 0, 1)), b = dvec3(world * glm::dvec4(reach, 0, 0, 1));
         a.y = b.y = 0.8;  // Below the tops of plinths.
         const bool inside = std::abs(a.x) < 6 && std::abs(b.x) < 6 && std::abs(a.z) < 12 && std::abs(b.z) < 12;
-        if (!inside || museum().obstacles().cameraPasses(a, b) || !museum().obstacles().cameraPasses(a, a) ||
-            !museum().obstacles().cameraPasses(b, b))
+        if (!inside || museum().surroundings().obstacles().cameraPasses(a, b) ||
+            !museum().surroundings().obstacles().cameraPasses(a, a) ||
+            !museum().surroundings().obstacles().cameraPasses(b, b))
             continue;
-        const CameraPath path = tourPath(museum().obstacles(), twoViews(a, b));
+        const CameraPath path = tourPath(museum().surroundings().obstacles(), twoViews(a, b));
         EXPECT_GE(clearance(path), cameraRadius - 0.01);
         EXPECT_GT(path.length(), glm::length(a - b));
         ++tried;
@@ -132,10 +134,10 @@ TEST(TourPath, IsLedRoundTheVisitorsOwnObjects)
     sceneState.hall().set(rows.modelStand, ObjectStand::ownPlinth);
     sceneState.hall().set(rows.modelAcross, 0.0);
     sceneState.hall().set(rows.modelAlong, 10.2);
-    const Obstacles obstacles = museum().obstacles(sceneState);
-    ASSERT_GT(obstacles.count(), museum().obstacles().count());
+    const Obstacles obstacles = museum().surroundings().obstacles(sceneState);
+    ASSERT_GT(obstacles.count(), museum().surroundings().obstacles().count());
     const Tour past = twoViews({-1.6, 0.9, 10.2}, {1.6, 0.9, 10.2});
-    EXPECT_NEAR(tourPath(museum().obstacles(), past).length(), 3.2, 1e-6) << "nothing else stands there";
+    EXPECT_NEAR(tourPath(museum().surroundings().obstacles(), past).length(), 3.2, 1e-6) << "nothing else stands there";
     const CameraPath path = tourPath(obstacles, past);
     EXPECT_GT(path.length(), 3.3);
     // The sides of the plinth, at least 0.18 m from its center, stay out of the camera's reach.
@@ -152,14 +154,14 @@ TEST(TourPath, IsLedRoundTheVisitorsOwnObjects)
     const Tour after = museumTour(museum(), sceneState);
     EXPECT_EQ(after.bookmarks.front().camera.eye, eye);
     EXPECT_LT(after.bookmarks.size(), before.bookmarks.size());
-    EXPECT_NO_THROW(static_cast<void>(tourPath(museum().obstacles(sceneState), after)));
+    EXPECT_NO_THROW(static_cast<void>(tourPath(museum().surroundings().obstacles(sceneState), after)));
 }
 
 TEST(TourPath, ErrorsNameTheBookmarks)
 {
     const auto said = [](const dvec3& a, const dvec3& b) -> std::string {
         try {
-            static_cast<void>(tourPath(museum().obstacles(), twoViews(a, b)));
+            static_cast<void>(tourPath(museum().surroundings().obstacles(), twoViews(a, b)));
             return {};
         } catch (const Failure& failure) {
             return failure.what();
@@ -185,7 +187,7 @@ TEST(TourPath, TheMuseumsOwnPassesEveryExhibitAndHitsNothing)
         };
         EXPECT_TRUE(std::any_of(tour.bookmarks.begin(), tour.bookmarks.end(), isIt)) << each.exhibit.name();
     }
-    const CameraPath path = tourPath(museum().obstacles(), tour);
+    const CameraPath path = tourPath(museum().surroundings().obstacles(), tour);
     EXPECT_GE(clearance(path), cameraRadius - 0.01);
     EXPECT_EQ(path.at(0), path.at(1));
     for (const Bookmark& bookmark : tour.bookmarks) {
@@ -200,16 +202,16 @@ TEST(WayAround, IsFreeBetweenAllOfItsPlaces)
 {
     const dvec3 from(0, 1.65, 11), to(0, 1.65, -11);
     for (const double stride : {3.0, 0.5}) {
-        std::vector<dvec3> way = wayAround(museum().obstacles(), from, to, stride);
+        std::vector<dvec3> way = wayAround(museum().surroundings().obstacles(), from, to, stride);
         ASSERT_FALSE(way.empty());
         way.insert(way.begin(), from);
         way.push_back(to);
         for (std::size_t i = 0; i + 1 < way.size(); ++i) {
-            EXPECT_TRUE(museum().obstacles().cameraPasses(way[i], way[i + 1])) << i;
+            EXPECT_TRUE(museum().surroundings().obstacles().cameraPasses(way[i], way[i + 1])) << i;
             EXPECT_LE(glm::length(way[i + 1] - way[i]), stride + 1e-9) << i;
         }
     }
-    EXPECT_TRUE(wayAround(museum().obstacles(), from, {0, 1.65, 300}, 2).empty());
+    EXPECT_TRUE(wayAround(museum().surroundings().obstacles(), from, {0, 1.65, 300}, 2).empty());
 }
 
 TEST(FramePath, CountsFromOne)

@@ -273,6 +273,7 @@ TEST_F(Light, WhatStandsBetweenTheSunAndTheMarchedObjectDarkensIt)
     shot.see(dvec3(place * glm::dvec4(eye, 1)), dvec3(place[3]));
     shot.hall().set(hallTable().shadowMapSize, 2048);
     shot.hall().set(hallTable().reflectionProbe, false);
+    letTheSunIn(shot.hall());
     shot.values().set(sdfTable().metalness, 0.0);
     shot.values().set(sdfTable().roughness, 1.0);
     const auto meanInside = [&](const Picture& p) {

@@ -163,7 +163,7 @@ void compareCells(const glm::ivec3& count)
     const scenes::SceneField field =
         test::fieldOf(rowOfBalls(64, 1, R"("kind": "union", "blend": "quadratic", "blendWidth": 0.3)"));
     const scenes::GridCells cells = scenes::pruneCells(field.program(), field.words(), field.program().steps(),
-                                                       {{-0.5, -0.5, -0.5}, {63.5, 0.5, 0.5}}, count);
+                                                       {{{-0.5, -0.5, -0.5}, {63.5, 0.5, 0.5}}, count});
     EXPECT_LE(cells.mostShapes, 2U);
     EXPECT_LE(cells.lists, 64U + 63U);
     EXPECT_LT(cells.meanShapes, 1.5);
@@ -238,7 +238,7 @@ TEST(PruneCells, EndWithTheirBudgetAndTheSceneIsWholeWithoutThem)
     const auto& steps = field.program().steps();
     const render::Box box = scenes::occupiedBox(field.program(), field.words(), steps, field.box());
     const auto pruned = [&](int across, const scenes::PruneBudget& budget) {
-        return scenes::pruneCells(field.program(), field.words(), steps, box, glm::ivec3(across),
+        return scenes::pruneCells(field.program(), field.words(), steps, {box, glm::ivec3(across)},
                                   scenes::Pruner::asShaders, budget);
     };
     for (const int across : {12, 48}) {  // With one thread, and with two.

@@ -1,6 +1,7 @@
 // Texts of shaders as they are edited: values, errors with their places, templates. No context is needed.
 
 #include "exhibits/framework/files/file_path.h"
+#include "exhibits/framework/table/morph.h"
 #include "exhibits/your_shader/guest_work.h"
 #include "exhibits/your_shader/your_shader.h"
 #include "render/files/assets.h"
@@ -46,6 +47,20 @@ TEST_F(EditedTexts, BecomeTheShaderAndTakeTheValuesOfInputsThatStay)
     EXPECT_EQ(number(second.values, "tilt"), 0.5);
     EXPECT_FALSE(second.values.table().find("bias"));
     EXPECT_EQ(exhibit_.dynamicParameters(second.values, assets_).table, second.values.sharedTable());
+}
+
+TEST_F(EditedTexts, HaveInputsThatAreBlendedLikeOtherParameters)
+{
+    const EditedText shown = edited(initial(), text);
+    ASSERT_TRUE(shown.isShown);
+    ParameterValues other = shown.values;
+    other.setParameter(other.table().find("gain").value(), 6.0);
+    other.setParameter(other.table().find("bias").value(), 1.0);
+    const ParameterValues between = morphed(shown.values, other, 0.25);
+    EXPECT_DOUBLE_EQ(number(between, "gain"), 3);
+    EXPECT_DOUBLE_EQ(number(between, "bias"), 0.625);
+    EXPECT_EQ(exhibit_.unsavedText(between), text);
+    EXPECT_EQ(between.sharedTable(), shown.values.sharedTable());
 }
 
 TEST_F(EditedTexts, WithErrorsAreKeptBesideTheLastGoodOne)

@@ -337,6 +337,8 @@ TEST_F(ShaderExports, OfScenesShowTheSamePictures)
         for (const auto& [name, value] : each.settings) original.set(name, value);
         const Difference difference = readBack(original, folder / "scene.fs", ExportForm::isf, 0);
         EXPECT_LE(difference.rmse, each.largestRmse) << each.scene << ", largest " << difference.largest;
+        // One scene for the other form: how a scene becomes code does not depend on the form, and compiling takes long.
+        if (each.settings.empty()) continue;
         EXPECT_LE(readBack(original, folder / "scene.glsl", ExportForm::shadertoy, 0).rmse, each.largestRmse)
             << each.scene;
     }
@@ -449,6 +451,18 @@ protected:
         return shownIn(render::readFile(dom, 1U << 28U), render::readFile(log, 1U << 24U));
     }
 
+    /// Exports a page, and returns the pictures that the script takes on it. Expects `count` of them, and no complaint.
+    Shown shownBy(ExportShot& original, const std::string& script, std::size_t count)
+    {
+        original.exportTo(folder / "page.html", ExportForm::web);
+        Shown shown = open(folder / "page.html", script);
+        EXPECT_EQ(shown.console, "");
+        EXPECT_EQ(shown.problem, "");
+        EXPECT_EQ(shown.pictures.size(), count);
+        shown.pictures.resize(count);
+        return shown;
+    }
+
 private:
     Shown shownIn(const std::string& dom, const std::string& log)
     {
@@ -485,11 +499,8 @@ TEST_F(ShaderPages, ShowThePicturesOfVisitorsShaders)
                              Case{"gyroid.frag", 1, 1.5}, Case{"dunes.frag", 1, 2}}) {
         ExportShot original{fs::path(each.file)};
         original.set("moment", each.moment);
-        original.exportTo(folder / "page.html", ExportForm::web);
-        const Shown shown = open(folder / "page.html", "take(" + std::to_string(each.moment) + ");");
-        EXPECT_EQ(shown.console, "") << each.file;
-        EXPECT_EQ(shown.problem, "") << each.file;
-        ASSERT_EQ(shown.pictures.size(), 1U) << each.file;
+        SCOPED_TRACE(each.file);
+        const Shown shown = shownBy(original, "take(" + std::to_string(each.moment) + ");", 1);
         const Difference difference = between(original.shot.take().image, shown.pictures[0]);
         EXPECT_LE(difference.rmse, each.largestRmse) << each.file << ", largest " << difference.largest;
     }
@@ -509,18 +520,16 @@ TEST_F(ShaderPages, HaveControlsThatChangeThePicture)
             "gl_FragColor = vec4(gl_FragCoord.x < 24.0 ? a : gl_FragCoord.x < 48.0 ? b : gl_FragCoord.x < 72.0 ? "
             "tint.rgb : IMG_THIS_PIXEL(picture).rgb, 1.0);"));
     ExportShot original{folder / "own.fs"};
-    original.exportTo(folder / "page.html", ExportForm::web);
     const Shown shown =
-        open(folder / "page.html",
-             "take(0); const change = (kind, value) => { const all = document.querySelectorAll(kind);"
-             "for (const each of all) { each[value[0]] = value[1]; each.dispatchEvent(new Event('input')); } };"
-             "change('input[type=range]', ['value', 40]); change('input[type=checkbox]', ['checked', true]);"
-             "change('select', ['value', '40']); change('input[type=color]', ['value', '#ff8000']);"
-             "document.querySelector('form button').click(); take(0); take(0);");
-    EXPECT_EQ(shown.console, "");
-    EXPECT_EQ(shown.problem, "");
-    ASSERT_EQ(shown.pictures.size(), 3U);
+        shownBy(original,
+                "take(0); const change = (kind, value) => { const all = document.querySelectorAll(kind);"
+                "for (const each of all) { each[value[0]] = value[1]; each.dispatchEvent(new Event('input')); } };"
+                "change('input[type=range]', ['value', 40]); change('input[type=checkbox]', ['checked', true]);"
+                "change('select', ['value', '40']); change('input[type=color]', ['value', '#ff8000']);"
+                "document.querySelector('form button').click(); take(0); take(0);",
+                3);
     EXPECT_LE(between(original.shot.take().image, shown.pictures[0]).largest, 2);
+    if (HasFailure()) return;  // A picture may be missing.
     const auto codes = [&](std::size_t picture, int x) {
         std::vector<long> all;
         for (int c = 0; c < 3; ++c)
@@ -540,11 +549,7 @@ TEST_F(ShaderPages, ShowScenesWithTheirParameters)
     original.set("scene", std::string("dahlia.json"));
     original.read();
     original.set("evaluation", 2.0);
-    original.exportTo(folder / "page.html", ExportForm::web);
-    const Shown shown = open(folder / "page.html", "take(0); shaderPage.set('bloom', 0.3); take(0);");
-    EXPECT_EQ(shown.console, "");
-    EXPECT_EQ(shown.problem, "");
-    ASSERT_EQ(shown.pictures.size(), 2U);
+    const Shown shown = shownBy(original, "take(0); shaderPage.set('bloom', 0.3); take(0);", 2);
     EXPECT_LE(between(original.shot.take().image, shown.pictures[0]).rmse, 2);
     original.set("bloom", 0.3);
     EXPECT_LE(between(original.shot.take().image, shown.pictures[1]).rmse, 2);
@@ -553,11 +558,7 @@ TEST_F(ShaderPages, ShowScenesWithTheirParameters)
 TEST_F(ShaderPages, ShowTheNoise)
 {
     ExportShot original = noiseShot(Work::sea);
-    original.exportTo(folder / "page.html", ExportForm::web);
-    const Shown shown = open(folder / "page.html", "take(0); shaderPage.set('chop', 0.3); take(5);");
-    EXPECT_EQ(shown.console, "");
-    EXPECT_EQ(shown.problem, "");
-    ASSERT_EQ(shown.pictures.size(), 2U);
+    const Shown shown = shownBy(original, "take(0); shaderPage.set('chop', 0.3); take(5);", 2);
     EXPECT_LE(between(original.shot.take().image, shown.pictures[0]).rmse, 1);
     original.set("chop", 0.3);
     original.set("moment", 5.0);

@@ -94,7 +94,7 @@ TEST(IsfReader, TakesTheExactValueOfAChoice)
               "own.fs:1:25: EXACT of the input “m” is not one of its VALUES; write one of them.\n");
 }
 
-TEST(ShaderTable, GivesInputsPlainNamesAndShowsThemAtFirst)
+TEST(ShaderTable, GivesInputsPlainNames)
 {
     std::string inputs = "\"INPUTS\": [";
     const std::vector<std::pair<const char*, const char*>> names{
@@ -110,9 +110,29 @@ TEST(ShaderTable, GivesInputsPlainNamesAndShowsThemAtFirst)
     for (std::size_t i = 0; i < names.size(); ++i) {
         const ParameterInfo& row = table.rows()[table.ofInputs[i][0]];
         EXPECT_EQ(row.name, names[i].second);
-        EXPECT_TRUE(row.essential) << row.name;
         EXPECT_EQ(row.label, names[i].first);
     }
+}
+
+TEST(ShaderTable, ShowsSixParametersAtFirstTheFileAndInputsBeforeTheOthers)
+{
+    const auto essentialsBeside = [](int inputs) {
+        std::string text = "\"INPUTS\": [";
+        for (int i = 0; i < inputs; ++i)
+            text += std::string(i == 0 ? "" : ",") + "{\"NAME\": \"in" + std::to_string(i) + "\", \"TYPE\": \"float\"}";
+        const guest::CheckedShader read = checked(isf(text + ']'));
+        EXPECT_EQ(errorsOf(read), "");
+        std::vector<std::string> names;
+        const YourShaderTable table(*read.shader);
+        for (const ParameterInfo& row : table.rows())
+            if (row.essential) names.emplace_back(row.name);
+        return names;
+    };
+    using Names = std::vector<std::string>;
+    EXPECT_EQ(essentialsBeside(0), (Names{"file", "animate", "moment", "mouseX", "mouseY", "loopRounds"}));
+    EXPECT_EQ(essentialsBeside(3), (Names{"file", "animate", "moment", "in0", "in1", "in2"}));
+    EXPECT_EQ(essentialsBeside(5), (Names{"file", "in0", "in1", "in2", "in3", "in4"}));
+    EXPECT_EQ(essentialsBeside(9), (Names{"file", "in0", "in1", "in2", "in3", "in4"}));
 }
 
 TEST(IsfReader, ReadsPassesBuffersAndImports)

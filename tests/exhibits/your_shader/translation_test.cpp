@@ -1,6 +1,7 @@
 // Programs that are made of visitors' shaders: old GLSL, errors in the visitor's numbering, and attacks.
 
 #include "exhibits/your_shader/guest_glsl.h"
+#include "render/failure.h"
 #include "tests/exhibits/your_shader/shaders.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +35,12 @@ TEST(OldGlsl, IsRead)
     EXPECT_EQ(errorsOf(checked(
                   "uniform sampler2D texture;\nvoid main() { gl_FragData[0] = texture2D(texture, vec2(0.5)); }")),
               "");
-    // Words of today's GLSL keep their meaning where the text says so.
+    // Words of today's GLSL keep their meaning where the text says so, or where they stand as types.
+    EXPECT_EQ(
+        errorsOf(checked("/*{}*/\nuvec2 size = uvec2(8, 16);\nconst uvec4 font[2] = uvec4[2](uvec4(1), uvec4(2));\n"
+                         "void main() { gl_FragColor = vec4(mod(gl_FragCoord.xy, size), font[1].xy); }")),
+        "");
+    EXPECT_EQ(errorsOf(checked("/*{}*/\nvoid main() { float uint = 0.5; gl_FragColor = vec4(uint); }")), "");
     EXPECT_EQ(
         errorsOf(checked(
             "#version 430\nflat in int id;\nout vec4 color;\nvoid main() { uint x = 3u; color = vec4(float(x)); }")),
@@ -104,39 +110,84 @@ std::string callBomb(int functions)
     return text + "void main() { gl_FragColor = vec4(f" + std::to_string(functions - 1) + "(gl_FragCoord.x)); }\n";
 }
 
-TEST(HostileShaders, EndWithASentence)
+std::string macroBomb()
 {
-    const auto start = std::chrono::steady_clock::now();
-    for (const int functions : {18, 26})
-        EXPECT_NE(
-            errorsOf(checked(callBomb(functions))).find("instructions when every call is replaced by its function"),
-            std::string::npos);
     std::string macros = "#define A0 1.0+\n";
     for (int i = 1; i < 24; ++i) {
         const std::string below = " A" + std::to_string(i - 1);
         macros += "#define A" + std::to_string(i) + below + below + '\n';
     }
-    EXPECT_EQ(errorsOf(checked(macros + "void main() { gl_FragColor = vec4(A23 1.0); }\n")),
-              "own.fs:17:9: The macro “A16” expands to more than 100000 words; write a function or a loop.\n");
-    EXPECT_EQ(
-        errorsOf(checked("void main() { float a[20000000]; a[int(gl_FragCoord.x)] = 1.0; gl_FragColor = "
-                         "vec4(a[int(gl_FragCoord.y)]); }")),
-        "own.fs:1:1: The variables of the shader need 80000000 bytes for each pixel, more than 65536; make the arrays "
-        "smaller.\n");
-    EXPECT_NE(errorsOf(checked("void main() { gl_FragColor = vec4(" + std::string(100'000, '(') + "1.0" +
-                               std::string(100'000, ')') + "); }")),
-              "");
+    return macros + "void main() { gl_FragColor = vec4(A23 1.0); }\n";
+}
+
+std::string manySamplers()
+{
     std::string samplers = "\"INPUTS\": [";
     std::string sum = "gl_FragColor = vec4(0.0)";
     for (int i = 0; i < 17; ++i) {
         samplers += std::string(i > 0 ? ", " : "") + "{\"NAME\": \"i" + std::to_string(i) + "\", \"TYPE\": \"image\"}";
         sum += " + IMG_THIS_PIXEL(i" + std::to_string(i) + ")";
     }
-    EXPECT_EQ(errorsOf(checked(isf(samplers + ']', sum + ';'))),
-              "own.fs:1:1: A pass reads 17 pictures, more than the 16 that OpenGL has; use fewer.\n");
-    // A tenth of this on an idle machine; the limit of the issue is 6 s for each.
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(36));
+    return isf(samplers + ']', sum + ';');
 }
+
+/// Returns the seconds of processor time of this process and of its children that have ended.
+double processorSeconds()
+{
+    double seconds = 0;
+    for (const auto who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+        rusage used{};
+        ::getrusage(who, &used);
+        for (const timeval& time : {used.ru_utime, used.ru_stime})
+            seconds += static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    }
+    return seconds;
+}
+
+/// A shader that would crash or block a driver or a compiler, and a part of the sentence that refuses it.
+struct Attack {
+    std::string name, text, sentence;
+};
+
+class HostileShaders : public testing::TestWithParam<Attack> {};
+
+TEST_P(HostileShaders, EndWithASentenceWithin6Seconds)
+{
+    const double before = processorSeconds();
+    std::string errors;
+    {
+        // A compiler of its own, whose time counts when it ends.
+        guest::ShaderCompiler compiler;
+        const guest::FileBeside none = [](const std::string& path) -> std::string {
+            throw Failure(ErrorKind::file, message("There is no file {1}.", path));
+        };
+        errors = errorsOf(guest::translate(guest::readShader(GetParam().text, "own.fs", none), compiler));
+    }
+    EXPECT_NE(errors.find(GetParam().sentence), std::string::npos) << errors;
+    // Processor time does not depend on the machine's load. On an idle machine, no attack takes longer than that.
+    EXPECT_LT(processorSeconds() - before, 6);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, HostileShaders,
+    testing::Values(
+        Attack{"CallsOf18Functions", callBomb(18), "instructions when every call is replaced by its function"},
+        Attack{"CallsOf26Functions", callBomb(26), "instructions when every call is replaced by its function"},
+        Attack{"MacrosThatDouble", macroBomb(),
+               "own.fs:17:9: The macro “A16” expands to more than 100000 words; write a function or a "
+               "loop.\n"},
+        Attack{"AHugeArray",
+               "void main() { float a[20000000]; a[int(gl_FragCoord.x)] = 1.0; gl_FragColor = "
+               "vec4(a[int(gl_FragCoord.y)]); }",
+               "own.fs:1:1: The variables of the shader need 80000000 bytes for each pixel, more than "
+               "65536; make the arrays smaller.\n"},
+        Attack{"DeepParentheses",
+               "void main() { gl_FragColor = vec4(" + std::string(100'000, '(') + "1.0" + std::string(100'000, ')') +
+                   "); }",
+               "own.fs:"},
+        Attack{"ManySamplers", manySamplers(),
+               "own.fs:1:1: A pass reads 17 pictures, more than the 16 that OpenGL has; use fewer.\n"}),
+    [](const auto& attack) { return attack.param.name; });
 
 TEST(ShaderCompiler, GoesOnAfterItsProcessEnded)
 {

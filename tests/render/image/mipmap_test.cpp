@@ -39,8 +39,14 @@ double shown(const Texture& texture, int x, int y, int c, int layer)
 }
 
 /// Returns the mean over [x0, x1] x [y0, y1], in texels.
-double meanOver(const Texture& texture, double x0, double x1, double y0, double y1, int c, int layer)
+/// Part of a texture, in texels.
+struct Area {
+    double x0, x1, y0, y1;
+};
+
+double meanOver(const Texture& texture, const Area& area, int c, int layer)
 {
+    const auto [x0, x1, y0, y1] = area;
     double sum = 0;
     for (int y = 0; y < texture.height; ++y)
         for (int x = 0; x < texture.width; ++x) {
@@ -62,7 +68,7 @@ double worstError(const Texture& from)
                 for (int c = 0; c < from.channels; ++c) {
                     const double sx = static_cast<double>(from.width) / to.width;
                     const double sy = static_cast<double>(from.height) / to.height;
-                    double wanted = meanOver(from, x * sx, (x + 1) * sx, y * sy, (y + 1) * sy, c, layer);
+                    double wanted = meanOver(from, {x * sx, (x + 1) * sx, y * sy, (y + 1) * sy}, c, layer);
                     double is = shown(to, x, y, c, layer);
                     if (from.sRgb && from.channels > 1 && c < 3) {
                         wanted = vitrine::render::srgbFromLinear(wanted);
@@ -100,7 +106,7 @@ TEST(Mipmap, OfFloatsKeepsWhatIsBeyondOne)
     texture.bytes.clear();
     const Texture to = halved(texture);
     ASSERT_EQ(to.floats.size(), 2U * 3 * 4);
-    for (int c = 0; c < 4; ++c) EXPECT_NEAR(shown(to, 1, 2, c, 0), meanOver(texture, 2.5, 5, 4, 6, c, 0), 1e-3);
+    for (int c = 0; c < 4; ++c) EXPECT_NEAR(shown(to, 1, 2, c, 0), meanOver(texture, {2.5, 5, 4, 6}, c, 0), 1e-3);
 }
 
 TEST(Mipmap, OfOneColorIsThatColor)

@@ -26,7 +26,10 @@ struct Raster {
     int bits = 8;
     std::vector<std::uint8_t> bytes{};  ///< Samples in the machine's byte order.
 
-    [[nodiscard]] std::size_t stride() const { return static_cast<std::size_t>(width) * 3 * bits / 8; }
+    [[nodiscard]] std::size_t stride() const
+    {
+        return static_cast<std::size_t>(width) * static_cast<std::size_t>(3 * bits / 8);
+    }
 };
 
 /// Returns a raster of one of six kinds: noise, one color, ramp, noise with rows repeated four times, mostly white,

@@ -23,11 +23,18 @@ AnimatedModel animatedModelOf(const GltfBuilder& builder)
 }
 
 /// Adds a channel to animation 0.
-void animate(GltfBuilder& b, int node, const char* path, const std::vector<float>& times,
-             const std::vector<float>& values, const char* type, const char* interpolation = "LINEAR")
+/// Sampler of an animation.
+struct Keys {
+    std::vector<float> times, values;
+    const char* type;
+    const char* interpolation = "LINEAR";
+};
+
+void animate(GltfBuilder& b, int node, const char* path, const Keys& keys)
 {
-    Json sampler = {
-        {"input", b.floats(times, "SCALAR")}, {"output", b.floats(values, type)}, {"interpolation", interpolation}};
+    Json sampler = {{"input", b.floats(keys.times, "SCALAR")},
+                    {"output", b.floats(keys.values, keys.type)},
+                    {"interpolation", keys.interpolation}};
     if (!b.json.contains("animations"))
         b.json["animations"] =
             Json::array({{{"name", "walk"}, {"channels", Json::array()}, {"samplers", Json::array()}}});
@@ -53,9 +60,9 @@ TEST(GltfAnimation, MovesTurnsAndScalesNodesBetweenTheirKeys)
 {
     GltfBuilder b;
     const int node = b.node({{"mesh", b.triangle()}});
-    animate(b, node, "translation", {0, 2}, {0, 0, 0, 4, 0, 0}, "VEC3");
+    animate(b, node, "translation", {{0, 2}, {0, 0, 0, 4, 0, 0}, "VEC3"});
     const float half = static_cast<float>(std::sqrt(0.5));
-    animate(b, node, "rotation", {0, 2}, {0, 0, 0, 1, 0, 0, half, half}, "VEC4");
+    animate(b, node, "rotation", {{0, 2}, {0, 0, 0, 1, 0, 0, half, half}, "VEC4"});
     const AnimatedModel model = animatedModelOf(b);
     ASSERT_EQ(model.animations().size(), 1U);
     EXPECT_EQ(model.animations()[0].name, "walk");
@@ -71,10 +78,10 @@ TEST(GltfAnimation, StepsHoldAndCubicSplinesFollowHermite)
 {
     GltfBuilder b;
     const int node = b.node({{"mesh", b.triangle()}});
-    animate(b, node, "scale", {0, 1}, {1, 1, 1, 3, 3, 3}, "VEC3", "STEP");
+    animate(b, node, "scale", {{0, 1}, {1, 1, 1, 3, 3, 3}, "VEC3", "STEP"});
     // In-tangent, value and out-tangent of each key.
-    animate(b, node, "translation", {0, 2}, {0, 0, 0, 0, 0, 0, 3, 0, 0, 0, 6, 0, 1, 0, 0, 0, 0, 0}, "VEC3",
-            "CUBICSPLINE");
+    animate(b, node, "translation",
+            {{0, 2}, {0, 0, 0, 0, 0, 0, 3, 0, 0, 0, 6, 0, 1, 0, 0, 0, 0, 0}, "VEC3", "CUBICSPLINE"});
     const AnimatedModel model = animatedModelOf(b);
     expectNear(corner(model.posed(0, 0.99), 1) - corner(model.posed(0, 0.99), 0), {1, 0, 0});
     expectNear(corner(model.posed(0, 1), 1) - corner(model.posed(0, 1), 0), {3, 0, 0});
@@ -109,7 +116,7 @@ GltfBuilder skinned()
         {{{"joints", {static_cast<unsigned>(root), static_cast<unsigned>(tip)}}, {"inverseBindMatrices", inverse}}});
     // The transform of the skinned node itself is ignored.
     b.node({{"mesh", mesh}, {"skin", 0U}, {"translation", {9, 9, 9}}});
-    animate(b, tip, "translation", {0, 1}, {1, 0, 0, 1, 0, 2}, "VEC3");
+    animate(b, tip, "translation", {{0, 1}, {1, 0, 0, 1, 0, 2}, "VEC3"});
     return b;
 }
 
@@ -158,7 +165,7 @@ TEST(GltfAnimation, MorphTargetsAreAddedByTheirWeights)
                                                     {{"POSITION", b.floats({2, 0, 0, 0, 0, 0, 0, 0, 0}, "VEC3")}}});
     json["weights"] = {0.5, 0.0};
     const int node = b.node({{"mesh", mesh}});
-    animate(b, node, "weights", {0, 1}, {0, 0, 1, 1}, "SCALAR");
+    animate(b, node, "weights", {{0, 1}, {0, 0, 1, 1}, "SCALAR"});
     const AnimatedModel model = animatedModelOf(b);
     expectNear(corner(model.posed(-1, 0), 0), {0, 0, 0.5});
     expectNear(corner(model.posed(0, 0.5), 0), {1, 0, 0.5});

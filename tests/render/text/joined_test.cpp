@@ -1,5 +1,7 @@
 #include "render/text/joined.h"
 
+#include "render/text/escaped.h"
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -24,6 +26,13 @@ TEST(Joined, AlternativesHaveOrBeforeTheLast)
     EXPECT_EQ(alternatives(Words{"a"}), "a");
     EXPECT_EQ(alternatives(Words{"a", "b"}), "a or b");
     EXPECT_EQ(alternatives(Words{"a", "b", "c"}), "a, b or c");
+}
+
+TEST(Escaped, ReplacesWhatMarkupWouldRead)
+{
+    EXPECT_EQ(escaped(""), "");
+    EXPECT_EQ(escaped("5 < 6 & \"7\" > 'x'"), "5 &lt; 6 &amp; &quot;7&quot; &gt; 'x'");
+    EXPECT_EQ(escaped("&amp;"), "&amp;amp;");
 }
 
 }  // namespace

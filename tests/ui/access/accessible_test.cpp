@@ -212,9 +212,9 @@ private slots:
         Viewport& viewport = window_->viewport();
         QCOMPARE(of(&viewport)->role(), QAccessible::Graphic);
         QVERIFY2(description(&viewport).contains("look at Torus to mug"), qPrintable(description(&viewport)));
-        viewport.jumpTo({{0, 1.65, 10.5}, {0, 1.75, 20}, 0.9});
+        viewport.visitor().jumpTo({{0, 1.65, 10.5}, {0, 1.75, 20}, 0.9});
         QVERIFY2(!description(&viewport).contains("Torus"), qPrintable(description(&viewport)));
-        viewport.jumpTo(test::PaintedGallery::towardsButton(1.2));
+        viewport.visitor().jumpTo(test::PaintedGallery::towardsButton(1.2));
         QVERIFY2(description(&viewport).contains("melt it"), qPrintable(description(&viewport)));
         window_->visit(1);
         QVERIFY2(description(&viewport).contains("You look at Torus to mug, from 3."),

@@ -221,9 +221,9 @@ private slots:
         QTest::keyPress(&viewport, Qt::Key_Left, Qt::ControlModifier);
         QTRY_VERIFY(yaw() < after - 0.05);
         QTest::keyRelease(&viewport, Qt::Key_Left, Qt::ControlModifier);
-        viewport.jumpTo(gallery_->museum().initialSceneState().camera);
+        viewport.visitor().jumpTo(gallery_->museum().initialSceneState().camera);
         QTest::keyClick(&viewport, Qt::Key_Return);
-        QTRY_COMPARE(viewport.mode(), CameraControl::Mode::orbit);
+        QTRY_COMPARE(viewport.visitor().mode(), CameraControl::Mode::orbit);
         QCOMPARE(window_->chosen(), std::size_t{1});
         const auto far = [this] {
             const render::Camera& camera = window_->history().sceneState().camera;

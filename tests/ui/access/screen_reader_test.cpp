@@ -145,7 +145,7 @@ private slots:
         QVERIFY(press("Parameters", "Animated", strings(box["actions"]).value(0)));
         QTRY_VERIFY(toggled() != was);
         QVERIFY(ask({{"do", "press"}, {"name", "Stop or start the clock"}, {"action", "Press"}})["done"].toBool());
-        QTRY_VERIFY(window_->viewport().paused());
+        QTRY_VERIFY(window_->viewport().clock().paused());
     }
 
     void listsNameTheirEntriesAndPicturesSayWhatTheyShow()

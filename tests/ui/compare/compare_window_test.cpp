@@ -141,7 +141,7 @@ private slots:
     {
         compare();
         window_->visit(1);
-        QTRY_COMPARE(view().mode(), CameraControl::Mode::orbit);
+        QTRY_COMPARE(view().visitor().mode(), CameraControl::Mode::orbit);
         rest();
         const auto named = [&] {
             for (const Overlay* overlay : view().findChildren<Overlay*>())

@@ -10,6 +10,7 @@
 #include "ui/editor/find_bar.h"
 #include "ui/editor/live_text.h"
 #include "ui/editor/shader_panel.h"
+#include "ui/viewport/file_watch.h"
 #include "ui/window/file_opener.h"
 #include "ui/window/search_dialog.h"
 #include "ui/window/shortcut_sheet.h"
@@ -23,9 +24,11 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QToolButton>
 #include <QUrl>
 
+#include <filesystem>
 #include <fstream>
 #include <set>
 
@@ -243,6 +246,33 @@ private slots:
         QTRY_COMPARE(view().text(), QString::fromStdString(ownShader));
         window_->history().stack().undo();
         QTRY_VERIFY(view().text().contains("0.5,"));
+    }
+
+    void theSystemNotifiesOfFilesThatAreSavedOrReplaced()
+    {
+        openShader();
+        static_assert(FileWatch::pause <= 100, "a notification is followed at once");
+        static_assert(FileWatch::usualInterval <= 1000, "without notifications, files are read within a second");
+        // This watch would look by itself after an hour only.
+        FileWatch watch(gallery_->museum(), window_->history(), 3'600'000);
+        watch.renew();
+        QSignalSpy changed(&watch, &FileWatch::changed);
+        write(ownShader + "// saved\n");
+        QTRY_COMPARE(changed.count(), 1);
+        // Many programs write another file and give it the name.
+        for (const char* line : {"// replaced\n", "// replaced again\n"}) {
+            const auto before = changed.count();
+            const QString beside = home_->filePath("own.frag~");
+            std::ofstream(beside.toStdString()) << ownShader << line;
+            std::filesystem::rename(beside.toStdString(), path().toStdString());
+            QTRY_VERIFY(changed.count() > before);
+        }
+        // Other files in the folder are no reason to read anything at once.
+        QTest::qWait(10 * FileWatch::pause);
+        const auto before = changed.count();
+        std::ofstream(home_->filePath("other.txt").toStdString()) << "other";
+        QTest::qWait(10 * FileWatch::pause);
+        QCOMPARE(changed.count(), before);
     }
 
     void keysBelongToTheTextWhileItHasTheFocus()

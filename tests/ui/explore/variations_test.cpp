@@ -101,7 +101,7 @@ private slots:
         QCOMPARE(gallery_->strangers.load(), 0);
         QVERIFY(window_->history().sceneState().values == before.values);
         const double aspect = 1.0 * nine().image(0).width() / nine().image(0).height();
-        const QSize view = window_->viewport().shown().size();
+        const QSize view = window_->viewport().pictures().shown().image().size();
         QVERIFY2(std::abs(aspect - 1.0 * view.width() / view.height()) < 0.02, "framed as the viewport's picture");
     }
 

@@ -147,7 +147,7 @@ private slots:
         pad_->stick(SDL_CONTROLLER_AXIS_RIGHTX, 0.8);
         QTRY_VERIFY(headingOf(camera().target - camera().eye).yaw > 0.2);
         pad_->stick(SDL_CONTROLLER_AXIS_RIGHTX, 0.1);  // Within the dead zone.
-        QTRY_VERIFY(!window_->viewport().sticks().moves());
+        QTRY_VERIFY(!window_->viewport().input().sticks().moves());
         // Outside of the dead zone, the length of both axes together counts.
         pad_->stick(SDL_CONTROLLER_AXIS_RIGHTX, 0);
         settle();
@@ -155,10 +155,10 @@ private slots:
         pad_->stick(SDL_CONTROLLER_AXIS_RIGHTY, -0.8);
         QTRY_VERIFY(camera().target.y > 1.8);
         pad_->stick(SDL_CONTROLLER_AXIS_RIGHTY, 0);
-        QTRY_VERIFY(!window_->viewport().sticks().moves());
+        QTRY_VERIFY(!window_->viewport().input().sticks().moves());
         settle();
         QCOMPARE(headingOf(camera().target - camera().eye).yaw, yaw);
-        const WalkKeys& held = window_->viewport().sticks();
+        const WalkKeys& held = window_->viewport().input().sticks();
         pad_->stick(SDL_CONTROLLER_AXIS_LEFTY, -1);
         QTRY_VERIFY(held.ahead > 0.99);
         QVERIFY(!held.run);
@@ -176,10 +176,10 @@ private slots:
     void buttonsVisitPressGoBackAndWalkOn()
     {
         plugIn();
-        QSignalSpy pressed(&window_->viewport(), &Viewport::pressed);
+        QSignalSpy pressed(&window_->viewport().interaction(), &Interaction::pressed);
         const render::Camera before = camera();
         press(SDL_CONTROLLER_BUTTON_A);  // The exhibit is in the middle of the first picture.
-        QTRY_COMPARE(window_->viewport().mode(), CameraControl::Mode::orbit);
+        QTRY_COMPARE(window_->viewport().visitor().mode(), CameraControl::Mode::orbit);
         QCOMPARE(window_->chosen(), std::size_t{1});
         press(SDL_CONTROLLER_BUTTON_X);
         QCOMPARE(pressed.count(), 1);
@@ -192,17 +192,17 @@ private slots:
         QTRY_VERIFY(camera().eye.x < x - 0.05);  // Like a drag to the right.
         pad_->stick(SDL_CONTROLLER_AXIS_RIGHTX, 0);
         press(SDL_CONTROLLER_BUTTON_Y);
-        QTRY_COMPARE(window_->viewport().mode(), CameraControl::Mode::walk);
+        QTRY_COMPARE(window_->viewport().visitor().mode(), CameraControl::Mode::walk);
         QVERIFY(camera() == before);
         press(SDL_CONTROLLER_BUTTON_A);
-        QTRY_COMPARE(window_->viewport().mode(), CameraControl::Mode::orbit);
+        QTRY_COMPARE(window_->viewport().visitor().mode(), CameraControl::Mode::orbit);
         press(SDL_CONTROLLER_BUTTON_B);
-        QTRY_COMPARE(window_->viewport().mode(), CameraControl::Mode::walk);
+        QTRY_COMPARE(window_->viewport().visitor().mode(), CameraControl::Mode::walk);
         // Within reach of a button, A presses it.
-        window_->viewport().jumpTo(test::PaintedGallery::towardsButton(1.2));
+        window_->viewport().visitor().jumpTo(test::PaintedGallery::towardsButton(1.2));
         press(SDL_CONTROLLER_BUTTON_A);
         QCOMPARE(pressed.count(), 2);
-        QCOMPARE(window_->viewport().mode(), CameraControl::Mode::walk);
+        QCOMPARE(window_->viewport().visitor().mode(), CameraControl::Mode::walk);
     }
 
     void shouldersVisitTheNextExhibitAndStartStopsTheClock()
@@ -213,9 +213,9 @@ private slots:
         press(SDL_CONTROLLER_BUTTON_LEFTSHOULDER);
         QCOMPARE(window_->chosen(), std::size_t{0});
         press(SDL_CONTROLLER_BUTTON_START);
-        QVERIFY(window_->viewport().paused());
+        QVERIFY(window_->viewport().clock().paused());
         press(SDL_CONTROLLER_BUTTON_START);
-        QVERIFY(!window_->viewport().paused());
+        QVERIFY(!window_->viewport().clock().paused());
     }
 
     void theCrossChoosesARowAndChangesItInOneStep()

@@ -9,6 +9,7 @@
 #include "tests/ui/ui_main.h"
 #include "ui/export/export_dialog.h"
 #include "ui/jobs/job_dialog.h"
+#include "ui/jobs/picture_preview.h"
 #include "ui/jobs/sprite_preview.h"
 #include "ui/kit/export_bar.h"
 #include "ui/kit/theme.h"
@@ -26,7 +27,10 @@
 #include <QTemporaryDir>
 
 #include <clocale>
+#include <cmath>
+#include <cstring>
 #include <fstream>
+#include <numbers>
 #include <set>
 #include <stdexcept>
 
@@ -46,7 +50,7 @@ class JobDialogTest : public QObject {
     void openDialog(std::string_view name = "sprite", std::string_view subject = {})
     {
         const jobs::Job& job = *jobs::findJob(name);
-        const std::string_view shown = job.needs().anyScene ? subject : job.needs().subject;
+        const std::string_view shown = job.needs().subject.empty() ? subject : job.needs().subject;
         const jobs::JobScene scene{museum_.get(), museum_->initialSceneState(), museum_->find(shown).value(), {}};
         dialog_ = new JobDialog(
             job, [scene] { return scene; }, *renderers_, *thread_, nullptr);
@@ -75,6 +79,20 @@ class JobDialogTest : public QObject {
         QStringList all;
         for (int i = 0; i < animations().count(); ++i) all << animations().itemText(i);
         return all;
+    }
+    /// Returns the lines about the result.
+    [[nodiscard]] QString facts()
+    {
+        auto* label = dialog_->findChild<QLabel*>("facts");
+        return label ? label->text() : QString();
+    }
+    /// Returns the number that follows these words in the facts; -1: there is none.
+    [[nodiscard]] double numberAfter(const char* words)
+    {
+        const QString text = facts();
+        const qsizetype at = text.indexOf(QLatin1String(words));
+        if (at < 0) return -1;
+        return text.mid(at + static_cast<qsizetype>(std::strlen(words)) + 1).section(QLatin1Char(' '), 0, 0).toDouble();
     }
     [[nodiscard]] QStringList said() { return dialog_->findChild<MessageStrip*>()->texts(); }
     [[nodiscard]] QString at(const char* name) const { return home_->filePath(QString::fromUtf8(name)); }
@@ -352,9 +370,83 @@ private slots:
     void noPartOfTheDialogIsEmpty()
     {
         closeDialog();
-        openDialog("record", "fur");
+        openDialog("proof", "noise");
+        QVERIFY(!dialog_->preview());
         QVERIFY(dialog_->findChild<ParameterPanel*>()->width() > dialog_->width() * 9 / 10);
         QVERIFY(dialog_->findChild<ParameterPanel*>()->height() > dialog_->height() / 2);
+    }
+
+    /// A recording as small as its draft has about the forecast size.
+    void aRecordingShowsFramesOfItsPathAndForecastsItsFile()
+    {
+        closeDialog();
+        openDialog("record", "sdf_morph");
+        set({{"seconds", 2.0}, {"framesPerSecond", 4.0}, {"width", 160.0}, {"height", 90.0}, {"samples", 1.0}});
+        QTRY_VERIFY_WITH_TIMEOUT(dialog_->settled(), vitrine::test::patience);
+        const QImage picture = static_cast<const PicturePreview*>(dialog_->preview())->picture();
+        QCOMPARE(picture.size(), QSize(2 * 160 + 2, 3 * 90 + 4));
+        QVERIFY2(picture.copy(0, 0, 160, 90) != picture.copy(162, 92, 160, 90), "the camera turns");
+        QVERIFY2(!facts().contains("Uncompressed"), qPrintable(facts()));
+        for (const char* name : {"a.mp4", "a.gif", "a.apng"}) {
+            dialog_->setPath(at(name));
+            QTRY_VERIFY_WITH_TIMEOUT(dialog_->settled(), vitrine::test::patience);
+            const double kilobytes = numberAfter("File about");
+            exportTo(at(name));
+            const double written = static_cast<double>(QFileInfo(at(name)).size()) / 1000;
+            const QString both = QStringLiteral("%1: %2 kB forecast, %3 written").arg(name).arg(kilobytes).arg(written);
+            qInfo("%s", qPrintable(both));
+            QVERIFY2(kilobytes > written / 2 && kilobytes < written * 2, qPrintable(both));
+        }
+    }
+
+    /// A sphere: a coarse mesh says how many triangles, bytes and seconds a fine one will take.
+    void aMeshIsSeenAndForecastBeforeItIsMade()
+    {
+        closeDialog();
+        openDialog("mesh", "sdf_scenes");
+        std::ofstream(at("ball.json").toStdString())
+            << R"({"format": "vitrine-scene", "version": 1, "camera": {"position": [0, 0, 4], "target": [0, 0, 0]},
+                   "root": {"kind": "sphere", "radius": 0.5}})";
+        set({{"scene", at("ball.json").toStdString()}, {"cell", 0.004}});
+        QTRY_VERIFY(dialog_->settled());
+        QVERIFY2(said().isEmpty(), qPrintable(said().join('\n')));
+        // The ball fills the height of its picture, but for a small margin, and is round.
+        const QImage picture = static_cast<PicturePreview*>(dialog_->preview())->picture();
+        QVERIFY(!picture.isNull());
+        double filled = 0;
+        for (int y = 0; y < picture.height(); ++y)
+            for (int x = 0; x < picture.width(); ++x) filled += qAlpha(picture.pixel(x, y)) == 255 ? 1 : 0;
+        const double height = 0.92 * picture.height();
+        QVERIFY2(std::abs(filled / (std::numbers::pi / 4 * height * height) - 1) < 0.02, qPrintable(facts()));
+        QCOMPARE(qAlpha(picture.pixel(0, 0)), 0);
+        const double triangles = numberAfter("Triangles about"), megabytes = numberAfter("File about");
+        QVERIFY2(facts().contains("It will take "), qPrintable(facts()));
+        exportTo(at("ball.stl"));
+        // Binary STL: 84 bytes and 50 for each triangle.
+        const double bytes = static_cast<double>(contentOf(at("ball.stl")).size()), made = (bytes - 84) / 50;
+        QVERIFY2(made > 100000, qPrintable(QString::number(made)));
+        // The bound is the roughness of counting the cells of a surface of 64 cells across.
+        QVERIFY2(std::abs(triangles / made - 1) < 0.05, qPrintable(QString("%1 of %2").arg(triangles).arg(made)));
+        dialog_->setPath(at("again.stl"));
+        QTRY_VERIFY(dialog_->settled() && facts().contains("File about"));
+        QVERIFY2(std::abs(numberAfter("File about") * 1e6 / bytes - 1) < 0.05, qPrintable(facts()));
+        QVERIFY(numberAfter("File about") != megabytes);  // The first estimate was for another format.
+        set({{"triangles", 500.0}});
+        QTRY_VERIFY(dialog_->settled());
+        QCOMPARE(numberAfter("Triangles about"), 500.0);
+    }
+
+    /// The scene that is shown at first stands on a plane without an end.
+    void aSceneWithoutAnEndIsCutAroundItsView()
+    {
+        closeDialog();
+        openDialog("mesh", "sdf_scenes");
+        QTRY_VERIFY(dialog_->settled());
+        QVERIFY2(said().isEmpty(), qPrintable(said().join('\n')));
+        QVERIFY2(facts().contains("The scene has no end"), qPrintable(facts()));
+        QVERIFY(!static_cast<PicturePreview*>(dialog_->preview())->picture().isNull());
+        QVERIFY(button("Export")->isEnabled());
+        QVERIFY2(dialog_->commandLine().contains("--low"), qPrintable(dialog_->commandLine()));
     }
 
     void whatNoSheetCanHoldIsRefusedWithItsReason()

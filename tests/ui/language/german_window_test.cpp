@@ -74,6 +74,9 @@ private slots:
             QVERIFY2(menus.contains(QString::fromUtf8(title)), title);
         QVERIFY(action("Alle Parameter zurücksetzen"));
         QVERIFY(!action("Reset all parameters"));
+        // A shape's operation is called Shift, too: keys have the names that Qt gives them.
+        const QString keys = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E).toString(QKeySequence::NativeText);
+        QVERIFY2(!keys.contains(QStringLiteral("Verschiebung")), qPrintable(keys));
         window_->visit(1);
         settle();
         QVERIFY(window_->panel().row("roughness"));

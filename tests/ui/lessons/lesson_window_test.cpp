@@ -88,10 +88,31 @@ private slots:
         setLanguage(QStringLiteral("en"));
     }
 
+    void withLargeTypeTheButtonsOfALessonAreBelowItsTitle()
+    {
+        controller().open(goodLesson());
+        QWidget& bar = controller().bar();
+        auto* next = button("Next step");
+        QLabel* title = nullptr;
+        for (QLabel* label : bar.findChildren<QLabel*>())
+            if (label->text() == "Two settings") title = label;
+        QVERIFY(title);
+        const int before = bar.minimumSizeHint().width();
+        QVERIFY(next->y() < title->geometry().bottom());
+        QFont large = bar.font();
+        large.setPointSizeF(2 * large.pointSizeF());
+        for (QWidget* each : bar.findChildren<QWidget*>()) each->setFont(large);
+        bar.setFont(large);
+        // The strip needs not more room than before, so that it widens no window.
+        QTRY_VERIFY(next->y() >= title->geometry().bottom());
+        QVERIFY2(bar.minimumSizeHint().width() <= before, qPrintable(QString::number(bar.minimumSizeHint().width())));
+        QVERIFY2(title->height() >= title->fontMetrics().height() && title->width() > 200, "the title is shown");
+    }
+
     void aLessonIsWalkedThroughAndWhatWasOpenComesBack()
     {
         QVERIFY(!controller().bar().isVisible());
-        window_->viewport().jumpTo({{1.35, 1.65, 8}, {1, 1.6, 0}, 0.9});
+        window_->viewport().visitor().jumpTo({{1.35, 1.65, 8}, {1, 1.6, 0}, 0.9});
         dragRoughnessOf(1, 60);
         window_->choose(hallIndex);
         settle();

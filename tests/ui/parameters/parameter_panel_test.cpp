@@ -1,11 +1,13 @@
 #include "tests/ui/parameters/open_panel.h"
 #include "tests/ui/ui_main.h"
 
+#include "ui/kit/hyphens.h"
 #include "ui/kit/text.h"
 #include "ui/parameters/panel_choices.h"
 #include "ui/parameters/parameter_menus.h"
 #include "ui/parameters/parameter_section.h"
 #include "ui/parameters/screen_color.h"
+#include "ui/parameters/shown_text.h"
 
 #include <QClipboard>
 #include <QComboBox>
@@ -298,6 +300,50 @@ private slots:
         QCOMPARE(label("sunHeight"), QStringLiteral("Height"));
         QVERIFY(panel_->row("sunHeight")->toolTip().contains(QStringLiteral("Sun height")));
         QVERIFY(panel_->row("sunHeight")->toolTip().contains(QStringLiteral("Range: 0 to 1")));
+    }
+
+    void aLongLabelTakesSeveralLines()
+    {
+        ParameterRow* row = panel_->row("roughness");
+        auto* label = row->findChild<RowLabel*>();
+        const int before = row->height();
+        QVERIFY(label->isWhole());
+        label->setText("The name of a parameter that is too long for a line");
+        QVERIFY(!label->isWhole());
+        panel_->resize(panel_->width() + 1, panel_->height());  // The row adapts when it is laid out.
+        QTRY_VERIFY(label->isWhole());
+        QVERIFY(row->height() > before);
+        QTRY_COMPARE(panel_->row("material")->y(), row->y() + row->height());
+        label->setText("Short");
+        panel_->resize(panel_->width() + 1, panel_->height());
+        QTRY_COMPARE(row->height(), before);
+    }
+
+    void aWordThatIsTooLongForALineIsBrokenBetweenSyllables()
+    {
+        for (const char* parts : {"Schat|ten|ver|fah|ren", "Volu|men|schritte", "Dreh|ge|schwin|dig|keit",
+                                  "Rück|kopp|lung", "Bild|raum", "Occ|lu|sion", "Hash", "Strahl|stärke"}) {
+            const QString word = QString::fromUtf8(parts);
+            QCOMPARE(withSoftHyphens(QString(word).remove('|')).replace(softHyphen, '|'), word);
+        }
+        auto* label = panel_->row("roughness")->findChild<RowLabel*>();
+        label->setText("Geschwindigkeitsverteilung");
+        panel_->resize(panel_->width() + 1, panel_->height());
+        QTRY_VERIFY(label->isWhole());
+    }
+
+    void anEmptyFileSaysWhatIsUsedInstead()
+    {
+        struct Table final : Parameters {
+            File own = file("own", "A scene.", inAssetFolder("scenes"));
+            File shown = file("shown", "A scene.", mustBeGiven());
+            File other = file("other", "A picture.");
+        };
+        const Table table;
+        QStringList words;
+        for (const ParameterInfo& parameter : table.rows()) words << shownText(parameter, std::string());
+        QCOMPARE(words, (QStringList{"the exhibit's own", "as shown", "none"}));
+        QCOMPARE(in<QLineEdit>("environment")->placeholderText(), QString("none"));
     }
 
     void essentialsComeFirstAndTheOthersAreFoldedByGroup()

@@ -1,4 +1,4 @@
-#include "tests/ui/few_samples.h"
+#include "tests/ui/cheap_pictures.h"
 #include "tests/ui/preferences/open_preferences.h"
 #include "tests/ui/ui_main.h"
 
@@ -28,7 +28,7 @@ class PreferencesWindowTest : public test::OpenPreferences {
     [[nodiscard]] glm::dvec2 turnOf(const QPoint& drag)
     {
         Viewport& viewport = window_->viewport();
-        viewport.jumpTo({{1.35, 1.65, 10.2}, {1.35, 1.65, 0}, 0.96});
+        viewport.visitor().jumpTo({{1.35, 1.65, 10.2}, {1.35, 1.65, 0}, 0.96});
         const auto look = [this] {
             const render::Camera& camera = window_->history().sceneState().camera;
             return headingOf(camera.target - camera.eye);
@@ -44,7 +44,7 @@ class PreferencesWindowTest : public test::OpenPreferences {
     [[nodiscard]] double zoomOf()
     {
         Viewport& viewport = window_->viewport();
-        viewport.jumpTo({{0, 1.2, 6}, {0, 1, 0}, 0.96});
+        viewport.visitor().jumpTo({{0, 1.2, 6}, {0, 1, 0}, 0.96});
         const auto distance = [this] {
             const render::Camera& camera = window_->history().sceneState().camera;
             return glm::distance(camera.eye, camera.target);
@@ -152,26 +152,28 @@ private slots:
         QVERIFY(openDialog("Picture and mouse"));
         choose("Samples when idle", "2 at most");
         QCOMPARE(values().mostSamples, 2);
-        QTRY_VERIFY(window_->viewport().schedule().still() && window_->viewport().schedule().samples() == 2);
+        QTRY_VERIFY(window_->viewport().pictures().schedule().still() &&
+                    window_->viewport().pictures().schedule().samples() == 2);
         gallery_->forgetRequests();
-        window_->viewport().sceneStateChanged();
+        window_->viewport().scene().change();
         settle();
         QVERIFY(!gallery_->requests().empty());
         for (const FrameRequest& request : gallery_->requests()) QVERIFY(request.samples <= 2);
-        const QString reason = window_->viewport().reason();
+        const QString reason = window_->viewport().pictures().reason();
         QVERIFY2(reason.startsWith("Done (2 samples)") && reason.contains("the hall requests 8") &&
                      reason.contains("allow 2"),
                  qPrintable(reason));
         action("Frame report")->trigger();
-        window_->viewport().sceneStateChanged();
+        window_->viewport().scene().change();
         settle();
         QTRY_COMPARE(window_->docks().frameReport().reasonText(), reason);
         QVERIFY2(commandLineOf(*window_).contains("--samples 2 "), qPrintable(commandLineOf(*window_)));
         // The hall's parameter stays unchanged.
         QCOMPARE(pictureQuality(window_->history().sceneState().hall()).supersamples, 8);
         choose("Samples when idle", "As set in the hall");
-        QTRY_VERIFY(window_->viewport().schedule().still() && window_->viewport().schedule().samples() == 8);
-        QVERIFY(!window_->viewport().reason().contains("preferences"));
+        QTRY_VERIFY(window_->viewport().pictures().schedule().still() &&
+                    window_->viewport().pictures().schedule().samples() == 8);
+        QVERIFY(!window_->viewport().pictures().reason().contains("preferences"));
     }
 
     void aPictureInMotionIsNeverCoarserThanIsPreferred()
@@ -183,10 +185,10 @@ private slots:
         Viewport& viewport = window_->viewport();
         viewport.setFocus();
         QTest::keyPress(&viewport, Qt::Key_A);
-        QTRY_COMPARE(viewport.schedule().scaleWhileMoving(), 0.5);
+        QTRY_COMPARE(viewport.pictures().schedule().scaleWhileMoving(), 0.5);
         QTRY_VERIFY(gallery_->requests().size() >= 6);
         QTest::keyRelease(&viewport, Qt::Key_A);
-        QCOMPARE(viewport.schedule().scaleWhileMoving(), 0.5);
+        QCOMPARE(viewport.pictures().schedule().scaleWhileMoving(), 0.5);
         for (const FrameRequest& request : gallery_->requests())
             QVERIFY(request.raster.size.x >= viewport.width() / 2 - 1);
         settle();
@@ -201,29 +203,29 @@ private slots:
         QVERIFY(reducedMotion() && !window_->isAnimated());
         QVERIFY(action("Pause clock")->isChecked());
         settle();
-        const double stood = window_->viewport().time();
+        const double stood = window_->viewport().clock().time();
         gallery_->forgetRequests();
         window_->visit(1);
-        QCOMPARE(window_->viewport().mode(), CameraControl::Mode::orbit);  // Immediately.
+        QCOMPARE(window_->viewport().visitor().mode(), CameraControl::Mode::orbit);  // Immediately.
         settle();
-        QCOMPARE(window_->viewport().time(), stood);
+        QCOMPARE(window_->viewport().clock().time(), stood);
         const std::vector<FrameRequest> drawn = gallery_->requests();
         QVERIFY(!drawn.empty());
         for (const FrameRequest& request : drawn) QVERIFY(request.camera == drawn.back().camera);
         QVERIFY(drawn.front().resetHistory);  // The history is discarded.
         QTest::keyClick(&window_->viewport(), Qt::Key_Escape);
-        QCOMPARE(window_->viewport().mode(), CameraControl::Mode::walk);
-        window_->viewport().goBack();
-        QCOMPARE(window_->viewport().mode(), CameraControl::Mode::orbit);
+        QCOMPARE(window_->viewport().visitor().mode(), CameraControl::Mode::walk);
+        window_->viewport().visitor().goBack();
+        QCOMPARE(window_->viewport().visitor().mode(), CameraControl::Mode::orbit);
         // A visitor who presses a button wants to see its effect.
-        window_->viewport().press();
+        window_->viewport().interaction().press();
         QVERIFY(!action("Pause clock")->isChecked());
-        QTRY_VERIFY(window_->viewport().time() > stood);
+        QTRY_VERIFY(window_->viewport().clock().time() > stood);
         gallery_->exhibit().moves = false;
         choose("Motion", "Full");
         QVERIFY(!reducedMotion() && window_->isAnimated());
         window_->visit(0);
-        QCOMPARE(window_->viewport().mode(), CameraControl::Mode::glide);
+        QCOMPARE(window_->viewport().visitor().mode(), CameraControl::Mode::glide);
     }
 
     void aClockThatTheVisitorStoppedIsNotStartedByFullMotion()

@@ -191,7 +191,7 @@ private slots:
         const QString exported = home_->filePath("friend.json");
         QVERIFY(QFile::copy(home_->filePath("vitrine/presets/sdf_morph/dull.json"), exported));
         window_->visit(1);
-        QTRY_COMPARE(window_->viewport().mode(), CameraControl::Mode::orbit);
+        QTRY_COMPARE(window_->viewport().visitor().mode(), CameraControl::Mode::orbit);
         window_->presetController().importFile();
         auto* dialog = window_->findChild<QFileDialog*>();
         QVERIFY(dialog);

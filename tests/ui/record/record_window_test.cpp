@@ -35,7 +35,7 @@ class RecordWindowTest : public test::OpenWindow {
     {
         render::Camera there;
         there.eye.x = x;
-        window_->viewport().jumpTo(there);
+        window_->viewport().visitor().jumpTo(there);
         settle();
     }
     void press(Qt::Key key, Qt::KeyboardModifiers with)
@@ -114,7 +114,7 @@ private slots:
         QTRY_VERIFY(glm::length(camera().eye - kept.eye) < 1e-9);
         QVERIFY(glm::length(glm::normalize(camera().target - camera().eye) - glm::normalize(kept.target - kept.eye)) <
                 1e-9);
-        QVERIFY2(window_->viewport().canGoBack(), "Backspace leads back");
+        QVERIFY2(window_->viewport().visitor().canGoBack(), "Backspace leads back");
         window_->bookmarks().forgetAll();
         QVERIFY(window_->bookmarks().tour().bookmarks.empty());
     }
@@ -189,7 +189,7 @@ private slots:
     {
         action("Copy picture")->trigger();
         const QImage copied = QGuiApplication::clipboard()->image().convertToFormat(QImage::Format_RGB32);
-        QCOMPARE(copied, window_->viewport().shown().convertToFormat(QImage::Format_RGB32));
+        QCOMPARE(copied, window_->viewport().pictures().shown().image().convertToFormat(QImage::Format_RGB32));
         window_->choose(1);
         dragRoughness(60);
         settle();
@@ -197,9 +197,10 @@ private slots:
         const QString line = QGuiApplication::clipboard()->text();
         QCOMPARE(line, commandLineOf(*window_));
         QVERIFY2(line.startsWith("vitrine render hall --size "), qPrintable(line));
-        QVERIFY2(line.contains(QStringLiteral(" --samples %1 ").arg(window_->viewport().schedule().samples())),
-                 qPrintable(line));
-        const FrameRequest shown = window_->viewport().shownRequest();
+        QVERIFY2(
+            line.contains(QStringLiteral(" --samples %1 ").arg(window_->viewport().pictures().schedule().samples())),
+            qPrintable(line));
+        const FrameRequest shown = window_->viewport().pictures().shown().request();
         QVERIFY(line.contains(QStringLiteral("--size %1x%2 ").arg(shown.raster.size.x).arg(shown.raster.size.y)));
         QVERIFY2(line.contains(".roughness=") && line.contains("--eye="), qPrintable(line));
     }

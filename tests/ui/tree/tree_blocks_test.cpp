@@ -63,7 +63,7 @@ private slots:
             << test::textOfBlocks({{"red", 0.6, {-0.5, 0, 0}}, {"blue", 0.6, {0.5, 0, 0}}});
         drop(path());
         QTRY_COMPARE(editor().tree().nodes.size(), std::size_t(3));
-        QTRY_COMPARE(window_->viewport().mode(), CameraControl::Mode::orbit);
+        QTRY_COMPARE(window_->viewport().visitor().mode(), CameraControl::Mode::orbit);
         settle();
     }
     void cleanup()
@@ -133,7 +133,7 @@ private slots:
         auto& viewport = window_->viewport();
         const QSize room = viewport.size();
         // The camera of the best view is 4 m away; the block is 0.5 m to the right.
-        const double perMeter = room.height() / (2 * viewport.view().tanHalfFov.y * 4);
+        const double perMeter = room.height() / (2 * viewport.scene().view().tanHalfFov.y * 4);
         const QPoint blue(room.width() / 2 + static_cast<int>(0.5 * perMeter), room.height() / 2);
         QTest::mouseClick(&viewport, Qt::LeftButton, {}, blue);
         QCOMPARE(editor().selected(), std::string("blue"));

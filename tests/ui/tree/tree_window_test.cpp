@@ -71,7 +71,7 @@ class TreeWindowTest : public test::OpenWindow {
         const ExhibitState state{values()};
         const TreePlace place = editor().source()->placeOf(state, "root.children[0]").value();
         const glm::dmat4 world = gallery_->museum().worldFromExhibit(scenes) * place.exhibitFromParent;
-        const render::View view = window_->viewport().view();
+        const render::View view = window_->viewport().scene().view();
         const glm::dvec4 clip = view.clipFromWorld * world * glm::dvec4(x, y, 0, 1);
         const QSize size = window_->viewport().size();
         return {static_cast<int>((0.5 + 0.5 * clip.x / clip.w) * size.width()),
@@ -83,7 +83,7 @@ class TreeWindowTest : public test::OpenWindow {
         write(twoBalls);
         window_->files().open(path());
         QTRY_VERIFY(values().table().find("document") && editor().tree().nodes.size() == 3);
-        QTRY_COMPARE(window_->viewport().mode(), CameraControl::Mode::orbit);
+        QTRY_COMPARE(window_->viewport().visitor().mode(), CameraControl::Mode::orbit);
         settle();
     }
     QMessageBox* question() { return window_->findChild<QMessageBox*>(); }

@@ -1,6 +1,7 @@
 #include "tests/ui/ui_main.h"
 
 #include "ui/viewport/draw_schedule.h"
+#include "ui/viewport/moving_region.h"
 
 #include <QTest>
 
@@ -47,7 +48,7 @@ private slots:
         DrawSchedule schedule;
         schedule.changed(0);
         const DrawOrder order = schedule.next(0).value();
-        QCOMPARE(order, (DrawOrder{DrawSchedule::openingScale, 0, 1, false, 0}));
+        QCOMPARE(order, (DrawOrder{Opening::scale, 0, 1, false, 0}));
         schedule.begun(order);
         schedule.drawn(order, 60);  // As long as on the first start, when all programs are compiled.
         QCOMPARE(schedule.scaleWhileMoving(), 1.0);
@@ -64,7 +65,7 @@ private slots:
         slow.setExhibits(3);
         for (int exhibits = 0; exhibits <= 3; ++exhibits) {
             const DrawOrder order = slow.next(0).value();
-            QCOMPARE(order, (DrawOrder{DrawSchedule::openingScale, 0, 1, false, exhibits}));
+            QCOMPARE(order, (DrawOrder{Opening::scale, 0, 1, false, exhibits}));
             slow.drawn(order, 2);  // Its programs are compiled.
         }
         QCOMPARE(slow.next(0).value(), (DrawOrder{1, 0, 16}));
@@ -251,6 +252,34 @@ private slots:
             schedule.drawn(*order, seconds);
         }
         QCOMPARE(schedule.scaleWhileMoving(), 1.0);
+    }
+
+    void aMovingRegionRestsAfterEachDrawingAndShowsTheEndOfTheMotion()
+    {
+        MovingRegion region;
+        region.set(vitrine::PictureRegion{{0, 0}, {8, 8}});
+        QVERIFY(!region.isDue(0));
+        region.passTick(true, false);
+        QVERIFY(region.isDue(0));
+        region.begun();
+        QVERIFY(!region.isDue(0));
+        region.drawn(1, 0.1);
+        region.passTick(true, false);
+        QVERIFY(!region.isDue(1.4) && region.isWaiting(false));
+        QVERIFY(std::abs(region.wait(1.2) - 0.3) < 1e-9);
+        QVERIFY(region.isDue(1.51));
+        region.begun();
+        region.passTick(false, false);
+        QVERIFY(region.isDue(2));  // The final state.
+        region.begun();
+        region.passTick(false, false);
+        QVERIFY(!region.isDue(3) && !region.isWaiting(false));
+        region.passTick(false, true);
+        QVERIFY(region.isDue(3));
+        region.set({});
+        QVERIFY(!region.isDue(3));
+        region.set(vitrine::PictureRegion{{0, 0}, {8, 8}});
+        QVERIFY(!region.isDue(3));
     }
 
     void theReasonIsThatOfThePictureOnTheScreen()

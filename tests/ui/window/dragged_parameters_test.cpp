@@ -7,6 +7,7 @@
 #include "exhibits/framework/table/measured_table.h"
 #include "ui/export/export_dialog.h"
 #include "ui/jobs/job_dialog.h"
+#include "ui/jobs/text_preview.h"
 #include "ui/kit/message_strip.h"
 
 #include <QFile>
@@ -28,17 +29,18 @@ public:
     {
         while (wait) std::this_thread::sleep_for(std::chrono::milliseconds(1));
         ++count_;
-        csv_ += std::to_string(count_) + ",\"" + std::string(static_cast<std::size_t>(count_), 'I') + ", a;\"\n";
+        lines_.push_back({std::to_string(count_), std::string(static_cast<std::size_t>(count_), 'I') + ", a;"});
         return count_ < 4;
     }
     [[nodiscard]] double progress() const override { return count_ / 4.0; }
-    [[nodiscard]] std::string csv() const override { return csv_; }
+    [[nodiscard]] const std::vector<std::vector<std::string>>& lines() const override { return lines_; }
+    [[nodiscard]] std::size_t expectedLines() const override { return 4; }
 
     inline static std::atomic<bool> wait = false;
 
 private:
     int count_ = 0;
-    std::string csv_ = "number,Roman\n";
+    std::vector<std::vector<std::string>> lines_{{"number", "Roman"}};
 };
 
 /// Exhibit with a square of two meters, divided by an upright line.
@@ -84,7 +86,7 @@ class DraggedParametersTest : public test::OpenWindow {
     /// Returns the position of a point of the exhibit in the picture.
     [[nodiscard]] QPointF at(double x, double y)
     {
-        const render::View view = window_->viewport().view();
+        const render::View view = window_->viewport().scene().view();
         const glm::dvec4 clip =
             view.clipFromWorld * gallery_->museum().worldFromExhibit(divided) * glm::dvec4(x, y, 0, 1);
         const QSize size = window_->viewport().size();
@@ -113,7 +115,7 @@ private slots:
     {
         start();
         window_->visit(divided);
-        QTRY_COMPARE(window_->viewport().mode(), CameraControl::Mode::orbit);
+        QTRY_COMPARE(window_->viewport().visitor().mode(), CameraControl::Mode::orbit);
         settle();
     }
     void cleanup()
@@ -197,11 +199,31 @@ private slots:
         QVERIFY(page->findChild<MessageStrip*>()->texts().join(' ').contains("numbers1.csv"));
     }
 
+    void aTableIsPreviewedAndForecastBeforeItIsMeasured()
+    {
+        JobDialog* page = openTable();
+        auto* facts = page->findChild<QLabel*>("facts");
+        QVERIFY(facts);
+        const auto shown = [&] { return static_cast<TextPreview*>(page->preview())->text(); };
+        QTRY_COMPARE(shown(), QString("number,Roman\n1,\"I, a;\"\n2,\"II, a;\"\n3,\"III, a;\"\n"));
+        QTRY_VERIFY(page->settled());
+        QVERIFY2(facts->text().contains("Lines 4 · File about 1 kB"), qPrintable(facts->text()));
+        QVERIFY2(facts->text().contains("The preview shows the first lines."), qPrintable(facts->text()));
+        QVERIFY2(facts->text().contains("It will take less than 3 s."), qPrintable(facts->text()));
+        ParameterValues values = page->setup().values();
+        values.setParameter(values.table().find("lines").value(), 2.0);
+        values.setParameter(values.table().find("separator").value(), 1.0);
+        page->setup().change("Change", values);
+        QTRY_COMPARE(shown(), QString("number;Roman\n1;\"I, a;\"\n2;\"II, a;\"\n"));
+        QTRY_VERIFY(page->settled());
+        QVERIFY2(facts->text().contains("Lines 2") && !facts->text().contains("about"), qPrintable(facts->text()));
+    }
+
     void aTableThatIsCanceledWritesNothing()
     {
-        Counted::wait = true;
         JobDialog* page = openTable();
         QTRY_VERIFY(page->settled());
+        Counted::wait = true;
         const QString path = home_->filePath("canceled.csv");
         page->setPath(path);
         page->startExport();

@@ -11,6 +11,7 @@
 #include "ui/window/file_opener.h"
 #include "ui/window/main_window.h"
 #include "ui/window/session_keeper.h"
+#include "ui/window/window_actions.h"
 
 #include <QAction>
 #include <QDir>
@@ -39,7 +40,7 @@ class KeptWorkTest : public QObject {
     void openWindow()
     {
         gallery_ = std::make_unique<test::PaintedGallery>();
-        window_ = std::make_unique<MainWindow>(gallery_->museum(), *gallery_);
+        window_ = std::make_unique<MainWindow>(gallery_->museum(), *gallery_, makeWindowActions);
         window_->show();
         QVERIFY(QTest::qWaitForWindowExposed(window_.get(), vitrine::test::patience));
         connect(static_cast<Application*>(qApp), &Application::caught, window_.get(),
@@ -161,9 +162,9 @@ private slots:
         QTRY_COMPARE(said().size(), 4);
         QVERIFY(!said().join(' ').contains("std::"));
         // The window continues to work.
-        const long long before = window_->viewport().picturesDrawn();
+        const long long before = window_->viewport().pictures().shown().pictures();
         setRoughness(0.7);
-        QTRY_VERIFY(window_->viewport().picturesDrawn() > before);
+        QTRY_VERIFY(window_->viewport().pictures().shown().pictures() > before);
     }
 
     void whatDrawingThrowsIsSaidAndTheNextPictureIsDrawn()
@@ -172,9 +173,9 @@ private slots:
         setRoughness(0.7);
         QTRY_VERIFY(said().join(' ').contains("not enough memory"));
         gallery_->thrown = nullptr;
-        const long long before = window_->viewport().picturesDrawn();
+        const long long before = window_->viewport().pictures().shown().pictures();
         setRoughness(0.3);
-        QTRY_VERIFY(window_->viewport().picturesDrawn() > before);
+        QTRY_VERIFY(window_->viewport().pictures().shown().pictures() > before);
     }
 
     void theBarePictureIsLeftByTabAfterARestart()
@@ -224,7 +225,7 @@ private slots:
     {
         render::Camera there;
         there.eye = {0.625, 1.5, 3.25};
-        window_->viewport().jumpTo(there);
+        window_->viewport().visitor().jumpTo(there);
         QTRY_VERIFY(!own().isEmpty());
         QTRY_COMPARE(journal()["camera"]["eye"], (render::Json{0.625, 1.5, 3.25}));
     }

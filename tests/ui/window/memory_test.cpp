@@ -20,6 +20,7 @@
 #include "ui/viewport/museum_renderers.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
+#include "ui/window/window_actions.h"
 #include "ui/window/window_dialogs.h"
 #include "ui/window/window_docks.h"
 
@@ -62,12 +63,12 @@ class MemoryTest : public QObject {
     /// Waits for the next picture, because every step must be one that a visitor would see.
     void draw()
     {
-        const long long drawn = window_->viewport().picturesDrawn();
-        window_->viewport().sceneStateChanged();
-        QTRY_VERIFY(window_->viewport().picturesDrawn() > drawn);
+        const long long drawn = window_->viewport().pictures().shown().pictures();
+        window_->viewport().scene().change();
+        QTRY_VERIFY(window_->viewport().pictures().shown().pictures() > drawn);
         ++step_;
     }
-    void settle() { QTRY_VERIFY(window_->viewport().schedule().still()); }
+    void settle() { QTRY_VERIFY(window_->viewport().pictures().schedule().still()); }
     /// Triggers the command of this id.
     void command(const char* id) { window_->findChild<QAction*>(QLatin1String(id))->trigger(); }
 
@@ -242,7 +243,7 @@ private slots:
         museum_ = std::make_unique<Museum>(allExhibits());
         exhibit_ = museum_->find("sdf_morph").value();
         renderers_ = std::make_unique<MuseumRenderers>(*museum_);
-        window_ = std::make_unique<MainWindow>(*museum_, *renderers_);
+        window_ = std::make_unique<MainWindow>(*museum_, *renderers_, makeWindowActions);
         window_->resize(700, 420);
         window_->show();
         QVERIFY(QTest::qWaitForWindowExposed(window_.get(), vitrine::test::patience));

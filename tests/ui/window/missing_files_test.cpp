@@ -6,27 +6,28 @@
 #include "render/files/assets.h"
 #include "render/image/image_io.h"
 #include "render/plan/frame_plan.h"
-#include "tests/ui/few_samples.h"
+#include "tests/ui/open_museum.h"
+#include "tests/ui/painted_gallery.h"
+#include "tests/ui/window/broken_files.h"
+#include "ui/compare/compare_controller.h"
 #include "ui/export/export_dialog.h"
 #include "ui/export/export_presets.h"
 #include "ui/export/picture_export.h"
 #include "ui/jobs/export_again.h"
 #include "ui/jobs/job_dialog.h"
+#include "ui/jobs/job_draft.h"
 #include "ui/jobs/picture_preview.h"
 #include "ui/kit/inline_dialog.h"
 #include "ui/kit/message_strip.h"
 #include "ui/kit/name_dialog.h"
-#include "ui/kit/theme.h"
+#include "ui/model/settings_b.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/parameters/parameter_row.h"
 #include "ui/print/print_dialog.h"
-#include "ui/viewport/gl_probe.h"
-#include "ui/viewport/museum_renderers.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
 #include "ui/window/window_dialogs.h"
 
-#include <QComboBox>
 #include <QDesktopServices>
 #include <QDir>
 #include <QDropEvent>
@@ -39,26 +40,58 @@
 #include <QMimeData>
 #include <QProcess>
 #include <QPushButton>
-#include <QSpinBox>
-#include <QTemporaryDir>
+#include <QSignalSpy>
 #include <QToolButton>
 #include <QUrl>
 
-#include <clocale>
+#include <map>
 #include <memory>
 #include <stdexcept>
 
 using namespace vitrine;
 using namespace vitrine::ui;
 
+namespace {
+
+/// Renderers that draw nothing, for tests of dialogs over the real museum.
+class BlankRenderers final : public Renderers {
+public:
+    void open() override {}
+    void close() override {}
+    render::FrameReport draw(const SceneState&, const FrameRequest&, const IsCanceled&) override { return {}; }
+    [[nodiscard]] QImage screenImage(const QSize& screen) override { return blank(screen); }
+    [[nodiscard]] QImage drawRegion(const SceneState&, const FrameRequest&, const PictureRegion& region, int,
+                                    const IsCanceled&) override
+    {
+        return blank({region.size.x, region.size.y});
+    }
+    [[nodiscard]] render::Image shownPicture() override { return {}; }
+    void timeSteps(bool) override {}
+    bool reloadChangedShaders() override { return false; }
+    [[nodiscard]] std::vector<render::gl::ShaderProblem> problems() const override { return {}; }
+    [[nodiscard]] PictureJob makePicture(const SceneState&, const PictureRequest&) override { return {}; }
+    void nextPicture(PictureJob&, const SceneState&, const PictureRequest&) override {}
+    [[nodiscard]] StudyJob makeStudy(const StudyRequest&) override { return {}; }
+    [[nodiscard]] std::unique_ptr<render::RenderBackend> makeBackend(bool) override
+    {
+        return std::make_unique<test::BlankBackend>();
+    }
+
+private:
+    [[nodiscard]] static QImage blank(const QSize& size)
+    {
+        QImage image(size, QImage::Format_RGBX8888);
+        image.fill(Qt::gray);
+        return image;
+    }
+};
+
+}  // namespace
+
 /// The window over the real museum with unreadable files, which it reports once.
-class MissingFilesTest : public QObject {
+class MissingFilesTest : public vitrine::test::OpenMuseum {
     Q_OBJECT
 
-    std::unique_ptr<QTemporaryDir> home_;
-    std::unique_ptr<Museum> museum_;
-    std::unique_ptr<MuseumRenderers> renderers_;
-    std::unique_ptr<MainWindow> window_;
     QStringList unreadable_;  // Unreadable files of the last picture.
     std::size_t fur_ = 0;
 
@@ -75,67 +108,30 @@ class MissingFilesTest : public QObject {
         QFile file(path);
         return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     }
-    static QByteArray goodModel()
-    {
-        return contentOf(QString::fromStdString(render::asset("models/teddy.glb").string()));
-    }
     /// Converts apostrophes to quotes.
-    static QByteArray json(QByteArray text) { return text.replace('\'', '"'); }
-    static QByteArray glb(QByteArray json)
-    {
-        while (json.size() % 4 != 0) json += ' ';
-        const auto word = [](qsizetype n) {
-            const auto x = static_cast<quint32>(n);
-            return QByteArray(reinterpret_cast<const char*>(&x), 4);
-        };
-        return "glTF" + word(2) + word(20 + json.size()) + word(json.size()) + "JSON" + json;
-    }
-    /// Each of these files once crashed the program.
-    QStringList writeBrokenFiles() const
-    {
-        write("draco.glb",
-              glb(json("{'asset':{'version':'2.0'},'extensionsUsed':['KHR_draco_mesh_compression'],'extensionsRequired'"
-                       ":['KHR_draco_mesh_compression'],'scene':0,'scenes':[{'nodes':[]}]}")));
-        write("truncated.glb", goodModel().left(5000));
-        QByteArray noise;
-        for (int i = 0; i < 4000; ++i) noise += static_cast<char>((i * 7919 + i / 13) & 255);
-        write("noise.glb", noise);
-        write("no-bin.gltf",
-              json("{'asset':{'version':'2.0'},'scene':0,'scenes':[{'nodes':[0]}],'nodes':[{'mesh':0}],'meshes':[{'"
-                   "primitives':[{'attributes':{'POSITION':0}}]}],"
-                   "'accessors':[{'bufferView':0,'componentType':5126,'count':3,'type':'VEC3','min':[0,0,0],'max':[1,1,"
-                   "1]}],"
-                   "'bufferViews':[{'buffer':0,'byteLength':36}],'buffers':[{'byteLength':36,'uri':'no-bin.bin'}]}"));
-        write("truncated.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 64 +X 128\n\x02\x02");
-        QImage picture(256, 128, QImage::Format_RGB32);
-        for (int y = 0; y < 128; ++y)
-            for (int x = 0; x < 256; ++x) picture.setPixel(x, y, qRgb(x, 2 * y, x ^ y));
-        picture.save(path("whole.jpg"), "JPG", 95);
-        write("truncated.jpg", contentOf(path("whole.jpg")).left(3000));
-        return {path("draco.glb"),   path("truncated.glb"), path("noise.glb"),
-                path("no-bin.gltf"), path("truncated.hdr"), path("truncated.jpg")};
-    }
+    static QByteArray json(const QByteArray& text) { return test::withQuotes(text); }
+    QStringList writeBrokenFiles() const { return test::writeBrokenFiles(home_->path()); }
 
-    void openWindow()
+    void openWindow() { openWindowOver(nullptr); }
+    /// Opens a window whose picture is gray, for tests of dialogs alone.
+    void openBlankWindow() { openWindowOver(std::make_unique<BlankRenderers>()); }
+    void openWindowOver(std::unique_ptr<Renderers> renderers)
     {
-        renderers_ = std::make_unique<MuseumRenderers>(*museum_);
-        window_ = std::make_unique<MainWindow>(*museum_, *renderers_);
-        window_->resize(1000, 560);
-        connect(&window_->viewport(), &Viewport::drawn, this, [this](const render::FrameReport& report) {
-            unreadable_.clear();
-            for (const render::CulledPass& skipped : report.skipped)
-                if (!skipped.unreadable.empty()) unreadable_ << QString::fromStdString(skipped.unreadable);
-        });
-        window_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(window_.get(), vitrine::test::patience));
-        vitrine::test::takeFewSamples(*window_, 1);
+        makeWindow({.scale = 0.25}, std::move(renderers));  // Messages are tested, not pixels.
+        connect(&window_->viewport().pictures(), &ViewportPictures::drawn, this,
+                [this](const render::FrameReport& report) {
+                    unreadable_.clear();
+                    for (const render::CulledPass& skipped : report.skipped)
+                        if (!skipped.unreadable.empty()) unreadable_ << QString::fromStdString(skipped.unreadable);
+                });
+        showWindow({1000, 560});
         drawAnother();
     }
     /// Checks that the window still draws.
     void drawAnother()
     {
-        window_->viewport().sceneStateChanged();
-        QTRY_VERIFY(window_->viewport().schedule().current());
+        window_->viewport().scene().change();
+        QTRY_VERIFY(window_->viewport().pictures().schedule().current());
     }
     [[nodiscard]] QStringList said() const { return window_->findChild<MessageStrip*>()->texts(); }
     void dismiss()
@@ -178,6 +174,12 @@ class MissingFilesTest : public QObject {
         for (QPushButton* each : parent.findChildren<QPushButton*>())
             if (each->text() == text && each->isVisible()) return each;
         return nullptr;
+    }
+    static JobDialog* pageOf(const ExportDialog& dialog, std::string_view job)
+    {
+        for (JobDialog* page : dialog.findChildren<JobDialog*>())
+            if (page->job().name() == job) return page;
+        throw std::logic_error("the export dialog has no such page");
     }
     /// Returns the settings of the shown page.
     static ParameterValues settingsOf(const ExportDialog& dialog)
@@ -225,23 +227,12 @@ class MissingFilesTest : public QObject {
 private slots:
     void initTestCase()
     {
-        std::setlocale(LC_NUMERIC, "C");
-        applyTheme(*qApp, darkTheme());
-        QVERIFY2(whyNoOpenGl().isEmpty(), qPrintable(whyNoOpenGl()));
+        prepare();
         museum_ = std::make_unique<Museum>(allExhibits());
         fur_ = museum_->find("fur").value();
     }
-    void init()
-    {
-        home_ = std::make_unique<QTemporaryDir>();
-        for (const char* name : {"HOME", "XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME"})
-            qputenv(name, home_->path().toLocal8Bit());
-    }
-    void cleanup()
-    {
-        if (window_) window_->close();
-        window_.reset();
-    }
+    void init() { makeHome(); }
+    void cleanup() { closeWindow(); }
 
     void aSessionThatNamesAMissingFileOpensAndDrawsItWhenItComesBack_data()
     {
@@ -278,7 +269,7 @@ private slots:
         QCOMPARE(said().size(), 1);
         // Without input, the window notices it by itself.
         if (file.endsWith("glb")) {
-            write(file, goodModel());
+            write(file, test::goodModel());
         } else {
             QImage picture(64, 32, QImage::Format_RGB32);
             picture.fill(Qt::green);
@@ -323,7 +314,7 @@ private slots:
             dismiss();
         }
         window_->visit(fur_);
-        window_->viewport().jumpTo(museum_->bestView(fur_, window_->history().sceneState().values[fur_]));
+        window_->viewport().visitor().jumpTo(museum_->bestView(fur_, window_->history().sceneState().values[fur_]));
         drawAnother();
         type("ringModel", path("noise.glb"));
         drawAnother();
@@ -502,6 +493,7 @@ private slots:
         auto* picture = all->findChild<JobDialog*>();
         ParameterValues values = picture->setup().values();
         values.set(pictureTable().width, 64);
+        values.set(pictureTable().height, 36);
         values.set(pictureTable().samples, 200);
         picture->setup().change("Change", values);
         QTRY_VERIFY_WITH_TIMEOUT(picture->settled(), test::patience);
@@ -531,7 +523,7 @@ private slots:
     /// Also of an exhibit that is not visited, and in the hall.
     void everyKindOfExportHasItsPage()
     {
-        openWindow();
+        openBlankWindow();
         QListWidget& kinds = exportKinds();
         const auto* dialog = window_->findChild<ExportDialog*>();
         QStringList titles;
@@ -545,7 +537,7 @@ private slots:
             }
         }
         for (const char* title :
-             {"Picture", "Recording", "Lenticular print", "Sprites", "Mesh", "Quilt", "Shader", "Table"})
+             {"Picture", "Recording", "Lenticular print", "Sprites", "Mesh", "Quilt", "Shader", "Table", "Comparison"})
             QVERIFY2(titles.contains(title), qPrintable(titles.join(", ")));
     }
 
@@ -553,7 +545,7 @@ private slots:
     {
         write("ball.json", json("{'format':'vitrine-scene','version':1,'parameters':{'size':{'value':0.2,'unit':'m',"
                                 "'range':[0.1,0.4],'help':'Radius.'}},'root':{'kind':'sphere','radius':'size'}}"));
-        openWindow();
+        openBlankWindow();
         const std::size_t scenes = museum_->find("sdf_scenes").value();
         window_->visit(scenes);
         drop(path("ball.json"));
@@ -563,10 +555,7 @@ private slots:
         QListWidget& kinds = exportKinds();
         kinds.setCurrentItem(kinds.findItems("Mesh", Qt::MatchExactly).front());
         const auto* dialog = window_->findChild<ExportDialog*>();
-        JobDialog* page = nullptr;
-        for (JobDialog* each : dialog->findChildren<JobDialog*>())
-            if (each->job().name() == "mesh") page = each;
-        QVERIFY(page);
+        JobDialog* page = pageOf(*dialog, "mesh");
         ParameterValues settings = page->setup().values();
         settings.setParameter(settings.table().find("cell").value(), 0.05);
         page->setup().change("Change", settings);
@@ -594,9 +583,86 @@ private slots:
         QVERIFY(found);
     }
 
-    void settingsOfEveryKindOfExportAreSavedUnderANameAndChosen()
+    void aComparisonWithTheSettingsBIsAFolderWithAPage()
     {
         openWindow();
+        window_->visit(fur_);
+        QListWidget& kinds = exportKinds();
+        const auto* dialog = window_->findChild<ExportDialog*>();
+        const QRect place = kinds.visualItemRect(kinds.findItems("Comparison", Qt::MatchExactly).front());
+        QTest::mouseClick(kinds.viewport(), Qt::LeftButton, {}, place.center());
+        QTRY_COMPARE(dialog->shownKind(), QString("comparison"));
+        JobDialog* page = pageOf(*dialog, "comparison");
+        const auto facts = [&] { return page->findChild<QLabel*>("facts")->text(); };
+        QTRY_VERIFY2(facts().contains("Choose B in the menu Compare"), qPrintable(facts()));
+        QVERIFY(!buttonOf(*page, "Export")->isEnabled());
+        for (QAction* action : window_->findChildren<QAction*>())
+            if (action->text().remove('&') == "Hold the current settings as B") action->trigger();
+        QVERIFY(window_->comparison().other().isSet());
+        const auto length = museum_->subject(fur_).parameters().find("shellCount").value();
+        window_->history().set(fur_, length, 20.0, newGesture());
+        ParameterValues values = page->setup().values();
+        for (const auto& [name, value] :
+             std::map<const char*, double>{{"width", 64}, {"height", 36}, {"samples", 1}, {"runs", 1}})
+            values.setParameter(*values.table().find(name), value);
+        page->setup().change("Change", values);
+        QTRY_VERIFY_WITH_TIMEOUT(page->settled() && facts().contains("Parameters that differ 1"), test::patience);
+        const QImage& preview = static_cast<const PicturePreview*>(page->preview())->picture();
+        QCOMPARE(preview.size(), QSize(2 * 64 + 2, 36));
+        page->setPath(path("both"));
+        QTest::mouseClick(buttonOf(*page, "Export"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path("both/index.html")) && !page->exporting(), test::patience);
+        const QByteArray numbers = contentOf(path("both/comparison.json"));
+        QVERIFY2(numbers.contains("\"shellCount\""), numbers.left(2000));
+        QVERIFY2(numbers.contains("\"renderer\""), "it says what drew");
+        QVERIFY(contentOf(path("both/index.html")).contains("1 parameter differs"));
+        QCOMPARE(QImage(path("both/pictures/b.png")).size(), QSize(64, 36));
+        QVERIFY(QFile::exists(path("both.vitrine-job.json")));
+        QCOMPARE(page->path(), path("both-2"));
+        // A folder of something else is left alone, which is said before anything is drawn.
+        QDir(home_->path()).mkdir("own");
+        write("own/notes.txt", "mine");
+        page->setPath(path("own"));
+        QTest::mouseClick(buttonOf(*page, "Export"), Qt::LeftButton);
+        page->findChild<QMessageBox*>()->findChild<QPushButton*>("replace")->click();
+        QTRY_VERIFY(page->findChild<MessageStrip*>()->texts().join(' ').contains("something else than a comparison"));
+        QCOMPARE(QDir(path("own")).entryList(QDir::Files), QStringList("notes.txt"));
+    }
+
+    void onlyTheShownPageOfExportsDrawsAndAnotherCatchesUp()
+    {
+        openWindow();
+        window_->visit(fur_);
+        QListWidget& kinds = exportKinds();
+        auto* dialog = window_->findChild<ExportDialog*>();
+        JobDialog* picture = pageOf(*dialog, "render");
+        QTRY_VERIFY_WITH_TIMEOUT(picture->settled(), test::patience);
+        kinds.setCurrentItem(kinds.findItems("Quilt", Qt::MatchExactly).front());
+        JobDialog* quilt = pageOf(*dialog, "quilt");
+        ParameterValues values = quilt->setup().values();
+        for (const char* name : {"columns", "rows"}) values.setParameter(*values.table().find(name), 2.0);
+        quilt->setup().change("Change", values);
+        QTRY_VERIFY_WITH_TIMEOUT(quilt->settled() && picture->settled(), test::patience);
+        QSignalSpy pictures(picture->findChild<JobDraft*>(), &JobDraft::shown);
+        QSignalSpy quilts(quilt->findChild<JobDraft*>(), &JobDraft::shown);
+        const auto count = museum_->subject(fur_).parameters().find("shellCount").value();
+        window_->history().set(fur_, count, 20.0, newGesture());
+        QTRY_COMPARE_WITH_TIMEOUT(quilts.count(), 1, test::patience);
+        QTRY_VERIFY_WITH_TIMEOUT(picture->settled(), test::patience);
+        QCOMPARE(pictures.count(), 0);
+        kinds.setCurrentItem(kinds.findItems("Picture", Qt::MatchExactly).front());
+        QTRY_COMPARE_WITH_TIMEOUT(pictures.count(), 1, test::patience);
+        QTRY_VERIFY_WITH_TIMEOUT(picture->settled(), test::patience);
+        // Nothing has changed since.
+        kinds.setCurrentItem(kinds.findItems("Quilt", Qt::MatchExactly).front());
+        QTRY_VERIFY_WITH_TIMEOUT(quilt->settled(), test::patience);
+        QCOMPARE(quilts.count(), 1);
+        QCOMPARE(pictures.count(), 1);
+    }
+
+    void settingsOfEveryKindOfExportAreSavedUnderANameAndChosen()
+    {
+        openBlankWindow();
         QListWidget& kinds = exportKinds();
         auto* dialog = window_->findChild<ExportDialog*>();
         auto* presets = dialog->findChild<ExportPresetList*>();
@@ -633,7 +699,7 @@ private slots:
 
     void aBrokenPresetOfAnExportIsNamedWithItsKeyAndChangesNothing()
     {
-        openWindow();
+        openBlankWindow();
         const jobs::Job& job = *jobs::findJob("record");
         const ExportPresets files(job);
         ParameterValues values = job.parameters().initial();

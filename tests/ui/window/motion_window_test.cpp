@@ -41,8 +41,8 @@ private slots:
         QVERIFY(dialog);
         QVERIFY(motion());
         QVERIFY(row()->differs());
-        const long long drawn = window_->viewport().picturesDrawn();
-        QTRY_VERIFY(window_->viewport().picturesDrawn() > drawn + 3);
+        const long long drawn = window_->viewport().pictures().shown().pictures();
+        QTRY_VERIFY(window_->viewport().pictures().shown().pictures() > drawn + 3);
         const double shown = in<NumberField>("roughness")->value();
         QTRY_VERIFY(in<NumberField>("roughness")->value() != shown);
         QCOMPARE(roughness(), before);
@@ -51,10 +51,10 @@ private slots:
         choose("Hold the motion");
         QVERIFY(motion()->heldAt);
         settle();
-        const long long held = window_->viewport().picturesDrawn();
+        const long long held = window_->viewport().pictures().shown().pictures();
         const double heldValue = in<NumberField>("roughness")->value();
         QTest::qWait(400);
-        QCOMPARE(window_->viewport().picturesDrawn(), held);
+        QCOMPARE(window_->viewport().pictures().shown().pictures(), held);
         choose("Stop here");
         QVERIFY(!motion());
         QVERIFY(std::abs(roughness() - heldValue) < 1e-6);
@@ -109,30 +109,30 @@ private slots:
     void theClockIsStoppedStartedAndSet()
     {
         gallery_->exhibit().moves = true;
-        window_->viewport().sceneStateChanged();
-        QTRY_VERIFY(window_->viewport().time() > 0.3);
+        window_->viewport().scene().change();
+        QTRY_VERIFY(window_->viewport().clock().time() > 0.3);
         QTRY_VERIFY(clock()->value() > 0.3);
         QCOMPARE(clockButton()->text(), QString("Pause"));
         QTest::mouseClick(clockButton(), Qt::LeftButton);
         QCOMPARE(clockButton()->text(), QString("Play"));
         settle();
-        const double rests = window_->viewport().time();
+        const double rests = window_->viewport().clock().time();
         QTRY_COMPARE(clock()->value(), rests);
         type("71.25");
-        QCOMPARE(window_->viewport().time(), 71.25);
+        QCOMPARE(window_->viewport().clock().time(), 71.25);
         settle();
         QCOMPARE(gallery_->requests().back().time, 71.25);
         QCOMPARE(gallery_->requests().back().samples, 16);
-        const long long drawn = window_->viewport().picturesDrawn();
+        const long long drawn = window_->viewport().pictures().shown().pictures();
         type("71.25");
         QTest::qWait(300);
-        QCOMPARE(window_->viewport().picturesDrawn(), drawn);
+        QCOMPARE(window_->viewport().pictures().shown().pictures(), drawn);
         QTest::mouseClick(clockButton(), Qt::LeftButton);
         QCOMPARE(clockButton()->text(), QString("Pause"));
-        QTRY_VERIFY(window_->viewport().time() > 71.4);
+        QTRY_VERIFY(window_->viewport().clock().time() > 71.4);
         QTRY_VERIFY(clock()->value() > 71.4);
         type("1e9");
-        QVERIFY(window_->viewport().time() >= Viewport::latestTime);
+        QVERIFY(window_->viewport().clock().time() >= ExhibitClock::latest);
     }
 
     void atAMomentBeforeAPressNothingIsPressed()
@@ -142,7 +142,7 @@ private slots:
         settle();
         action("Pause clock")->trigger();
         type("10");
-        window_->viewport().press();
+        window_->viewport().interaction().press();
         settle();
         QCOMPARE(gallery_->requests().back().sincePressed[1], 0.0);
         type("11.5");

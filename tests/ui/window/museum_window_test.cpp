@@ -7,11 +7,10 @@
 #include "render/failure.h"
 #include "render/image/image_io.h"
 #include "render/measure/clock.h"
-#include "tests/ui/few_samples.h"
+#include "tests/ui/open_museum.h"
 #include "ui/charts/charts_dock.h"
 #include "ui/export/picture_export.h"
 #include "ui/kit/message_strip.h"
-#include "ui/kit/theme.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/parameters/parameter_row.h"
 #include "ui/parameters/value_slider.h"
@@ -21,8 +20,6 @@
 #include "ui/report/frame_report_dock.h"
 #include "ui/report/frame_report_view.h"
 #include "ui/study/study_dock.h"
-#include "ui/viewport/gl_probe.h"
-#include "ui/viewport/museum_renderers.h"
 #include "ui/viewport/pixel_inspector.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/file_opener.h"
@@ -38,37 +35,25 @@
 #include <QListWidget>
 #include <QRegularExpression>
 #include <QSignalSpy>
-#include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
-
-#include <clocale>
-#include <memory>
 
 using namespace vitrine;
 using namespace vitrine::ui;
 
 /// The window over the real museum with the real renderer.
-class MuseumWindowTest : public QObject {
+class MuseumWindowTest : public vitrine::test::OpenMuseum {
     Q_OBJECT
 
-    std::unique_ptr<QTemporaryDir> home_;
-    std::unique_ptr<Museum> museum_;
-    std::unique_ptr<MuseumRenderers> renderers_;
-    std::unique_ptr<MainWindow> window_;
     std::size_t exhibit_ = 0;
 
     void openWindow()
     {
-        renderers_ = std::make_unique<MuseumRenderers>(*museum_);
-        window_ = std::make_unique<MainWindow>(*museum_, *renderers_);
-        window_->resize(1000, 560);  // Small enough for a software renderer.
-        window_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(window_.get(), vitrine::test::patience));
-        vitrine::test::takeFewSamples(*window_, 2);
-        QTRY_VERIFY(window_->viewport().picturesDrawn() > 0);
+        makeWindow({.samples = 2});
+        showWindow({1000, 560});  // Small enough for a software renderer.
+        QTRY_VERIFY(window_->viewport().pictures().shown().pictures() > 0);
     }
-    void settle() { QTRY_VERIFY(window_->viewport().schedule().still()); }
+    void settle() { QTRY_VERIFY(window_->viewport().pictures().schedule().still()); }
     [[nodiscard]] QImage picture()
     {
         settle();
@@ -119,9 +104,7 @@ class MuseumWindowTest : public QObject {
 private slots:
     void initTestCase()
     {
-        std::setlocale(LC_NUMERIC, "C");
-        applyTheme(*qApp, darkTheme());
-        QVERIFY2(whyNoOpenGl().isEmpty(), qPrintable(whyNoOpenGl()));
+        prepare();
         try {
             museum_ = std::make_unique<Museum>(allExhibits());
         } catch (const std::exception& failure) {
@@ -131,25 +114,14 @@ private slots:
     }
     void init()
     {
-        // Every test has folders of its own; the user's are never touched.
-        home_ = std::make_unique<QTemporaryDir>();
-        for (const char* name : {"HOME", "XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME"})
-            qputenv(name, home_->path().toLocal8Bit());
-        openWindow();
+        makeHome();
+        if (QTest::currentTestFunction() != QByteArray("labelsAreReadWholeInAWindowOfTheFirstSize")) openWindow();
     }
-    void cleanup()
-    {
-        if (window_) window_->close();
-        window_.reset();
-    }
+    void cleanup() { closeWindow(); }
 
     void labelsAreReadWholeInAWindowOfTheFirstSize()
     {
-        window_->close();
-        window_.reset();
-        QFile::remove(home_->filePath("vitrine/window.ini"));
-        QFile::remove(home_->filePath("vitrine/session.json"));
-        window_ = std::make_unique<MainWindow>(*museum_, *renderers_);
+        makeWindow({});
         window_->show();
         QVERIFY(QTest::qWaitForWindowExposed(window_.get(), vitrine::test::patience));
         QStringList cut;
@@ -223,8 +195,7 @@ private slots:
         window_->history().stack().redo();
         window_->presetController().saveUnder("Half melted");
         window_->history().stack().undo();
-        window_->close();
-        window_.reset();
+        closeWindow();
 
         openWindow();
         auto* list = window_->findChild<PresetList*>()->findChild<QListWidget*>();
@@ -246,13 +217,14 @@ private slots:
         exportRequest.size = {160, 90};
         exportRequest.samples = 2;
         settle();
-        const long long drawn = window_->viewport().picturesDrawn();
+        const long long drawn = window_->viewport().pictures().shown().pictures();
         auto* work = new PictureExport(*window_, exportRequest, window_.get());
         QSignalSpy finished(work, &PictureExport::finished), failed(work, &PictureExport::failed);
         work->start();
         QTRY_VERIFY(finished.count() + failed.count() == 1);
         QVERIFY2(failed.isEmpty(), failed.isEmpty() ? "" : qPrintable(failed[0][0].toString()));
-        QCOMPARE(window_->viewport().picturesDrawn(), drawn);  // The viewport and its picture are left alone.
+        QCOMPARE(window_->viewport().pictures().shown().pictures(),
+                 drawn);  // The viewport and its picture are left alone.
         QVERIFY(render::embeddedPreset(exportRequest.path).has_value());
         window_->history().stack().undo();
         window_->files().open(QString::fromStdString(exportRequest.path.string()));
@@ -264,13 +236,13 @@ private slots:
         window_->visit(exhibit_);
         settle();
         QTest::qWait(1000);  // For the status line and other work after the last picture.
-        const long long drawn = window_->viewport().picturesDrawn();
+        const long long drawn = window_->viewport().pictures().shown().pictures();
         // qWait wakes up every 10 ms, which costs half a percent.
         const double cpu = render::processCpuSeconds();
         QEventLoop idle;
         QTimer::singleShot(10000, &idle, &QEventLoop::quit);
         idle.exec();
-        QCOMPARE(window_->viewport().picturesDrawn(), drawn);
+        QCOMPARE(window_->viewport().pictures().shown().pictures(), drawn);
         const double share = (render::processCpuSeconds() - cpu) / 10;
         QVERIFY2(share < 0.005, qPrintable(QStringLiteral("%1 % of a processor").arg(100 * share)));
     }
@@ -352,7 +324,7 @@ private slots:
         const glm::dvec3 point(found.captured(1).toDouble(), found.captured(2).toDouble(),
                                found.captured(3).toDouble());
         const double distance = found.captured(4).toDouble();
-        const render::View view = viewport.view();
+        const render::View view = viewport.scene().view();
         QVERIFY(distance > 0.2);
         const QPointF middle = viewport.rect().center();
         const glm::dvec2 ndc(2 * middle.x() / viewport.width() - 1, 1 - 2 * middle.y() / viewport.height());

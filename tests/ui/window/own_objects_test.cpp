@@ -100,8 +100,10 @@ private slots:
         QVERIFY(!menu()->actions().front()->isEnabled());
         drop({bear("one.glb"), bear("two.glb"), bear("three.glb")});
         QTRY_COMPARE(standing(), (QStringList{"one.glb", "two.glb", "three.glb", ""}));
-        QTRY_COMPARE(window_->viewport().ownObjects().size(), std::size_t{3});
-        for (const OwnObjectShown& object : window_->viewport().ownObjects()) {
+        QTRY_COMPARE(window_->museum().surroundings().ownObjects(window_->viewport().scene().prepared()).size(),
+                     std::size_t{3});
+        for (const OwnObjectShown& object :
+             window_->museum().surroundings().ownObjects(window_->viewport().scene().prepared())) {
             const QString visit = "Visit " + standing()[static_cast<int>(object.which)];
             QVERIFY2(entry(visit) && entry(visit)->isEnabled(), qPrintable(visit));
             entry(visit)->trigger();
@@ -110,7 +112,7 @@ private slots:
             // From farther away, a click on it leads to the same view.
             render::Camera away = object.view;
             away.eye += 0.6 * (away.eye - away.target);
-            window_->viewport().jumpTo(away);
+            window_->viewport().visitor().jumpTo(away);
             QTRY_VERIFY(glm::distance(camera().eye, away.eye) < 1e-6);
             settle();
             const QPoint middle = window_->viewport().rect().center();

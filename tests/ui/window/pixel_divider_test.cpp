@@ -22,10 +22,11 @@ class PixelDividerTest : public test::OpenWindow {
     /// Returns the position of the line's center in the picture.
     [[nodiscard]] QPointF line()
     {
-        const render::View view = window_->viewport().view();
+        const render::View view = window_->viewport().scene().view();
         const glm::dmat4 world = gallery_->museum().worldFromExhibit(art);
         const glm::dvec3 eye(glm::inverse(world) * glm::dvec4(view.eye, 1));
-        const std::vector<DraggedLine> lines = exhibit_.draggedLines({values(), window_->viewport().time()}, eye);
+        const std::vector<DraggedLine> lines =
+            exhibit_.draggedLines({values(), window_->viewport().clock().time()}, eye);
         if (lines.size() != 1) return {-1, -1};
         const glm::dvec4 clip = view.clipFromWorld * world * glm::dvec4(0.5 * (lines[0].from + lines[0].to), 1);
         const QSize size = window_->viewport().size();
@@ -47,7 +48,7 @@ private slots:
     {
         start();
         window_->visit(art);
-        QTRY_COMPARE(window_->viewport().mode(), CameraControl::Mode::orbit);
+        QTRY_COMPARE(window_->viewport().visitor().mode(), CameraControl::Mode::orbit);
         window_->history().set(art, t_.split.row, 1.0, 0);
         settle();
     }

@@ -28,6 +28,7 @@
 #include "ui/viewport/museum_renderers.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
+#include "ui/window/window_actions.h"
 #include "ui/window/window_dialogs.h"
 #include "ui/window/window_docks.h"
 
@@ -49,7 +50,8 @@ void waitUntilStill(const ui::MainWindow& window, int mostMilliseconds)
     QElapsedTimer passed;
     passed.start();
     do QApplication::processEvents(QEventLoop::AllEvents, 50);
-    while (passed.elapsed() < mostMilliseconds && (passed.elapsed() < 1200 || !window.viewport().schedule().still()));
+    while (passed.elapsed() < mostMilliseconds &&
+           (passed.elapsed() < 1200 || !window.viewport().pictures().schedule().still()));
 }
 
 /// Shows all exhibits with trees; the node in the middle of the picture is selected.
@@ -63,7 +65,7 @@ void showTrees(ui::MainWindow& window, const Museum& museum, const QString& fold
         for (const auto& [mode, name] :
              {std::pair{ui::HandleMode::move, "move"}, std::pair{ui::HandleMode::turn, "turn"}}) {
             window.docks().tree().overlay().setMode(mode);
-            emit window.viewport().shapeClicked(each.index, middle);
+            emit window.viewport().interaction().shapeClicked(each.index, middle);
             waitUntilStill(window, 60000);
             window.grab().save(folder + QStringLiteral("/tree_%1_%2").arg(each.index).arg(QLatin1String(name)) +
                                ending);
@@ -184,7 +186,7 @@ int main(int argc, char** argv)
             shown = &painted->museum();
             renderers = std::move(painted);
         }
-        ui::MainWindow window(*shown, *renderers);
+        ui::MainWindow window(*shown, *renderers, ui::makeWindowActions);
         window.show();
         if (real && QLatin1String(argv[2]) == QLatin1String("documents")) {
             showForDocuments(window, folder);
@@ -208,7 +210,7 @@ int main(int argc, char** argv)
         }
         waitUntilStill(window, 60000);
         window.grab().save(folder + QStringLiteral("/entrance") + ending);
-        std::printf("entrance: %lld pictures drawn\n", window.viewport().picturesDrawn());
+        std::printf("entrance: %lld pictures drawn\n", window.viewport().pictures().shown().pictures());
         window.visit(1);
         if (!real) {
             window.say(ui::MessageStrip::Mood::problem,
@@ -253,6 +255,6 @@ int main(int argc, char** argv)
             window.grab().save(folder + QStringLiteral("/study") + ending);
             showPrintDialog(window, folder + QStringLiteral("/print") + ending);
         }
-        std::printf("visit: %lld pictures drawn\n", window.viewport().picturesDrawn());
+        std::printf("visit: %lld pictures drawn\n", window.viewport().pictures().shown().pictures());
     }
 }

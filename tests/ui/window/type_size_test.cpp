@@ -1,21 +1,27 @@
+#include "tests/ui/cheap_pictures.h"
 #include "tests/ui/cut_off.h"
-#include "tests/ui/few_samples.h"
 #include "tests/ui/open_window.h"
 #include "tests/ui/ui_main.h"
 
+#include "exhibits/pixel_art/pixel_art.h"
 #include "ui/compare/compare_controller.h"
+#include "ui/export/export_dialog.h"
+#include "ui/jobs/job_dialog.h"
 #include "ui/kit/appearance.h"
+#include "ui/kit/export_bar.h"
 #include "ui/kit/message_strip.h"
 #include "ui/kit/name_dialog.h"
 #include "ui/lessons/lesson_controller.h"
 #include "ui/parameters/color_picker.h"
 #include "ui/preferences/preferences_dialog.h"
+#include "ui/print/print_dialog.h"
 #include "ui/window/window_docks.h"
 #include "ui/window/window_preferences.h"
 
 #include <QDialog>
 #include <QDir>
 #include <QDockWidget>
+#include <QListWidget>
 #include <QScreen>
 #include <QTabWidget>
 
@@ -26,6 +32,9 @@ using namespace vitrine::ui;
 /// be reached and fits.
 class TypeSizeTest : public test::OpenWindow {
     Q_OBJECT
+
+    /// The exhibit that sprites are drawn by.
+    [[nodiscard]] std::unique_ptr<Exhibit> anotherExhibit() override { return std::make_unique<PixelArt>(); }
 
     void setType(int percent)
     {
@@ -81,6 +90,21 @@ class TypeSizeTest : public test::OpenWindow {
         for (QDialog* dialog : window_->findChildren<QDialog*>())
             if (dialog->isVisible()) found = dialog;
         return found;
+    }
+    [[nodiscard]] static bool isSettled(ExportDialog& dialog)
+    {
+        for (const JobDialog* page : dialog.findChildren<JobDialog*>())
+            if (!page->settled()) return false;
+        for (const PrintDialog* page : dialog.findChildren<PrintDialog*>())
+            if (!page->settled()) return false;
+        return true;
+    }
+    /// Returns the bar with the export button of the page in front.
+    [[nodiscard]] static ExportBar* shownBar(ExportDialog& dialog)
+    {
+        for (ExportBar* bar : dialog.findChildren<ExportBar*>())
+            if (bar->isVisible()) return bar;
+        return nullptr;
     }
     void lookAtDialogOf(const char* command)
     {
@@ -148,8 +172,7 @@ private slots:
         QFETCH(int, percent);
         setType(percent);
         for (const char* command :
-             {"Export picture…", "Record…", "Export lenticular print…", "Search…", "Keyboard, mouse and gamepad",
-              "About this exhibit", "About Vitrine", "Preferences…"})
+             {"Search…", "Keyboard, mouse and gamepad", "About this exhibit", "About Vitrine", "Preferences…"})
             lookAtDialogOf(command);
         action("Preferences…")->trigger();
         auto* preferences = window_->findChild<PreferencesDialog*>();
@@ -165,6 +188,33 @@ private slots:
         for (auto* button : window_->panel().row("baseColor")->findChildren<QAbstractButton*>())
             if (button->accessibleName().contains("choose a color")) button->click();
         lookAtDialog(window_->findChild<ColorDialog*>(), "Color");
+    }
+
+    void everyPageOfTheExportDialog_data() { sizes(); }
+    void everyPageOfTheExportDialog()
+    {
+        QFETCH(int, percent);
+        setType(percent);
+        auto* dialog = opened<ExportDialog>("Export picture…");
+        QVERIFY(QTest::qWaitForWindowExposed(dialog, test::patience));
+        auto* kinds = dialog->findChild<QListWidget*>("kinds");
+        QVERIFY(kinds->count() >= 9);
+        for (int i = 0; i < kinds->count(); ++i) {
+            const QString name = "Export, " + kinds->item(i)->text();
+            QVERIFY2(kinds->item(i)->flags() & Qt::ItemIsEnabled, qPrintable(name));
+            QTest::mouseClick(kinds->viewport(), Qt::LeftButton, {}, kinds->visualItemRect(kinds->item(i)).center());
+            QTRY_VERIFY2(isSettled(*dialog), qPrintable(name));
+            fits(*dialog, name);
+            look(*dialog, name);
+            auto* bar = shownBar(*dialog);
+            QVERIFY2(bar, qPrintable(name));
+            for (const auto* button : bar->findChildren<QAbstractButton*>())
+                QVERIFY2(button->visibleRegion() == QRegion(button->rect()) &&
+                             dialog->screen()->availableGeometry().contains(
+                                 QRect(button->mapToGlobal(QPoint()), button->size())),
+                         qPrintable(name + ": " + button->text()));
+        }
+        delete dialog;
     }
 
     void whatIsCutOffIsSeen()

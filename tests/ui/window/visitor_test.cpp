@@ -49,7 +49,7 @@ class VisitorTest : public test::OpenWindow {
     /// Returns the center of the exhibit's button in the picture.
     [[nodiscard]] QPoint button()
     {
-        const Viewport& viewport = window_->viewport();
+        Viewport& viewport = window_->viewport();
         const glm::ivec2 size(viewport.width(), viewport.height());
         const render::View view = render::makeView(
             widened(window_->history().sceneState().camera, static_cast<double>(size.x) / size.y), {.size = size});
@@ -116,6 +116,60 @@ private slots:
             QVERIFY(tabs()->tabRect(i).width() > 20 && tabs()->rect().contains(tabs()->tabRect(i).center()));
         QTest::mouseClick(tabs(), Qt::LeftButton, {}, tabs()->tabRect(1).center());
         QCOMPARE(window_->shown(), std::size_t{0});
+    }
+
+    void aCrossMarksTheMiddleWhileTheKeyboardIsUsed()
+    {
+        Viewport& viewport = window_->viewport();
+        const auto* cross = viewport.findChild<QWidget*>("crosshair");
+        QVERIFY(cross && !cross->isVisible());
+        activate();
+        viewport.setFocus();
+        QTest::keyClick(&viewport, Qt::Key_F12, Qt::ShiftModifier | Qt::AltModifier);  // Another key.
+        QVERIFY(!cross->isVisible());
+        QTest::keyClick(&viewport, Qt::Key_W);
+        QVERIFY(cross->isVisible());
+        const auto distance = [&] { return cross->geometry().center() - viewport.rect().center(); };
+        QVERIFY(distance().manhattanLength() <= 2);
+        // Two lines are drawn beside the middle, which stays open.
+        QImage picture(cross->size(), QImage::Format_ARGB32);
+        picture.fill(Qt::transparent);
+        const_cast<QWidget*>(cross)->render(&picture, {}, {}, QWidget::DrawChildren);
+        const QPoint middle = picture.rect().center();
+        QCOMPARE(qAlpha(picture.pixel(middle)), 0);
+        QVERIFY(qAlpha(picture.pixel(middle + QPoint(8, 0))) > 200);
+        QVERIFY(qAlpha(picture.pixel(middle + QPoint(0, -8))) > 200);
+        window_->resize(window_->width() + 60, window_->height());
+        QTRY_VERIFY(distance().manhattanLength() <= 2);
+        QTest::mouseMove(&viewport, at(0.3, 0.3));
+        QTRY_VERIFY(!cross->isVisible());
+        QTest::keyClick(&viewport, Qt::Key_Left, Qt::ControlModifier);
+        QVERIFY(cross->isVisible());
+        QTest::mouseClick(&viewport, Qt::LeftButton, {}, at(0.9, 0.9));
+        QVERIFY(!cross->isVisible());
+    }
+
+    void bracketsExposeByAQuarterOfAStopAndUndoTakesItBack()
+    {
+        const auto exposure = [this] {
+            const ParameterValues& hall = window_->history().sceneState().hall();
+            return std::get<double>(hall.row(*hall.table().find("exposure")));
+        };
+        activate();
+        window_->viewport().setFocus();
+        const double before = exposure();
+        QTest::keyClick(&window_->viewport(), Qt::Key_BracketRight);
+        QCOMPARE(exposure(), before + 0.25);
+        for (int i = 0; i < 3; ++i) QTest::keyClick(&window_->viewport(), Qt::Key_BracketLeft);
+        QCOMPARE(exposure(), before - 0.5);
+        window_->history().stack().undo();
+        QCOMPARE(exposure(), before - 0.25);
+        // In a field, the key is a character.
+        window_->choose(1);
+        auto* color = in<QLineEdit>("baseColor");
+        color->setFocus();
+        QTest::keyClick(color, Qt::Key_BracketRight);
+        QCOMPARE(exposure(), before - 0.25);
     }
 
     void undoIsTheWindowsWhereNothingIsTyped()
@@ -199,22 +253,22 @@ private slots:
         QTRY_VERIFY(!overlays().contains("Torus to mug"));
         QVERIFY(viewport.cursor().shape() != Qt::PointingHandCursor);
         QTest::mouseClick(&viewport, Qt::LeftButton, {}, at(-0.8, 0.6));
-        QCOMPARE(viewport.mode(), CameraControl::Mode::walk);
+        QCOMPARE(viewport.visitor().mode(), CameraControl::Mode::walk);
         QCOMPARE(window_->chosen(), std::size_t{0});
     }
 
     void aClickOnAButtonWithinReachPressesIt()
     {
         Viewport& viewport = window_->viewport();
-        QSignalSpy pressed(&viewport, &Viewport::pressed);
-        viewport.jumpTo(test::PaintedGallery::towardsButton(1.2));
+        QSignalSpy pressed(&viewport.interaction(), &Interaction::pressed);
+        viewport.visitor().jumpTo(test::PaintedGallery::towardsButton(1.2));
         QTest::mouseClick(&viewport, Qt::LeftButton, {}, button());
         QCOMPARE(pressed.count(), 1);
-        QCOMPARE(viewport.mode(), CameraControl::Mode::walk);
-        viewport.jumpTo(test::PaintedGallery::towardsButton(3));  // From far away, the first click visits ...
+        QCOMPARE(viewport.visitor().mode(), CameraControl::Mode::walk);
+        viewport.visitor().jumpTo(test::PaintedGallery::towardsButton(3));  // From far away, the first click visits ...
         QTest::mouseClick(&viewport, Qt::LeftButton, {}, button());
         QCOMPARE(pressed.count(), 1);
-        QTRY_COMPARE(viewport.mode(), CameraControl::Mode::orbit);
+        QTRY_COMPARE(viewport.visitor().mode(), CameraControl::Mode::orbit);
         settle();
         QTest::mouseClick(&viewport, Qt::LeftButton, {}, button());  // ... and the second one presses.
         QCOMPARE(pressed.count(), 2);
@@ -226,15 +280,15 @@ private slots:
     {
         Viewport& viewport = window_->viewport();
         const render::Camera before = window_->history().sceneState().camera;
-        QVERIFY(!viewport.canGoBack());
+        QVERIFY(!viewport.visitor().canGoBack());
         QTest::mouseClick(&viewport, Qt::LeftButton, {}, at(0, 0));
-        QTRY_COMPARE(viewport.mode(), CameraControl::Mode::orbit);
+        QTRY_COMPARE(viewport.visitor().mode(), CameraControl::Mode::orbit);
         QCOMPARE(window_->chosen(), std::size_t{1});
         QTest::keyClick(&viewport, Qt::Key_Backspace);
-        QTRY_COMPARE(viewport.mode(), CameraControl::Mode::walk);
+        QTRY_COMPARE(viewport.visitor().mode(), CameraControl::Mode::walk);
         QVERIFY(window_->history().sceneState().camera == before);
         QCOMPARE(window_->chosen(), std::size_t{0});
-        QVERIFY(!viewport.canGoBack());
+        QVERIFY(!viewport.visitor().canGoBack());
         QVERIFY(action("Back")->shortcuts().contains(QKeySequence("Alt+Left")));
     }
 
@@ -251,7 +305,7 @@ private slots:
         closeWindow();
         gallery_ = std::make_unique<test::PaintedGallery>();
         QDir(home_->path()).removeRecursively();
-        window_ = std::make_unique<MainWindow>(gallery_->museum(), *gallery_);
+        window_ = std::make_unique<MainWindow>(gallery_->museum(), *gallery_, makeWindowActions);
         window_->show();
         QVERIFY(QTest::qWaitForWindowExposed(window_.get(), vitrine::test::patience));
         QCOMPARE(window_->size(), firstWindowSize(window_->screen()->availableSize()));
@@ -362,9 +416,9 @@ private slots:
     {
         settle();
         const QDir folder(QStandardPaths::writableLocation(QStandardPaths::PicturesLocation));
-        const QSize onTheScreen = window_->viewport().shown().size();
-        window_->viewport().sceneStateChanged();
-        QVERIFY(!window_->viewport().pictureFinished());
+        const QSize onTheScreen = window_->viewport().pictures().shown().image().size();
+        window_->viewport().scene().change();
+        QVERIFY(!window_->viewport().pictures().finished());
         action("Screenshot")->trigger();
         const auto* refined = window_->findChild<PictureExport*>();
         QVERIFY(refined);
@@ -393,11 +447,11 @@ private slots:
         auto* list = window_->findChild<ExhibitList*>();
         QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
                           list->visualItemRect(list->findItems("Torus to mug", Qt::MatchExactly).front()).center());
-        QTRY_COMPARE(window_->viewport().mode(), CameraControl::Mode::orbit);
+        QTRY_COMPARE(window_->viewport().visitor().mode(), CameraControl::Mode::orbit);
         QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
                           list->visualItemRect(list->findItems("The hall", Qt::MatchExactly).front()).center());
         QCOMPARE(window_->chosen(), std::size_t{0});
-        QTRY_COMPARE(window_->viewport().mode(), CameraControl::Mode::walk);
+        QTRY_COMPARE(window_->viewport().visitor().mode(), CameraControl::Mode::walk);
         QVERIFY(window_->history().sceneState().camera ==
                 gallery_->museum().bestView(hallIndex, window_->history().sceneState().hall()));
     }
@@ -413,11 +467,11 @@ private slots:
 
     void aPausedJumpStandsStillWhileItIsRefined()
     {
-        window_->viewport().setLimits(asTheHallRequests, 0);
+        window_->viewport().pictures().setLimits(asTheHallRequests, 0);
         gallery_->exhibit().movesFor = 3;
         window_->visit(1);
         settle();
-        window_->viewport().press();
+        window_->viewport().interaction().press();
         QTRY_VERIFY(gallery_->requests().back().sincePressed[1] > 0.3);
         action("Pause clock")->trigger();
         settle();
@@ -429,7 +483,7 @@ private slots:
         }
         for (const double moment : moments) QCOMPARE(moment, moments.front());
         QTest::qWait(300);
-        window_->viewport().sceneStateChanged();
+        window_->viewport().scene().change();
         settle();
         QCOMPARE(gallery_->requests().back().sincePressed[1], moments.front());
         action("Pause clock")->trigger();

@@ -32,7 +32,7 @@ private slots:
     void aShaderProblemIsShownOverThePicture()
     {
         gallery_->shaderProblems = {{"sdf_morph/march.frag", 42, "'hitDistance' : undeclared identifier"}};
-        window_->viewport().reloadShaders();
+        window_->viewport().shaders().reload();
         const auto shown = [&] {
             const auto labels = window_->viewport().findChildren<QLabel*>();
             return std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
@@ -58,7 +58,7 @@ private slots:
         settle();
         auto* strip = window_->findChild<MessageStrip*>();
         const QSize before = window_->viewport().size();
-        const long long drawn = window_->viewport().picturesDrawn();
+        const long long drawn = window_->viewport().pictures().shown().pictures();
         for (int i = 1; i <= 4; ++i)
             window_->say(MessageStrip::Mood::notice, QString("Screenshot saved to %1.png.").arg(i),
                          "%1 screenshots saved, the last one to %2.", QString("%1.png").arg(i));
@@ -67,7 +67,8 @@ private slots:
         QTRY_VERIFY(strip->isVisible());
         QTest::qWait(100);
         QCOMPARE(window_->viewport().size(), before);
-        QCOMPARE(window_->viewport().picturesDrawn(), drawn);  // The same picture: nothing has to be refined again.
+        QCOMPARE(window_->viewport().pictures().shown().pictures(),
+                 drawn);  // The same picture: nothing has to be refined again.
         QCOMPARE(strip->mapToGlobal(QPoint(0, 0)), window_->viewport().mapToGlobal(QPoint(0, 0)));
         QCOMPARE(strip->width(), window_->viewport().width());
     }
@@ -184,7 +185,7 @@ private slots:
         QTRY_COMPARE(clock->text(), QString("Waits"));
         QVERIFY(clock->toolTip().contains("nothing shown is moving"));
         gallery_->exhibit().moves = true;
-        window_->viewport().sceneStateChanged();
+        window_->viewport().scene().change();
         QTRY_COMPARE(clock->text(), QString("Pause"));
         clock->click();
         QCOMPARE(clock->text(), QString("Play"));
@@ -247,7 +248,7 @@ private slots:
 
     void badInputIsOneLineInTheLogHoweverManyFramesItLasts()
     {
-        window_->viewport().setLimits(asTheHallRequests, 0);
+        window_->viewport().pictures().setLimits(asTheHallRequests, 0);
         window_->choose(1);
         const auto lines = [&] {
             return window_->findChild<LogView*>()->toPlainText().count(

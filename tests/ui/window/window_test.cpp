@@ -85,7 +85,7 @@ private slots:
     {
         Viewport& viewport = window_->viewport();
         viewport.setFocus();
-        viewport.jumpTo({{1.35, 1.65, 10.2}, {1.35, 1.65, 12}, 0.96});
+        viewport.visitor().jumpTo({{1.35, 1.65, 10.2}, {1.35, 1.65, 12}, 0.96});
         QTest::keyPress(&viewport, Qt::Key_W);
         QTRY_VERIFY(window_->history().sceneState().camera.eye.z > 10.7);
         QTest::qWait(2500);  // Long enough to get far outside.
@@ -99,7 +99,7 @@ private slots:
     {
         Viewport& viewport = window_->viewport();
         QTest::mouseClick(&viewport, Qt::LeftButton, {}, viewport.rect().center());
-        QTRY_COMPARE(viewport.mode(), CameraControl::Mode::orbit);
+        QTRY_COMPARE(viewport.visitor().mode(), CameraControl::Mode::orbit);
         QCOMPARE(window_->chosen(), std::size_t{1});
         const glm::dvec3 eye = window_->history().sceneState().camera.eye;
         QTest::mousePress(&viewport, Qt::LeftButton, {}, {200, 200});
@@ -108,7 +108,7 @@ private slots:
         QTest::mouseRelease(&viewport, Qt::LeftButton, {}, {280, 200});
         QVERIFY(window_->history().sceneState().camera.eye.x < eye.x);
         QTest::keyClick(&viewport, Qt::Key_Escape);
-        QTRY_COMPARE(viewport.mode(), CameraControl::Mode::walk);
+        QTRY_COMPARE(viewport.visitor().mode(), CameraControl::Mode::walk);
     }
 
     void aPresetIsSavedAndTheNextSessionLoadsIt()

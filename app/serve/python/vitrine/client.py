@@ -4,6 +4,7 @@ import atexit
 import collections
 import inspect
 import itertools
+import keyword
 import os
 import subprocess
 
@@ -184,6 +185,15 @@ class Request:
             raise self._session._lost(error_of(message) if "error" in message else "An answer has no id.")
 
 
+def _python_name(name):
+    """The name of a parameter in Python: "with_" for "with", which is a word of the language."""
+    return name + "_" if keyword.iskeyword(name) else name
+
+
+def _service_name(name):
+    return name[:-1] if name.endswith("_") and keyword.iskeyword(name[:-1]) else name
+
+
 def _method(session, entry):
     """A function for a method of the service, with its parameters as signature and help."""
     schema = entry["params"]
@@ -193,13 +203,19 @@ def _method(session, entry):
     leading = len(dict.fromkeys([*schema.get("x-positional", []), *required]))
     kinds = inspect.Parameter
     parameters = [
-        kinds(name, kinds.POSITIONAL_OR_KEYWORD if i < leading else kinds.KEYWORD_ONLY, default=None, annotation=takes)
-        for i, (name, takes) in enumerate((name, _type(properties[name])) for name in names)
+        kinds(
+            _python_name(name),
+            kinds.POSITIONAL_OR_KEYWORD if i < leading else kinds.KEYWORD_ONLY,
+            default=None,
+            annotation=_type(properties[name]),
+        )
+        for i, name in enumerate(names)
     ]
 
     def call(*args, **params):
         if len(args) > leading:
             raise TypeError(f"{entry['name']} takes {leading} arguments without a name, not {len(args)}")
+        params = {_service_name(name): value for name, value in params.items()}
         twice = [name for name in names[: len(args)] if name in params]
         if twice:
             raise TypeError(f"{entry['name']}: {twice[0]} is given twice")
@@ -207,7 +223,7 @@ def _method(session, entry):
 
     call.__name__ = entry["name"]
     call.__signature__ = inspect.Signature(parameters)
-    lines = [f"  {name}: {_help(properties[name])}" for name in names]
+    lines = [f"  {_python_name(name)}: {_help(properties[name])}" for name in names]
     call.__doc__ = "\n".join([entry["summary"], *([""] if lines else []), *lines])
     return call
 

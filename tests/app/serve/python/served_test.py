@@ -24,6 +24,7 @@ SCENE = pathlib.Path(vitrine.__file__).parents[4] / "assets/scenes/still_life.js
 SMALL = {"alone": True, "size": (16, 9), "samples": 1}
 STUDY = {"parameters": ["hitTolerance"], "values": [0.25, 4], "alone": True, "size": (16, 9), "views": 1, "runs": 1,
          "no_model_error": True}
+COMPARISON = {"size": (16, 9), "samples": 1, "runs": 1}
 
 
 def outside(path, form):
@@ -72,6 +73,7 @@ class ServedTest(unittest.TestCase):
             "render": {"exhibit": "noise", **SMALL},
             "compare": {"reference": a, "test": b},
             "study": {"exhibit": "sdf_morph", **STUDY},
+            "comparison": {"exhibit": "sdf_morph", "with": "mesh", **COMPARISON},
             "events": {"off": True},
             "cancel": {},
             "record": {"exhibit": "fur", "seconds": 1, "out": self.folder / "a.mp4", **job},
@@ -80,6 +82,7 @@ class ServedTest(unittest.TestCase):
             "print": {"views": [a, b], "width_mm": 10, "height_mm": 6, "lpi": 60, "out": self.folder / "p.tif", **job},
             "quilt": {"exhibit": "fur", "columns": 2, "rows": 2, "out": self.folder / "quilt.png", **job},
             "table": {"exhibit": "pixel_art", "out": self.folder / "table.csv", **job},
+            "handout": {"exhibit": "sdf_morph", "out": self.folder / "handout", **job},
             "shader": {"exhibit": "your_shader", "out": self.folder / "shader.fs", **job},
             "proof": {"print": self.print_file(), "angle": 0, "out": self.folder / "proof.png", **job},
         }
@@ -114,7 +117,7 @@ class ServedTest(unittest.TestCase):
             self.v.print(views=views, out=self.folder / "x.png", width_mm=10, height_mm=6, dpi=300, lpi=60)
 
     def test_the_schema_names_exactly_what_a_method_takes(self):
-        for name in ("render", "plan", "study", "record"):
+        for name in ("render", "plan", "study", "comparison", "record"):
             with self.assertRaises(vitrine.RequestError) as caught:
                 self.v.call(name, no_such_parameter=1)
             takes = str(caught.exception).split("it takes ")[1].rstrip(".").split(", ")
@@ -207,6 +210,17 @@ class ServedTest(unittest.TestCase):
         except ImportError:
             return
         self.assertEqual(list(pandas.DataFrame(rows)["hitTolerance"]), [0.25, 4])
+
+    def test_a_comparison_is_of_the_present_settings(self):
+        self.v.set("sdf_morph", values={"morph": 0.3})
+        compared = self.v.comparison(exhibit="sdf_morph", b="initial", **COMPARISON)
+        self.assertEqual([(row["name"], row["a"]) for row in compared["rows"]], [("morph", 0.3)])
+        self.assertGreater(compared["errors"]["flip"], 0)
+        self.assertEqual(compared["ms"]["b"]["runs"], 1)
+        offered = self.v.comparison(exhibit="sdf_morph", with_="mesh", **COMPARISON)
+        self.assertEqual([row["name"] for row in offered["rows"]], ["shownAs"])
+        with self.assertRaisesRegex(vitrine.RequestError, "second setting"):
+            self.v.comparison(exhibit="sdf_morph", **COMPARISON)
 
     def test_a_recording_answers_its_facts(self):
         out = self.folder / "out.apng"

@@ -1,0 +1,7 @@
+// Values of the permutation SHADOW_METHOD. GLSL and C++ (SdfShadow).
+#define SHADOW_METHOD_NONE 0
+#define SHADOW_METHOD_HARD 1
+#define SHADOW_METHOD_CLASSIC 2
+#define SHADOW_METHOD_IMPROVED 3
+#define SHADOW_METHOD_SIGNED 4
+#define SHADOW_METHOD_AREA 5
