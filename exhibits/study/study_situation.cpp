@@ -43,7 +43,7 @@ public:
         ParameterValues values = valuesOf(studied);
         if (actsWithOthers(studied)) return;
         if (makeAct(values, studied.row, fixedParameters(request_, studied.subject)))
-            take(axis, values, StudyChange::Why::acts);
+            take(axis, studied.subject, values, StudyChange::Why::acts);
     }
 
     void arrange(std::size_t axis)
@@ -53,11 +53,11 @@ public:
         for (const std::string_view name : declared.lifted) {
             const std::optional<std::size_t> row = valuesOf(studied).table().find(name);
             const std::optional<double> exact = row ? valuesOf(studied).rows()[*row].qualityReference : std::nullopt;
-            if (exact && acts(valuesOf(studied), *row)) set(axis, *row, *exact, StudyChange::Why::limits);
+            if (exact && acts(valuesOf(studied), *row))
+                set(axis, {studied.subject, *row}, *exact, StudyChange::Why::limits);
         }
-        for (const StudiedParameter::Setting& setting : declared.with)
-            if (const std::optional<std::size_t> row = valuesOf(studied).table().find(setting.row))
-                set(axis, *row, setting.value, StudyChange::Why::shows);
+        show(axis, studied.subject, declared.with);
+        show(axis, hallIndex, declared.hall);
     }
 
 private:
@@ -79,18 +79,29 @@ private:
         });
     }
 
-    void set(std::size_t axis, std::size_t row, double value, StudyChange::Why why)
+    void show(std::size_t axis, std::size_t subject, const std::vector<StudiedParameter::Setting>& settings)
     {
-        const StudyAxis& studied = request_.axes[axis];
-        if (isAxis(request_, {studied.subject, row}) || isPinned(request_, {studied.subject, row})) return;
-        ParameterValues values = valuesOf(studied);
-        values.setParameter(row, value);
-        take(axis, values, why);
+        const Parameters& table = situation_.sceneState.values[subject].table();
+        for (const StudiedParameter::Setting& setting : settings)
+            if (const std::optional<std::size_t> row = table.find(setting.row))
+                set(axis, {subject, *row}, setting.value, StudyChange::Why::shows);
     }
 
-    void take(std::size_t axis, const ParameterValues& changed, StudyChange::Why why)
+    void set(std::size_t axis, const StudyParameter& parameter, double value, StudyChange::Why why)
     {
-        const std::size_t subject = request_.axes[axis].subject;
+        if (isAxis(request_, parameter) || isPinned(request_, parameter)) return;
+        ParameterValues values = situation_.sceneState.values[parameter.subject];
+        values.setParameter(parameter.row, value);
+        if (!acts(values, parameter.row)) {
+            std::vector<std::size_t> fixed = fixedParameters(request_, parameter.subject);
+            fixed.push_back(parameter.row);
+            if (!makeAct(values, parameter.row, fixed)) return;
+        }
+        take(axis, parameter.subject, values, why);
+    }
+
+    void take(std::size_t axis, std::size_t subject, const ParameterValues& changed, StudyChange::Why why)
+    {
         ParameterValues& values = situation_.sceneState.values[subject];
         for (std::size_t row = 0; row < values.rows().size(); ++row) {
             if (values.row(row) == changed.row(row)) continue;

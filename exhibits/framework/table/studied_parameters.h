@@ -10,7 +10,7 @@ namespace vitrine {
 class Parameters;
 
 /// Settings with which an accuracy study shows the effect of a parameter, if its condition (`when`) is not sufficient.
-/// Texts must be literals; names are those of parameters of the same object.
+/// Texts must be literals; names are those of parameters of the same object, unless said otherwise.
 struct StudiedParameter {
     /// Value of another parameter.
     struct Setting {
@@ -21,6 +21,8 @@ struct StudiedParameter {
     std::string_view name;
     /// Values of other parameters that make the effect visible: a matt body for shadows.
     std::vector<Setting> with = {};
+    /// Values of the hall's parameters that make the effect visible: a sun that shines on the exhibit.
+    std::vector<Setting> hall = {};
     /// Parameters that would limit or override this one. Each is studied at its own most exact value.
     std::vector<std::string_view> lifted = {};
     /// Parameters that take their most exact value only in the reference. The error then measures the drawn picture

@@ -64,11 +64,14 @@ TEST(StudySituation, TablesDeclareParametersAndViewsThatTheyHave)
             seen.push_back(declared.name);
             for (const std::string_view name : declared.lifted) EXPECT_TRUE(isQuality(name)) << name;
             for (const std::string_view name : declared.exactInReference) EXPECT_TRUE(isQuality(name)) << name;
-            for (const StudiedParameter::Setting& setting : declared.with) {
-                const auto row = table.find(setting.row);
+            const auto expectLegal = [](const Parameters& changed, const StudiedParameter::Setting& setting) {
+                const auto row = changed.find(setting.row);
                 ASSERT_TRUE(row) << setting.row;
-                EXPECT_EQ(nearestLegal(table.rows()[*row], setting.value), Value(setting.value)) << setting.row;
-            }
+                EXPECT_EQ(nearestLegal(changed.rows()[*row], setting.value), Value(setting.value)) << setting.row;
+            };
+            for (const StudiedParameter::Setting& setting : declared.with) expectLegal(table, setting);
+            for (const StudiedParameter::Setting& setting : declared.hall)
+                expectLegal(museum().subject(hallIndex).parameters(), setting);
             for (const std::string_view name : declared.views)
                 EXPECT_TRUE(std::any_of(views.begin(), views.end(), [&](const StudyView& view) {
                     return view.name == name;
@@ -96,8 +99,10 @@ TEST(StudySituation, EveryAccuracyParameterActsInEveryViewOfItsStudy)
             for (const StudyView& view : situation.views) {
                 EXPECT_TRUE(acts(view.values, axis.row)) << view.name;
                 for (const StudyChange& change : situation.changes) {
-                    EXPECT_EQ(view.values.row(change.row.row), Value(change.to)) << view.name;
-                    EXPECT_TRUE(acts(view.values, change.row.row)) << "a change without effect";
+                    const ParameterValues& changed =
+                        change.row.subject == subject ? view.values : situation.sceneState.values[change.row.subject];
+                    EXPECT_EQ(changed.row(change.row.row), Value(change.to)) << view.name;
+                    EXPECT_TRUE(acts(changed, change.row.row)) << "a change without effect";
                 }
             }
             ++studied;
