@@ -1,6 +1,7 @@
 #include "ui/lessons/lesson_controller.h"
 
 #include "exhibits/framework/files/table_change.h"
+#include "exhibits/museum/lesson_scene.h"
 #include "exhibits/museum/museum.h"
 #include "exhibits/study/study_text.h"
 #include "render/plan/render_backend.h"
@@ -195,15 +196,8 @@ SceneState LessonController::stateAt(const Place& place, bool& movesCamera) cons
         return state;
     }
     const LessonStep& step = opened.lesson.steps[place.page - 1];
-    state.values[opened.exhibit] = step.values;
-    for (const auto& [row, value] : step.hall) state.hall().setParameter(row, value);
-    if (step.camera)
-        state.camera = *step.camera;
-    else if (step.bestView)
-        state.camera = window_.museum().bestView(opened.exhibit, step.values);
-    else
-        movesCamera = false;
-    return state;
+    movesCamera = step.camera || step.bestView;
+    return sceneOfStep(window_.museum(), opened.exhibit, step, std::move(state));
 }
 
 void LessonController::goTo(const Place& to, const QString& step)

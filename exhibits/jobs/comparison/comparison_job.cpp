@@ -3,13 +3,11 @@
 #include "exhibits/compare/offered_comparison.h"
 #include "exhibits/jobs/comparison/comparison_folder.h"
 #include "exhibits/jobs/comparison/comparison_table.h"
+#include "exhibits/jobs/kit/expected_size.h"
 #include "exhibits/jobs/kit/job_document.h"
 #include "exhibits/museum/picture_settings.h"
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
-
-#include <algorithm>
-#include <cmath>
 
 namespace vitrine {
 
@@ -206,11 +204,8 @@ double ComparisonJob::effort(const ParameterValues& values, const JobScene& scen
 ParameterValues ComparisonJob::draft(const ParameterValues& values, const JobInputs&) const
 {
     const ComparisonTable& t = comparisonTable();
-    const int longer = std::max({values[t.width], values[t.height], comparisons::draftSide});
-    const double shrink = comparisons::draftSide / static_cast<double>(longer);
     ParameterValues small = values;
-    small.set(t.width, std::max(1, static_cast<int>(std::lround(values[t.width] * shrink))));
-    small.set(t.height, std::max(1, static_cast<int>(std::lround(values[t.height] * shrink))));
+    shrinkTo(comparisons::draftSide, {values[t.width], values[t.height]}, small, t.width, t.height);
     small.set(t.samples, 1);
     small.set(t.runs, 1);
     return small;

@@ -1,15 +1,16 @@
 #include "exhibits/jobs/handout/handout_job.h"
 
 #include "exhibits/jobs/handout/handout_page.h"
+#include "exhibits/jobs/kit/expected_size.h"
 #include "exhibits/jobs/kit/job_document.h"
 #include "exhibits/jobs/kit/part_folder.h"
+#include "exhibits/museum/lesson_scene.h"
 #include "exhibits/museum/picture_settings.h"
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
 #include "render/image/image_io.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace vitrine {
@@ -104,23 +105,17 @@ private:
     {
         const LessonStep& lessonStep = lesson_.steps[step_];
         const Museum& museum = *order_.scene.museum;
-        SceneState state = order_.scene.state;
-        state.camera = state_.camera;
-        state.values[exhibit_] = lessonStep.values;
-        for (const auto& [row, value] : lessonStep.hall) state.hall().setParameter(row, value);
-        if (lessonStep.camera)
-            state.camera = *lessonStep.camera;
-        else if (lessonStep.bestView)
-            state.camera = museum.bestView(exhibit_, lessonStep.values);
-        state_ = state;
+        SceneState before = order_.scene.state;
+        before.camera = state_.camera;
+        state_ = sceneOfStep(museum, exhibit_, lessonStep, std::move(before));
         const HandoutTable& t = handoutTable();
         request_ = {};
         request_.frame = order_.scene.frame;
         request_.frame.raster.size = {order_.values[t.width], order_.values[t.height]};
         request_.frame.camera =
-            widened(state.camera, static_cast<double>(order_.values[t.width]) / order_.values[t.height]);
+            widened(state_.camera, static_cast<double>(order_.values[t.width]) / order_.values[t.height]);
         request_.frame.needsFiles = true;
-        request_.samples = order_.values[t.samples] > 0 ? order_.values[t.samples] : usualSamples(state.hall());
+        request_.samples = order_.values[t.samples] > 0 ? order_.values[t.samples] : usualSamples(state_.hall());
         request_.largestTile = order_.largestTile;
         maker_ = std::make_unique<PictureMaker>(museum, *backend_, state_, request_);
     }
@@ -198,11 +193,8 @@ std::unique_ptr<JobRun> HandoutJob::start(JobOrder order) const
 ParameterValues HandoutJob::draft(const ParameterValues& values, const JobInputs&) const
 {
     const HandoutTable& t = handoutTable();
-    const int longer = std::max({values[t.width], values[t.height], handouts::draftSide});
-    const double shrink = handouts::draftSide / static_cast<double>(longer);
     ParameterValues small = values;
-    small.set(t.width, std::max(1, static_cast<int>(std::lround(values[t.width] * shrink))));
-    small.set(t.height, std::max(1, static_cast<int>(std::lround(values[t.height] * shrink))));
+    shrinkTo(handouts::draftSide, {values[t.width], values[t.height]}, small, t.width, t.height);
     small.set(t.samples, 1);
     return small;
 }

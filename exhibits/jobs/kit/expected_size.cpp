@@ -16,6 +16,13 @@ std::filesystem::path draftFile(const std::filesystem::path& out)
     return std::filesystem::temp_directory_path() / ("vitrine-draft" + render::lowerExtension(out));
 }
 
+void shrinkTo(int side, glm::ivec2 size, ParameterValues& draft, Count width, Count height)
+{
+    const double share = side / static_cast<double>(std::max({size.x, size.y, side}));
+    for (const Count length : {width, height})
+        if (draft[length] > 0) draft.set(length, std::max(1, static_cast<int>(std::lround(draft[length] * share))));
+}
+
 double pictureBytes(const render::Image& picture, const std::filesystem::path& out)
 {
     const std::filesystem::path file = draftFile(out);

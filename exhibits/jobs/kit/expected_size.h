@@ -4,6 +4,8 @@
 #include "render/image/image.h"
 #include "render/image/video_codec.h"
 
+#include <glm/vec2.hpp>
+
 #include <filesystem>
 #include <vector>
 
@@ -11,6 +13,9 @@ namespace vitrine::jobs {
 
 /// Returns a name in the folder for temporary files, with the extension of `out`, for staging a draft.
 [[nodiscard]] std::filesystem::path draftFile(const std::filesystem::path& out);
+/// Shrinks width and height of a draft, in pixels, so that the longer side of `size` becomes at most `side`. Values of
+/// 0 stay.
+void shrinkTo(int side, glm::ivec2 size, ParameterValues& draft, Count width, Count height);
 /// Returns the size in bytes of a file with this picture, whose format is that of the extension of `out`. Throws
 /// Failure as render::stagedPicture does, and if there is no such format.
 [[nodiscard]] double pictureBytes(const render::Image&, const std::filesystem::path& out);

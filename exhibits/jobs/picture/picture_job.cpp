@@ -329,9 +329,7 @@ ParameterValues PictureJob::draft(const ParameterValues& values, const JobInputs
     const PictureTable& t = pictureTable();
     ParameterValues small = values;
     const int width = values[t.width], height = values[t.height];
-    const double shrink = draftSide / static_cast<double>(std::max({width, height, draftSide}));
-    if (width > 0) small.set(t.width, std::max(1, static_cast<int>(std::lround(width * shrink))));
-    if (height > 0) small.set(t.height, std::max(1, static_cast<int>(std::lround(height * shrink))));
+    shrinkTo(draftSide, {width, height}, small, t.width, t.height);
     if (width <= 0 && height <= 0) small.set(t.width, draftSide);
     small.set(t.samples, 1);
     small.set(t.channels, std::string());

@@ -12,7 +12,6 @@
 #include "render/image/image_io.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace vitrine {
@@ -216,11 +215,8 @@ JobForecast QuiltJob::forecast(const ParameterValues& values, const FinishedDraf
 ParameterValues QuiltJob::draft(const ParameterValues& values, const JobInputs&) const
 {
     const QuiltTable& t = quiltTable();
-    const glm::ivec2 size = quilts::quiltSize(values);
-    const double shrink = quilts::draftSide / static_cast<double>(std::max({size.x, size.y, quilts::draftSide}));
     ParameterValues small = values;
-    small.set(t.width, std::max(1, static_cast<int>(std::lround(values[t.width] * shrink))));
-    small.set(t.height, std::max(1, static_cast<int>(std::lround(values[t.height] * shrink))));
+    shrinkTo(quilts::draftSide, quilts::quiltSize(values), small, t.width, t.height);
     small.set(t.samples, 1);
     return small;
 }
