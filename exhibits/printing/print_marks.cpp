@@ -83,19 +83,15 @@ void PrintMarks::addBox(double x0, double y0, double x1, double y1, const Color&
 void PrintMarks::addCropMarks()
 {
     const auto width = static_cast<double>(layout_.width()), height = static_cast<double>(layout_.height());
-    const double bleed = layout_.settings().bleed;
+    const auto [left, top, right, bottom] = layout_.trimBox();
     const double thickX = markLine / 2 * perMmX_, thickY = markLine / 2 * perMmY_;
     const double nearX = borderX_ - markGap * perMmX_, farX = std::max(0.0, borderX_ - markLongest * perMmX_);
     const double nearY = borderY_ - markGap * perMmY_, farY = std::max(0.0, borderY_ - markLongest * perMmY_);
-    for (const bool isRight : {false, true}) {
-        const double trim = borderX_ + bleed * perMmX_;
-        const double x = isRight ? width - trim : trim;
+    for (const double x : {left, right}) {
         addBox(x - thickX, farY, x + thickX, nearY);
         addBox(x - thickX, height - nearY, x + thickX, height - farY);
     }
-    for (const bool isBelow : {false, true}) {
-        const double trim = borderY_ + bleed * perMmY_;
-        const double y = isBelow ? height - trim : trim;
+    for (const double y : {top, bottom}) {
         addBox(farX, y - thickY, nearX, y + thickY);
         addBox(width - nearX, y - thickY, width - farX, y + thickY);
     }
@@ -112,7 +108,7 @@ void PrintMarks::addRegistration(double x, double y)
 
 void PrintMarks::addColorBar()
 {
-    const double from = borderX_ + layout_.settings().bleed * perMmX_ + markGap * perMmX_;
+    const double from = layout_.trimBox()[0] + markGap * perMmX_;
     const double room = static_cast<double>(layout_.width()) / 2 - from - markMiddle * perMmX_;
     const double side = std::min(patchSide * perMmX_, room / static_cast<double>(barColors.size()));
     if (side < narrowestPatch * perMmX_)
@@ -130,12 +126,12 @@ void PrintMarks::addPitchStrip()
 {
     const bool upright = std::abs(layout_.settings().direction) <= 45;
     const auto along = static_cast<double>(upright ? layout_.width() : layout_.height());
-    const double border = upright ? borderX_ : borderY_, depth = upright ? borderY_ : borderX_;
+    const double depth = upright ? borderY_ : borderX_;
     const double perMm = upright ? perMmX_ : perMmY_, perMmDeep = upright ? perMmY_ : perMmX_;
     const std::int64_t deep0 = std::llround(depth / 2 - stripDepth / 2 * perMmDeep);
     const std::int64_t deep1 = std::llround(depth / 2 + stripDepth / 2 * perMmDeep);
     // Beside the crop marks, and around the registration mark.
-    const double first = border + (layout_.settings().bleed + markGap) * perMm;
+    const double first = layout_.trimBox().at(upright ? 0 : 1) + markGap * perMm;
     const std::array<std::pair<double, double>, 2> parts{
         {{first, along / 2 - markMiddle * perMm}, {along / 2 + markMiddle * perMm, along - first}}};
     for (const auto& [from, to] : parts) {

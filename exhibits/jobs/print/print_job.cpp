@@ -84,11 +84,6 @@ void refuseUseless(const GivenArguments& given)
         throw Failure(ErrorKind::usage, "--border-mm: charts have a border of their own.");
 }
 
-/// The ICC profile into which a print is converted, as read.
-struct ProfileInputs final : JobInputs {
-    std::string profile;
-};
-
 }  // namespace
 }  // namespace print_job
 
@@ -108,7 +103,7 @@ JobNeeds PrintJob::needs() const
 
 std::shared_ptr<const JobInputs> PrintJob::read(const ParameterValues& values) const
 {
-    auto inputs = std::make_shared<print_job::ProfileInputs>();
+    auto inputs = std::make_shared<ProfileInputs>();
     inputs->profile = printing::outputProfile(values);
     return inputs;
 }
@@ -142,7 +137,7 @@ std::string PrintJob::refusedInParts(const ParameterValues& values) const
 JobPlan PrintJob::plan(const ParameterValues& values, const JobScene& scene, const JobInputs& inputs,
                        const std::filesystem::path& out) const
 {
-    const std::string& profile = static_cast<const print_job::ProfileInputs&>(inputs).profile;
+    const std::string& profile = static_cast<const ProfileInputs&>(inputs).profile;
     JobPlan plan;
     plan.ifStopped = "Stopped; nothing was written.";
     plan.refusal = print_job::originRefusal(values[printTable().origin], scene.museum != nullptr);

@@ -106,7 +106,7 @@ void PrintRun::begin(const Watch& watch)
     const PrintLayout layout(printing::printSettings(values, isRead ? 1 : printing::viewCount(values)));
     if (!order_.out.empty() && !order_.share.makes) {
         print_run::requireFolder(order_.out);
-        printing::requireRoom(layout, printing::printFile(values, order_.out));
+        printing::requireRoom(layout, printing::printFile(values, order_.out, profile()));
     }
     if (isRead)
         views_ = print_run::stoppable(watch, progress_, [&](const printing::Progress& show) {
@@ -233,7 +233,7 @@ void PrintRun::write(const Watch& watch)
     const ParameterValues& values = order_.values;
     std::optional<printing::CrossTalk> compensated;
     if (!order_.out.empty()) {
-        printing::PrintFile file = printing::printFile(values, order_.out);
+        printing::PrintFile file = printing::printFile(values, order_.out, profile());
         file.report = order_.reportFile;
         file.json = printing::printText(values, views_.get(), order_.out, &compensated);
         staged_ = print_run::stoppable(watch, progress_, [&](const printing::Progress& show) {
@@ -255,7 +255,7 @@ void PrintRun::tell(const std::optional<printing::CrossTalk>& compensated)
     if (order_.out.empty()) {
         for (const std::string& note : views_->notes()) report_.warnings.push_back(note);
     } else {
-        const printing::PrintPlan plan = printing::printPlan(order_.values, views_.get(), order_.out);
+        const printing::PrintPlan plan = printing::printPlan(order_.values, views_.get(), order_.out, profile());
         for (const std::string& warning : plan.warnings) report_.warnings.push_back(warning);
         report_.facts = printFacts(plan, views_ != nullptr);
     }

@@ -11,9 +11,15 @@ namespace vitrine::jobs {
 /// Returns the properties of the print. `ofViews`: those of the views, too, which a chart does not have.
 [[nodiscard]] std::vector<Fact> printFacts(const printing::PrintPlan&, bool ofViews);
 
+/// The ICC profile into which a print is converted, as read; empty if there is none.
+struct ProfileInputs final : JobInputs {
+    std::string profile;
+};
+
 /// Run that reads or renders the views of a print, and interlaces them.
 class PrintRun final : public JobRun {
 public:
+    /// The inputs of the order are ProfileInputs.
     explicit PrintRun(JobOrder order) : order_(std::move(order)) {}
 
     [[nodiscard]] Next next() const override;
@@ -35,6 +41,10 @@ private:
     void write(const Watch&);
     void tell(const std::optional<printing::CrossTalk>&);
     void describeRig(const printing::DepthRange&);
+    [[nodiscard]] const std::string* profile() const
+    {
+        return &static_cast<const ProfileInputs&>(*order_.inputs).profile;
+    }
 
     JobOrder order_;
     Stage stage_ = Stage::begin;
