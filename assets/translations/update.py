@@ -140,6 +140,13 @@ def engine_texts(texts):
                 texts.add(line.rstrip('\n'), 'more_texts.txt')
 
 
+def fact_texts(texts):
+    """Labels of the properties that jobs report: most are a single word, which engine_texts takes for a key."""
+    for name, source in cpp_files('exhibits/jobs'):
+        for label in re.findall(r'\{"([A-Z][^"]+)",', source):
+            texts.add(label, name)
+
+
 def exhibit_texts(texts):
     """Titles, summaries, plaques and buttons, as the exhibits' headers say them."""
     says = re.compile(r'(title|product|summary|tryThis|buttonText)\(\)\s*const\s*override\s*\{\s*return\s*((?:"(?:\\.|[^"\\])*"\s*)+);')
@@ -304,6 +311,7 @@ def main(arguments):
     preset_texts(texts)
     message_texts(texts)
     engine_texts(texts)
+    fact_texts(texts)
     check = arguments == ['--check']
     read_translations([] if check else arguments, texts, known)
     made = ts_text(texts, known)

@@ -3272,6 +3272,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
+        <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
         <source>Area</source>
         <translation>Fläche</translation>
     </message>
@@ -5755,6 +5756,7 @@ Zeiten nach: %2.</translation>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <location filename="exhibits/paper_lanterns/paper_lanterns_table.h"/>
+        <location filename="exhibits/jobs/sprite/sprite_job.cpp"/>
         <source>Colors</source>
         <extracomment>tables</extracomment>
         <translation>Farben</translation>
@@ -5910,6 +5912,11 @@ Zeiten nach: %2.</translation>
         <location filename="exhibits/printing/print_table.h"/>
         <source>Compensate cross-talk</source>
         <translation>Übersprechen ausgleichen</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/print/print_run.cpp"/>
+        <source>Compensation</source>
+        <translation>Ausgleich</translation>
     </message>
     <message>
         <location filename="ui/window/window_actions.cpp"/>
@@ -6337,6 +6344,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="ui/print/print_numbers.cpp"/>
+        <location filename="exhibits/jobs/print/print_run.cpp"/>
         <source>Cross-talk</source>
         <translation>Übersprechen</translation>
     </message>
@@ -6642,6 +6650,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <location filename="exhibits/jobs/print/print_run.cpp"/>
         <source>Depth</source>
         <translation>Tiefe</translation>
     </message>
@@ -8473,6 +8482,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <location filename="exhibits/jobs/shader/shader_job.cpp"/>
         <source>Form</source>
         <translation>Form</translation>
     </message>
@@ -8601,6 +8611,8 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
+        <location filename="exhibits/jobs/record/record_job.cpp"/>
+        <location filename="exhibits/jobs/sprite/sprite_job.cpp"/>
         <source>Frames</source>
         <translation>Frames</translation>
     </message>
@@ -9855,6 +9867,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>innere zuerst</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/shader/shader_job.cpp"/>
+        <source>Inputs</source>
+        <translation>Eingaben</translation>
+    </message>
+    <message>
         <location filename="exhibits/your_shader/isf_reader.cpp"/>
         <source>INPUTS must be a list of inputs in [ ].</source>
         <translation>INPUTS muss eine Liste von Eingängen in [ ] sein.</translation>
@@ -10696,6 +10713,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Bewahrt eine Kopie einer Studie von anderswo auf: die study.json von „vitrine study“.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/record/record_job.cpp"/>
         <source>Kept</source>
         <translation>Aufbewahrte</translation>
     </message>
@@ -11397,6 +11415,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <location filename="exhibits/jobs/table/measurements_table.h"/>
         <location filename="exhibits/pixel_art/pixel_art_table.h"/>
+        <location filename="exhibits/jobs/table/table_job.cpp"/>
         <source>Lines</source>
         <extracomment>tables</extracomment>
         <translation>Zeilen</translation>
@@ -11945,6 +11964,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/study/study_table.h"/>
         <source>Measurement</source>
         <translation>Messung</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/table/table_job.cpp"/>
+        <source>Measurements</source>
+        <translation>Messungen</translation>
     </message>
     <message>
         <location filename="ui/window/search_dialog.cpp"/>
@@ -14457,6 +14481,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="ui/window/window_docks.cpp"/>
+        <location filename="exhibits/jobs/shader/shader_job.cpp"/>
         <source>Passes</source>
         <translation>Passes</translation>
     </message>
@@ -14672,6 +14697,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/jobs/picture/picture_table.h"/>
         <location filename="exhibits/jobs/quilt/quilt_table.h"/>
         <location filename="exhibits/jobs/record/record_table.h"/>
+        <location filename="exhibits/jobs/proof/proof_job.cpp"/>
         <source>Picture</source>
         <extracomment>tables</extracomment>
         <translation>Bild</translation>
@@ -15814,6 +15840,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Bereich: %1. Der Wert wurde auf %2 gesetzt.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/print/print_run.cpp"/>
+        <source>Raster</source>
+        <translation>Raster</translation>
+    </message>
+    <message>
         <source>raster</source>
         <translation>Raster</translation>
     </message>
@@ -16603,6 +16634,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>ridged</source>
         <extracomment>tables</extracomment>
         <translation>gratig</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/print/print_run.cpp"/>
+        <source>Rig</source>
+        <translation>Kameras</translation>
     </message>
     <message>
         <location filename="ui/print/place_bar.cpp"/>
@@ -17400,6 +17436,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <location filename="ui/print/print_numbers.cpp"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
+        <location filename="exhibits/jobs/print/print_run.cpp"/>
         <source>Scene</source>
         <extracomment>tables</extracomment>
         <translation>Szene</translation>
@@ -17737,6 +17774,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="ui/study/study_dock.cpp"/>
         <location filename="exhibits/jobs/comparison/comparison_table.h"/>
         <location filename="exhibits/study/study_table.h"/>
+        <location filename="exhibits/jobs/study/study_job.cpp"/>
         <source>Settings</source>
         <translation>Einstellungen</translation>
     </message>
@@ -18096,6 +18134,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
         <location filename="exhibits/printing/print_table.h"/>
+        <location filename="exhibits/jobs/sprite/sprite_job.cpp"/>
         <source>Sheet</source>
         <extracomment>tables</extracomment>
         <translation>Folie</translation>
@@ -18514,6 +18553,8 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
         <location filename="exhibits/sdf_scenes/operation_kinds.cpp"/>
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
+        <location filename="exhibits/jobs/picture/picture_job.cpp"/>
+        <location filename="exhibits/jobs/quilt/quilt_job.cpp"/>
         <source>Size</source>
         <extracomment>tables</extracomment>
         <translation>Größe</translation>
@@ -19155,6 +19196,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <location filename="exhibits/your_shader/your_shader_table.h"/>
+        <location filename="exhibits/jobs/handout/handout_job.cpp"/>
         <source>Steps</source>
         <extracomment>tables</extracomment>
         <translation>Schritte</translation>
@@ -23125,6 +23167,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Dreieck</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
         <source>triangles</source>
         <translation>Dreiecke</translation>
     </message>
@@ -23691,6 +23738,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Vertikales Sichtfeld, vom unteren bis zum oberen Bildrand.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
+        <source>Vertices</source>
+        <translation>Eckpunkte</translation>
+    </message>
+    <message>
         <location filename="ui/print/place_bar.cpp"/>
         <location filename="ui/study/large_pictures.cpp"/>
         <location filename="ui/study/point_pictures.cpp"/>
@@ -23762,6 +23814,8 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/lenticular/lenticular_table.h"/>
         <location filename="exhibits/printing/print_table.h"/>
         <location filename="exhibits/study/study_table.h"/>
+        <location filename="exhibits/jobs/quilt/quilt_job.cpp"/>
+        <location filename="exhibits/jobs/study/study_job.cpp"/>
         <source>Views</source>
         <extracomment>tables</extracomment>
         <translation>Ansichten</translation>
@@ -23875,6 +23929,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>Vitrine ist abgestürzt oder wurde beendet; Ihr letzter Stand wurde wiederhergestellt.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
         <source>Volume</source>
         <translation>Volumen</translation>
     </message>
@@ -24995,6 +25050,7 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
+        <location filename="exhibits/jobs/print/print_run.cpp"/>
         <source>Zone</source>
         <translation>Zone</translation>
     </message>
