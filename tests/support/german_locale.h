@@ -1,9 +1,11 @@
 #pragma once
 
+#include "tests/support/environment_variable.h"
 #include "tests/support/temporary_folder.h"
 
 #include <clocale>
 #include <cstdlib>
+#include <optional>
 #include <string>
 
 namespace vitrine::test {
@@ -17,14 +19,10 @@ public:
         const std::string command =
             "localedef -i de_DE -f UTF-8 " + (folder_ / "de_DE.UTF-8").string() + " >/dev/null 2>&1";
         if (std::system(command.c_str()) != 0) return;
-        ::setenv("LOCPATH", folder_.path().c_str(), 1);
+        place_.emplace("LOCPATH", folder_.path().string());
         set();
     }
-    ~GermanLocale()
-    {
-        std::setlocale(LC_ALL, "C");
-        ::unsetenv("LOCPATH");
-    }
+    ~GermanLocale() { std::setlocale(LC_ALL, "C"); }
     GermanLocale(const GermanLocale&) = delete;
     GermanLocale& operator=(const GermanLocale&) = delete;
 
@@ -34,6 +32,7 @@ private:
     bool set() { return active_ = std::setlocale(LC_ALL, "de_DE.UTF-8") && *std::localeconv()->decimal_point == ','; }
 
     TemporaryFolder folder_;
+    std::optional<EnvironmentVariable> place_;
     bool active_ = false;
 };
 

@@ -2,6 +2,7 @@
 
 #include "tests/ui/cheap_pictures.h"
 #include "tests/ui/patience.h"
+#include "tests/ui/test_home.h"
 #include "ui/kit/theme.h"
 #include "ui/viewport/gl_probe.h"
 #include "ui/viewport/museum_renderers.h"
@@ -35,10 +36,8 @@ protected:
     }
     void makeHome()
     {
-        home_ = std::make_unique<QTemporaryDir>();
+        home_ = newHome(ProgramCaches::shared);
         QVERIFY(home_->isValid());
-        for (const char* name : {"HOME", "XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME"})
-            qputenv(name, home_->path().toLocal8Bit());
     }
     /// Makes the window, which draws the museum cheaply, and leaves it hidden. Null: renderers of the museum.
     void makeWindow(const CheapPictures& pictures, std::unique_ptr<ui::Renderers> renderers = nullptr)

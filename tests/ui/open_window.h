@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tests/ui/painted_gallery.h"
+#include "tests/ui/test_home.h"
 
 #include "ui/kit/theme.h"
 #include "ui/parameters/parameter_panel.h"
@@ -49,10 +50,8 @@ protected:
     void start()
     {
         // Every test has folders of its own; the user's are never touched.
-        home_ = std::make_unique<QTemporaryDir>();
+        home_ = newHome(ProgramCaches::none);
         QVERIFY(home_->isValid());
-        for (const char* name : {"HOME", "XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME"})
-            qputenv(name, home_->path().toLocal8Bit());
         openWindow();
     }
     void finish()

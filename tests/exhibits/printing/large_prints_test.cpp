@@ -6,6 +6,7 @@
 #include "render/files/scratch_file.h"
 #include "render/image/image_io.h"
 #include "tests/exhibits/printing/samples.h"
+#include "tests/support/environment_variable.h"
 #include "tests/support/failures.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/write_print.h"
@@ -16,8 +17,8 @@
 
 #include <cmath>
 #include <csignal>
-#include <cstdlib>
 #include <fstream>
+#include <optional>
 
 namespace vitrine::printing {
 namespace {
@@ -55,28 +56,6 @@ public:
 private:
     rlimit old_{};
     sighandler_t handler_;
-};
-
-/// Selects another folder for temporary files while an object exists.
-class TemporaryFilesIn {
-public:
-    explicit TemporaryFilesIn(const std::string& folder)
-    {
-        if (const char* was = std::getenv("TMPDIR")) was_ = was;
-        ::setenv("TMPDIR", folder.c_str(), 1);
-    }
-    ~TemporaryFilesIn()
-    {
-        if (was_.empty())
-            ::unsetenv("TMPDIR");
-        else
-            ::setenv("TMPDIR", was_.c_str(), 1);
-    }
-    TemporaryFilesIn(const TemporaryFilesIn&) = delete;
-    TemporaryFilesIn& operator=(const TemporaryFilesIn&) = delete;
-
-private:
-    std::string was_;
 };
 
 TEST(LargeViews, ViewsOnDiskGiveThePrintThatViewsInMemoryGive)
@@ -118,10 +97,10 @@ std::size_t residentFileBytes()
 
 TEST(LargeViews, LieOnDiskWhereTmpIsMemory)
 {
-    ::unsetenv("TMPDIR");
+    const vitrine::test::EnvironmentVariable none("TMPDIR", std::nullopt);
     EXPECT_EQ(render::ScratchFile().folder(), "/var/tmp");
     const TemporaryFolder folder;
-    const TemporaryFilesIn here(folder.path().string());
+    const vitrine::test::EnvironmentVariable here("TMPDIR", folder.path().string());
     EXPECT_EQ(render::ScratchFile().folder(), folder.path());
 }
 
@@ -152,7 +131,7 @@ TEST(LargeViews, AFullDiskOrAMissingFolderIsSaidAndLeavesNothing)
     const TemporaryFolder folder;
     const render::Image image(200, 100, 3, 0.5F);
     {
-        const TemporaryFilesIn here(folder.path().string());
+        const vitrine::test::EnvironmentVariable here("TMPDIR", folder.path().string());
         const FileSizeLimit limit(10000);
         ViewSet views(0);
         EXPECT_FAILURE(views.add(image), folder.path().string());
@@ -160,7 +139,7 @@ TEST(LargeViews, AFullDiskOrAMissingFolderIsSaidAndLeavesNothing)
         EXPECT_FAILURE(again.add(image), "free some space");
     }
     EXPECT_EQ(folder.files(), std::vector<std::string>{});
-    const TemporaryFilesIn nowhere((folder / "none").string());
+    const vitrine::test::EnvironmentVariable nowhere("TMPDIR", (folder / "none").string());
     ViewSet views(0);
     EXPECT_FAILURE(views.add(image), "TMPDIR");
 }

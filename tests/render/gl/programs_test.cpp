@@ -5,14 +5,16 @@
 #include "render/gl/program_cache.h"
 #include "shaders/lib/bindings.glsl"
 #include "tests/render/gl/renderer_bench.h"
+#include "tests/support/environment_variable.h"
 #include "tests/support/image_bytes.h"
 #include "tests/support/temporary_folder.h"
 
 #include <chrono>
-#include <cstdlib>
 #include <cstring>
 #include <future>
+#include <optional>
 #include <thread>
+#include <utility>
 
 namespace vitrine {
 namespace {
@@ -338,7 +340,7 @@ TEST_F(GeneratedShaders, OfOneFrameAreBuiltTogether)
     std::vector<Pass> passes(3);
     for (std::size_t i = 0; i < 3; ++i)
         passes[i].shader = key(i == 1 ? "not GLSL\n" : returns(50 + static_cast<int>(i)), "scene");
-    setenv("VITRINE_NO_PROGRAM_CACHE", "1", 1);
+    std::optional<test::EnvironmentVariable> noBinaries(std::in_place, "VITRINE_NO_PROGRAM_CACHE", "1");
     ProgramCache cache;
     cache.beginFrame();
     cache.begin(passes, ProgramCache::Building::goesOn);
@@ -349,7 +351,7 @@ TEST_F(GeneratedShaders, OfOneFrameAreBuiltTogether)
     EXPECT_FALSE(cache.use(passes[1].shader).fallback.empty()) << "drawn with the first, of the same family";
     EXPECT_TRUE(cache.use(passes[2].shader).fallback.empty());
     EXPECT_EQ(cache.builds().size(), 3U) << "each was built once";
-    unsetenv("VITRINE_NO_PROGRAM_CACHE");
+    noBinaries.reset();
 
     passes.resize(1);
     passes[0].shader = key(returns(60));
@@ -365,9 +367,7 @@ TEST_F(GeneratedShaders, OfOneFrameAreBuiltTogether)
 TEST_F(GeneratedShaders, ComeBackFromTheCacheOnDisk)
 {
     const test::TemporaryFolder folder;
-    const char* outer = std::getenv("XDG_CACHE_HOME");
-    const std::string restored = outer ? outer : "";
-    setenv("XDG_CACHE_HOME", folder.path().c_str(), 1);
+    const test::EnvironmentVariable caches("XDG_CACHE_HOME", folder.path().string());
     {
         ProgramCache first;
         (void)first.use(key(returns(1)));
@@ -378,7 +378,6 @@ TEST_F(GeneratedShaders, ComeBackFromTheCacheOnDisk)
     EXPECT_EQ(second.builds().size(), 0U) << "the same text";
     (void)second.use(key(returns(2)));
     EXPECT_EQ(second.builds().size(), 1U) << "another one under the same path";
-    outer ? setenv("XDG_CACHE_HOME", restored.c_str(), 1) : unsetenv("XDG_CACHE_HOME");
 }
 
 TEST(ProgramBinaries, OnDiskAreThoseThatWereUsedLast)

@@ -6,6 +6,7 @@
 #include "exhibits/jobs/sprite/sprite_table.h"
 #include "render/version.h"
 #include "tests/render/scene/gltf_builder.h"
+#include "tests/ui/test_home.h"
 #include "tests/ui/ui_main.h"
 #include "ui/export/export_dialog.h"
 #include "ui/jobs/job_dialog.h"
@@ -172,9 +173,7 @@ private slots:
     }
     void init()
     {
-        home_ = std::make_unique<QTemporaryDir>();
-        for (const char* name : {"HOME", "XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME"})
-            qputenv(name, home_->path().toLocal8Bit());
+        home_ = vitrine::test::newHome(vitrine::test::ProgramCaches::shared);
         openDialog();
     }
     void cleanup() { closeDialog(); }

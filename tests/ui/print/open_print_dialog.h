@@ -1,5 +1,6 @@
 #pragma once
 
+#include "tests/ui/test_home.h"
 #include "ui/kit/message_strip.h"
 #include "ui/kit/theme.h"
 #include "ui/parameters/number_field.h"
@@ -102,10 +103,8 @@ protected:
     }
     void start()
     {
-        home_ = std::make_unique<QTemporaryDir>();
+        home_ = newHome(ProgramCaches::none);
         QVERIFY(home_->isValid());
-        for (const char* name : {"HOME", "XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME"})
-            qputenv(name, home_->path().toLocal8Bit());
         openDialog();
     }
     void finish()

@@ -3,6 +3,7 @@
 
 #include "render/failure.h"
 #include "render/files/strict_json.h"
+#include "tests/ui/test_home.h"
 #include "ui/kit/message_strip.h"
 #include "ui/kit/theme.h"
 #include "ui/parameters/number_field.h"
@@ -109,9 +110,7 @@ private slots:
     }
     void init()
     {
-        home_ = std::make_unique<QTemporaryDir>();
-        for (const char* name : {"HOME", "XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME"})
-            qputenv(name, home_->path().toLocal8Bit());
+        home_ = vitrine::test::newHome(vitrine::test::ProgramCaches::none);
         openWindow();
     }
     void cleanup()

@@ -8,6 +8,7 @@
 #include "exhibits/museum/museum.h"
 #include "render/measure/memory.h"
 #include "tests/support/environment_number.h"
+#include "tests/ui/test_home.h"
 #include "ui/export/picture_export.h"
 #include "ui/kit/theme.h"
 #include "ui/parameters/parameter_panel.h"
@@ -237,9 +238,7 @@ private slots:
         std::setlocale(LC_NUMERIC, "C");
         applyTheme(*qApp, darkTheme());
         QVERIFY2(whyNoOpenGl().isEmpty(), qPrintable(whyNoOpenGl()));
-        home_ = std::make_unique<QTemporaryDir>();
-        for (const char* name : {"HOME", "XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME"})
-            qputenv(name, home_->path().toLocal8Bit());
+        home_ = vitrine::test::newHome(vitrine::test::ProgramCaches::shared);
         museum_ = std::make_unique<Museum>(allExhibits());
         exhibit_ = museum_->find("sdf_morph").value();
         renderers_ = std::make_unique<MuseumRenderers>(*museum_);

@@ -7,6 +7,7 @@
 #include "exhibits/museum/museum.h"
 #include "render/measure/memory.h"
 #include "tests/support/environment_number.h"
+#include "tests/ui/test_home.h"
 #include "ui/compare/compare_controller.h"
 #include "ui/kit/message_strip.h"
 #include "ui/kit/theme.h"
@@ -218,9 +219,7 @@ private slots:
         std::setlocale(LC_NUMERIC, "C");
         applyTheme(*qApp, darkTheme());
         QVERIFY2(whyNoOpenGl().isEmpty(), qPrintable(whyNoOpenGl()));
-        home_ = std::make_unique<QTemporaryDir>();
-        for (const char* name : {"HOME", "XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME"})
-            qputenv(name, home_->path().toLocal8Bit());
+        home_ = vitrine::test::newHome(vitrine::test::ProgramCaches::shared);
         museum_ = std::make_unique<Museum>(allExhibits());
         renderers_ = std::make_unique<MuseumRenderers>(*museum_);
         window_ = std::make_unique<MainWindow>(*museum_, *renderers_, makeWindowActions);

@@ -4,12 +4,13 @@
 #include "exhibits/framework/files/state_folder.h"
 #include "render/image/image_io.h"
 #include "tests/exhibits/framework/table/every_kind.h"
+#include "tests/support/environment_variable.h"
 #include "tests/support/failures.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
+#include <optional>
 
 namespace {
 
@@ -184,15 +185,15 @@ TEST_F(Store, ImportsFilesAndPicturesAndExports)
 
 TEST_F(Store, FollowsTheFoldersOfTheDesktop)
 {
-    ::setenv("XDG_STATE_HOME", "/some/state", 1);
-    EXPECT_EQ(stateFolder(), "/some/state/vitrine");
-    ::setenv("XDG_STATE_HOME", "relative", 1);
-    EXPECT_TRUE(stateFolder().string().ends_with("/.local/state/vitrine"));
-    ::unsetenv("XDG_STATE_HOME");
-    EXPECT_TRUE(stateFolder().is_absolute());
-    ::setenv("XDG_DATA_HOME", "/some/data", 1);
+    const auto stateWith = [](const std::optional<std::string>& value) {
+        const test::EnvironmentVariable state("XDG_STATE_HOME", value);
+        return stateFolder();
+    };
+    EXPECT_EQ(stateWith("/some/state"), "/some/state/vitrine");
+    EXPECT_TRUE(stateWith("relative").string().ends_with("/.local/state/vitrine"));
+    EXPECT_TRUE(stateWith(std::nullopt).is_absolute());
+    const test::EnvironmentVariable data("XDG_DATA_HOME", "/some/data");
     EXPECT_EQ(userPresetFolder(), "/some/data/vitrine/presets");
-    ::unsetenv("XDG_DATA_HOME");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "exhibits/framework/files/state_folder.h"
 #include "render/failure.h"
+#include "tests/support/environment_variable.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +11,6 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -80,16 +80,10 @@ TEST(Recovery, SaysHowToSetAnotherFolderIfItsOwnCannotBeWritten)
     };
     // A file in place of the folder makes writing fail even for root.
     std::ofstream(folder.path() / "vitrine") << "no folder";
-    const char* before = std::getenv("XDG_STATE_HOME");
-    const std::string kept = before ? before : "";
-    ::setenv("XDG_STATE_HOME", folder.path().c_str(), 1);
-    const std::string state = saidFor(stateFolder() / "recovery" / "1-2.json");
-    if (before)
-        ::setenv("XDG_STATE_HOME", kept.c_str(), 1);
-    else
-        ::unsetenv("XDG_STATE_HOME");
-    EXPECT_NE(state.find("XDG_STATE_HOME set to a folder that can be written"), std::string::npos) << state;
-    EXPECT_EQ(state.find("choose"), std::string::npos) << state;
+    const test::EnvironmentVariable state("XDG_STATE_HOME", folder.path().string());
+    const std::string ofState = saidFor(stateFolder() / "recovery" / "1-2.json");
+    EXPECT_NE(ofState.find("XDG_STATE_HOME set to a folder that can be written"), std::string::npos) << ofState;
+    EXPECT_EQ(ofState.find("choose"), std::string::npos) << ofState;
     const std::string other = saidFor(folder.path() / "vitrine" / "a.json");
     EXPECT_NE(other.find("allow writing in that folder."), std::string::npos) << other;
     EXPECT_EQ(saidFor(folder.path() / "new" / "a.json"), "");
