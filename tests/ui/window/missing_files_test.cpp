@@ -330,10 +330,10 @@ private slots:
         photo.save(path("photo.jpg"));
         const SceneState before = window_->history().sceneState();
         drop(path("photo.jpg"));
-        QTRY_COMPARE(said().size(), 1);
-        QVERIFY2(said().front().contains("photo.jpg") && said().front().contains("400 × 300") &&
-                     said().front().contains("“Environment” in the parameters of the hall"),
-                 qPrintable(said().front()));
+        QTRY_COMPARE(said().filter("photo.jpg").size(), 1);
+        const QString notice = said().filter("photo.jpg").front();
+        QVERIFY2(notice.contains("400 × 300") && notice.contains("“Environment” in the parameters of the hall"),
+                 qPrintable(notice));
         QVERIFY(window_->history().sceneState().values == before.values);
         QImage panorama(400, 200, QImage::Format_RGB32);
         panorama.fill(Qt::darkCyan);
