@@ -1,5 +1,6 @@
 #include "app/compare/compared_files.h"
 #include "app/kit/command.h"
+#include "app/kit/findings.h"
 
 #include "app/kit/number_option.h"
 #include "app/kit/picture_options.h"
@@ -14,6 +15,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -28,6 +30,7 @@ struct CompareOptions {
     std::string heatMap;
     std::optional<double> limit;
     double pixelsPerDegree = render::flipPixelsPerDegree;
+    bool asJson = false;
 };
 
 std::string numberText(double x)
@@ -50,6 +53,38 @@ render::PictureFormat heatMapFormat(const std::string& file)
                   "--heatmap " + file + ": give a name that ends in " + render::writtenExtensions() + '.');
 }
 
+/// Distances of two pictures: the requested one, and all that the pictures have channels for.
+struct MeasuredDistances {
+    Metric metric;
+    double value;
+    std::map<Metric, double> all;
+};
+
+/// Returns the document of `--json` (assets/schemas/distances.schema.json). An infinite distance is null.
+render::Json distancesJson(const CompareOptions& options, const MeasuredDistances& measured, bool isWithin)
+{
+    const auto number = [](double x) { return std::isfinite(x) ? render::Json(x) : render::Json(nullptr); };
+    render::Json document = newDocument("vitrine-distances");
+    document["reference"] = options.reference;
+    document["test"] = options.test;
+    document["metric"] = std::string(toString(measured.metric));
+    document["limit"] = options.limit ? render::Json(*options.limit) : render::Json(nullptr);
+    document["within"] = isWithin;
+    document["distances"] = render::Json{{std::string(toString(measured.metric)), number(measured.value)}};
+    for (const auto& [metric, value] : measured.all)
+        document["distances"][std::string(toString(metric))] = number(value);
+    return document;
+}
+
+void printDistances(const MeasuredDistances& measured)
+{
+    // The requested metric is printed first, so that scripts find it in the first line.
+    std::printf("%-8s %s\n", std::string(toString(measured.metric)).c_str(), numberText(measured.value).c_str());
+    for (const auto& [other, also] : measured.all)
+        if (other != measured.metric)
+            std::printf("%-8s %s\n", std::string(toString(other)).c_str(), numberText(also).c_str());
+}
+
 int compare(const CompareOptions& options)
 {
     const Metric metric = render::metricNamed(options.metric).value();
@@ -70,11 +105,13 @@ int compare(const CompareOptions& options)
         const render::Image errors = *render::errorMap(metric, a, b, options.pixelsPerDegree);
         render::writePicture(options.heatMap, render::heatMap(errors, render::fullScale(metric, errors)), *format);
     }
-    // The requested metric is printed first, so that scripts find it in the first line.
-    std::printf("%-8s %s\n", std::string(toString(metric)).c_str(), numberText(*value).c_str());
-    for (const auto& [other, also] : render::distances({a, b, options.pixelsPerDegree}))
-        if (other != metric) std::printf("%-8s %s\n", std::string(toString(other)).c_str(), numberText(also).c_str());
-    if (!options.limit || !render::isBeyond(metric, *value, *options.limit)) return 0;
+    const MeasuredDistances measured{metric, *value, render::distances({a, b, options.pixelsPerDegree})};
+    const bool isWithin = !options.limit || !render::isBeyond(metric, *value, *options.limit);
+    if (options.asJson)
+        std::fputs(render::writeJson(distancesJson(options, measured, isWithin)).c_str(), stdout);
+    else
+        printDistances(measured);
+    if (isWithin) return 0;
     say(options.reference + " and " + options.test + " differ by " + std::string(toString(metric)) + ' ' +
         numberText(*value) + ", beyond the limit of " + numberText(*options.limit) + '.');
     return static_cast<int>(ErrorKind::check);
@@ -97,6 +134,7 @@ void addCompareCommand(CLI::App& parser, Action& chosen)
     addNumber(*command, "--max", options->limit, {},
               "Largest distance allowed (for psnr: the smallest); beyond it, the exit code is 1");
     addPixelsPerDegree(*command, options->pixelsPerDegree)->capture_default_str();
+    command->add_flag("--json", options->asJson, "Print the distances as JSON");
     command->callback([&chosen, options] { chosen = [options] { return compare(*options); }; });
 }
 

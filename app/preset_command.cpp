@@ -1,5 +1,6 @@
 #include "app/kit/apply_preset.h"
 #include "app/kit/command.h"
+#include "app/kit/findings.h"
 #include "app/kit/say.h"
 #include "app/kit/subject_tables.h"
 
@@ -25,9 +26,28 @@ std::string tagsText(const PresetTags& tags)
     return text;
 }
 
-/// Checks one file; prints its content and the corrections of reading it. Returns 0 if it can be loaded, the exit code
-/// of a failed check if it is invalid, and that of a failed read if it cannot be read.
-int check(const std::string& file, const NamedValues& tables)
+/// Reports a file that can be loaded, with the corrections of reading it: in the report, or printed (null).
+void reportGood(const std::string& file, const PresetHeader& header, const std::vector<std::string>& notes,
+                FindingsReport* report)
+{
+    if (report) {
+        std::vector<CheckFinding> findings;
+        for (const std::string& note : notes) findings.push_back({.isError = false, .sentence = note});
+        render::Json& entry = report->add(file, true, findings);
+        entry["kind"] = header.isExhibition ? "exhibition" : "preset";
+        entry["exhibit"] = header.exhibit;
+        entry["name"] = header.name;
+        entry["tags"] = header.tags;
+        return;
+    }
+    std::printf("%s: good (%s \"%s\"%s)\n", file.c_str(), header.isExhibition ? "exhibition" : header.exhibit.c_str(),
+                header.name.c_str(), tagsText(header.tags).c_str());
+    for (const std::string& note : notes) std::printf("  %s\n", note.c_str());
+}
+
+/// Checks one file, and reports its content and the corrections of reading it. Returns 0 if it can be loaded, the exit
+/// code of a failed check if it is invalid, and that of a failed read if it cannot be read.
+int check(const std::string& file, const NamedValues& tables, FindingsReport* report)
 {
     ErrorKind kind = ErrorKind::file;
     try {
@@ -46,22 +66,25 @@ int check(const std::string& file, const NamedValues& tables)
                                        "there is no exhibit \"" + header.exhibit + "\"; `vitrine list` names them");
             notes = parsePreset(document.text(), file, header.exhibit, table->second.table()).notes;
         }
-        std::printf("%s: good (%s \"%s\"%s)\n", file.c_str(),
-                    header.isExhibition ? "exhibition" : header.exhibit.c_str(), header.name.c_str(),
-                    tagsText(header.tags).c_str());
-        for (const std::string& note : notes) std::printf("  %s\n", note.c_str());
+        reportGood(file, header, notes, report);
         return 0;
     } catch (const Failure& failure) {
-        say(failure);
+        if (report)
+            report->add(file, false, {findingOf(failure, file)});
+        else
+            say(failure);
         return static_cast<int>(kind);
     }
 }
 
-int checkAll(const std::vector<std::string>& files)
+int checkAll(const std::vector<std::string>& files, bool asJson)
 {
     const SubjectTables tables;
+    FindingsReport report("preset check");
     int worst = 0;
-    for (const std::string& file : files) worst = std::max(worst, check(file, tables.values));
+    for (const std::string& file : files)
+        worst = std::max(worst, check(file, tables.values, asJson ? &report : nullptr));
+    if (asJson) report.print();
     return worst;
 }
 
@@ -94,7 +117,9 @@ void addPresetCommand(CLI::App& parser, Action& chosen)
         command->add_subcommand("check", "Check whether preset files can be loaded, and list what loading changes");
     auto files = std::make_shared<std::vector<std::string>>();
     checking->add_option("files", *files, "Preset or exhibition files, or pictures that carry a preset")->required();
-    checking->callback([&chosen, files] { chosen = [files] { return checkAll(*files); }; });
+    auto asJson = std::make_shared<bool>(false);
+    checking->add_flag("--json", *asJson, "Print the findings as JSON");
+    checking->callback([&chosen, files, asJson] { chosen = [files, asJson] { return checkAll(*files, *asJson); }; });
     CLI::App* describing = command->add_subcommand(
         "schema", "Print the JSON Schema of preset files, with which editors complete and check them");
     auto exhibit = std::make_shared<std::string>();

@@ -1,8 +1,8 @@
 #include "app/kit/command.h"
+#include "app/kit/findings.h"
 
 #include "exhibits/sdf_scenes/scene_reader.h"
 #include "render/failure.h"
-#include "render/files/strict_json.h"
 #include "ui/kit/language.h"
 
 #include <CLI/CLI.hpp>
@@ -14,18 +14,21 @@
 namespace vitrine::app {
 namespace {
 
-using render::Json;
-
-Json findingsJson(const std::vector<scenes::Finding>& findings)
+/// Adds a file to the report. Shapes that are left out of a scene are notes.
+void reportScene(const std::string& file, const scenes::ReadScene& read, FindingsReport& report)
 {
-    Json all = Json::array();
-    for (const scenes::Finding& finding : findings)
-        all.push_back(Json{{"file", finding.file},
-                           {"line", finding.line},
-                           {"column", finding.column},
-                           {"key", finding.key},
-                           {"sentence", finding.sentence}});
-    return all;
+    std::vector<CheckFinding> all;
+    const auto add = [&](const std::vector<scenes::Finding>& findings, bool areErrors) {
+        for (const scenes::Finding& finding : findings)
+            all.push_back({areErrors, finding.sentence, finding.file, finding.line, finding.column, finding.key});
+    };
+    add(read.findings, true);
+    if (read.scene) add(read.scene->leftOut, false);
+    render::Json& entry = report.add(file, read.scene != nullptr, all);
+    if (!read.scene) return;
+    entry["name"] = read.scene->name;
+    entry["nodes"] = read.scene->nodes.size();
+    entry["parameters"] = read.scene->parameters().size();
 }
 
 /// Prints a finding in the form that editors read: "file:line:column: key: sentence". The sentence is in the locale's
@@ -37,15 +40,11 @@ void printFinding(scenes::Finding finding)
 }
 
 /// Checks one file and prints the findings. Returns 0, or the exit code of a failed check or a failed read.
-int checkScene(const std::string& file, Json* report)
+int checkScene(const std::string& file, FindingsReport* report)
 {
     const scenes::ReadScene read = scenes::readSceneFile(file);
     if (report) {
-        report->push_back(
-            Json{{"file", file},
-                 {"good", read.scene != nullptr},
-                 {"findings", findingsJson(read.findings)},
-                 {"leftOut", findingsJson(read.scene ? read.scene->leftOut : std::vector<scenes::Finding>())}});
+        reportScene(file, read, *report);
     } else if (read.scene) {
         std::printf("%s: good (\"%s\", %zu nodes, %zu parameters)\n", file.c_str(), read.scene->name.c_str(),
                     read.scene->nodes.size(), read.scene->parameters().size());
@@ -60,10 +59,10 @@ int checkScene(const std::string& file, Json* report)
 
 int checkScenes(const std::vector<std::string>& files, bool asJson)
 {
-    Json report = Json::array();
+    FindingsReport report("scene check");
     int worst = 0;
     for (const std::string& file : files) worst = std::max(worst, checkScene(file, asJson ? &report : nullptr));
-    if (asJson) std::fputs(render::writeJson(report).c_str(), stdout);
+    if (asJson) report.print();
     return worst;
 }
 

@@ -1,4 +1,5 @@
 #include "app/kit/command.h"
+#include "app/kit/findings.h"
 
 #include "exhibits/your_shader/shader_check.h"
 #include "render/failure.h"
@@ -19,17 +20,6 @@ using guest::Finding;
 using guest::Form;
 using render::Json;
 
-Json shaderFindingsJson(const std::vector<Finding>& findings)
-{
-    Json all = Json::array();
-    for (const Finding& finding : findings)
-        all.push_back(Json{{"file", finding.file},
-                           {"line", finding.line},
-                           {"column", finding.column},
-                           {"sentence", finding.sentence.english()}});
-    return all;
-}
-
 /// Returns the name of the form, with its version: "ISF 2".
 std::string formName(const guest::Shader& shader)
 {
@@ -41,11 +31,18 @@ std::string formName(const guest::Shader& shader)
     return "plain";
 }
 
-Json shaderJson(const std::string& file, const guest::CheckedShader& checked)
+/// Adds a file to the report, with the inputs and passes of its shader.
+void reportShader(const std::string& file, const guest::CheckedShader& checked, FindingsReport& report)
 {
-    Json json{{"file", file}, {"good", checked.isGood()}, {"errors", shaderFindingsJson(checked.errors)}};
-    if (!checked.shader) return json;
-    json["notes"] = shaderFindingsJson(checked.shader->notes);
+    std::vector<CheckFinding> all;
+    const auto add = [&](const std::vector<Finding>& findings, bool areErrors) {
+        for (const Finding& finding : findings)
+            all.push_back({areErrors, finding.sentence, finding.file, finding.line, finding.column});
+    };
+    add(checked.errors, true);
+    if (checked.shader) add(checked.shader->notes, false);
+    Json& json = report.add(file, checked.isGood(), all);
+    if (!checked.shader) return;
     json["form"] = formName(*checked.shader);
     json["title"] = checked.shader->title;
     json["inputs"] = Json::array();
@@ -57,7 +54,6 @@ Json shaderJson(const std::string& file, const guest::CheckedShader& checked)
         if (i < checked.programs.size()) pass["instructions"] = checked.programs[i].counts.instructions;
         json["passes"].push_back(std::move(pass));
     }
-    return json;
 }
 
 /// Prints a finding in the form that editors read: "file:line:column: sentence", in the locale's language.
@@ -68,11 +64,11 @@ void printFinding(const Finding& finding)
 }
 
 /// Checks one file and prints the findings. Returns 0, or the exit code of a failed check or a failed read.
-int checkShader(const std::string& file, guest::ShaderCompiler& compiler, Json* report)
+int checkShader(const std::string& file, guest::ShaderCompiler& compiler, FindingsReport* report)
 {
     const guest::CheckedShader checked = guest::checkShaderFile(file, compiler);
     if (report) {
-        report->push_back(shaderJson(file, checked));
+        reportShader(file, checked, *report);
     } else {
         if (checked.isGood())
             std::printf("%s: good (%s, %zu inputs, %zu passes)\n", file.c_str(), formName(*checked.shader).c_str(),
@@ -88,11 +84,11 @@ int checkShader(const std::string& file, guest::ShaderCompiler& compiler, Json* 
 int checkShaders(const std::vector<std::string>& files, bool asJson)
 {
     guest::ShaderCompiler compiler;
-    Json report = Json::array();
+    FindingsReport report("shader check");
     int worst = 0;
     for (const std::string& file : files)
         worst = std::max(worst, checkShader(file, compiler, asJson ? &report : nullptr));
-    if (asJson) std::fputs(render::writeJson(report).c_str(), stdout);
+    if (asJson) report.print();
     return worst;
 }
 
@@ -108,7 +104,7 @@ void addShaderCommand(CLI::App& parser, Action& chosen)
     auto asJson = std::make_shared<bool>(false);
     checking->add_option("files", *files, "Shaders: ISF, Shadertoy's code or JSON, or plain fragment shaders")
         ->required();
-    checking->add_flag("--json", *asJson, "Print the errors, inputs and passes as JSON");
+    checking->add_flag("--json", *asJson, "Print the findings, inputs and passes as JSON");
     checking->callback(
         [&chosen, files, asJson] { chosen = [files, asJson] { return checkShaders(*files, *asJson); }; });
 }

@@ -1,4 +1,5 @@
 #include "app/kit/command.h"
+#include "app/kit/findings.h"
 #include "app/study/study_comparison_folder.h"
 
 #include "exhibits/study/study_store.h"
@@ -23,6 +24,7 @@ struct ComparisonOptions {
     std::vector<std::string> files;
     std::string cost;
     std::string out;
+    bool asJson = false;
 };
 
 std::vector<KeptStudy> readAll(const std::vector<std::string>& files)
@@ -94,6 +96,31 @@ void printDifferences(const StudyComparison& comparison)
                     d.costAtError ? shortNumber(*d.costAtError).c_str() : "-", d.uncertain ? " uncertain" : "");
 }
 
+/// Returns the document of `--json` (assets/schemas/study-differences.schema.json). null: nothing comparable was
+/// measured.
+render::Json differencesJson(const StudyComparison& comparison, const std::string& timesDiffer, const std::string& out)
+{
+    const auto number = [](const std::optional<double>& x) { return x ? render::Json(*x) : render::Json(nullptr); };
+    render::Json document = newDocument("vitrine-study-differences");
+    document["cost"] = comparison.cost;
+    document["baseline"] = comparison.curves.front().label;
+    document["differences"] = render::Json::array();
+    for (const StudyDifference& d : comparison.differences)
+        document["differences"].push_back({{"comparedWith", comparison.curves[d.study].label},
+                                           {"setting", d.text},
+                                           {"cost", d.cost},
+                                           {"error", d.error},
+                                           {"errorAtCost", number(d.errorAtCost)},
+                                           {"costAtError", number(d.costAtError)},
+                                           {"uncertain", d.uncertain}});
+    document["leftOut"] = render::Json::array();
+    for (const ComparedCurve& curve : comparison.curves)
+        if (curve.leftOut) document["leftOut"].push_back(curve.label);
+    document["timesDiffer"] = timesDiffer.empty() ? render::Json(nullptr) : render::Json(timesDiffer);
+    document["page"] = out + "/index.html";
+    return document;
+}
+
 int compareStudyFiles(const ComparisonOptions& options)
 {
     requireStudyComparisonFolder(options.out);
@@ -101,9 +128,13 @@ int compareStudyFiles(const ComparisonOptions& options)
     const std::vector<StudyComparison> all = comparisons(studies, costOf(studies, options.cost));
     const StudyComparison& comparison = all.front();
     writeStudyComparisonFolder(options.out, studies, all);
+    const std::string why = ui::timesDifferText(timesDiffer(studies)).toStdString();
+    if (options.asJson) {
+        std::fputs(render::writeJson(differencesJson(comparison, why, options.out)).c_str(), stdout);
+        return 0;
+    }
     printDifferences(comparison);
-    if (const QString why = ui::timesDifferText(timesDiffer(studies)); !why.isEmpty())
-        std::printf("%s\n", why.toStdString().c_str());
+    if (!why.empty()) std::printf("%s\n", why.c_str());
     for (const ComparedCurve& curve : comparison.curves)
         if (curve.leftOut) std::printf("%s was left out: its errors are of another metric.\n", curve.label.c_str());
     std::printf("The comparison is in %s/index.html\n", options.out.c_str());
@@ -125,6 +156,7 @@ void addCompareStudiesCommand(CLI::App& parser, Action& chosen)
                         "evaluations. Default: ms if the times are comparable, else work. The page shows both");
     command->add_option("--out", options->out, "Output folder for the page; an older comparison in it is replaced")
         ->required();
+    command->add_flag("--json", options->asJson, "Print the differences as JSON");
     command->callback([&chosen, options] { chosen = [options] { return compareStudyFiles(*options); }; });
 }
 

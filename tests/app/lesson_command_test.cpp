@@ -1,3 +1,4 @@
+#include "render/files/strict_json.h"
 #include "tests/app/child_process.h"
 
 #include "tests/support/temporary_folder.h"
@@ -43,6 +44,41 @@ TEST(LessonCommand, SaysWhatIsGoodAndWhatIsNot)
     EXPECT_EQ(test::vitrine({"lesson", "check", folder / "none.md"}).code, 5);
     EXPECT_EQ(test::vitrine({"lesson", "check"}).code, 2);
     EXPECT_EQ(test::vitrine({"lesson"}).code, 2);
+}
+
+TEST(LessonCommand, SaysTheSameAsJson)
+{
+    const test::TemporaryFolder folder;
+    const std::string good = folder / "good.md", bad = folder / "bad.md", far = folder / "far.md";
+    test::writeBytes(good, lessonFile(R"({"values": {"morph": 0.5}})"));
+    test::writeBytes(bad, lessonFile(R"({"values": {"morhp": 0.5}})"));
+    test::writeBytes(far, lessonFile(R"({"values": {"morph": 7}})"));
+    const Ended ended = test::vitrine({"lesson", "check", "--json", good, bad, far});
+    EXPECT_EQ(ended.code, 1);
+    EXPECT_EQ(ended.err, "");
+    const render::Json document = render::Json::parse(ended.out);
+    EXPECT_EQ(document["format"], "vitrine-findings");
+    EXPECT_EQ(document["good"], false);
+    const render::Json& files = document["files"];
+    ASSERT_EQ(files.size(), 3U);
+    EXPECT_EQ(files[0]["good"], true);
+    EXPECT_EQ(files[0]["title"], "Steps");
+    EXPECT_EQ(files[0]["steps"], 1);
+    EXPECT_EQ(files[1]["findings"][0]["line"], 8);
+    EXPECT_EQ(files[1]["findings"][0]["key"], "values.morhp");
+    EXPECT_EQ(files[2]["good"], false);
+    EXPECT_EQ(files[2]["findings"][0]["sentence"], "morph 7 -> 1 (allowed 0 to 1)");
+    EXPECT_EQ(test::vitrine({"lesson", "check", "--json", good}).code, 0);
+    EXPECT_EQ(test::vitrine({"lesson", "check", "--json", folder / "none.md"}).code, 5);
+
+    const Ended listed = test::vitrine({"lesson", "list", "--json"});
+    EXPECT_EQ(listed.code, 0) << listed.err;
+    const render::Json lessons = render::Json::parse(listed.out);
+    EXPECT_EQ(lessons["format"], "vitrine-lessons");
+    EXPECT_EQ(lessons["version"], 1);
+    ASSERT_EQ(lessons["lessons"].size(), 10U);
+    for (const render::Json& lesson : lessons["lessons"])
+        EXPECT_TRUE(std::filesystem::exists(lesson["file"].get<std::string>())) << lesson;
 }
 
 TEST(LessonCommand, PrintsTasksQuestionsAndAnswers)

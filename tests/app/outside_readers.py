@@ -5,6 +5,8 @@ outside_readers.py equal A B       Pillow: two pictures have the same pixels.
 outside_readers.py size FILE W H   Pillow: the size of a picture, - for standard input.
 outside_readers.py schema SCHEMA FILE...
                                    jsonschema: each file is valid, and not once its values are of another type.
+outside_readers.py document SCHEMA FILE
+                                   jsonschema: the file is valid, and not without any one of its keys.
 outside_readers.py text FILE KEY     Pillow: prints a text of a PNG.
 outside_readers.py 3mf FILE N      zipfile, ElementTree and, if it is here, lib3mf: N triangles, millimeters, colors.
 
@@ -206,5 +208,24 @@ def schema(name, *files):
             assert not validator.is_valid(read), (each, key)
 
 
+def document(name, file):
+    try:
+        import jsonschema
+    except ImportError:
+        skip("python3-jsonschema")
+    with open(name) as each:
+        described = json.load(each)
+    jsonschema.Draft202012Validator.check_schema(described)
+    validator = jsonschema.Draft202012Validator(described)
+    with open(file) as each:
+        read = json.load(each)
+    validator.validate(read)
+    for key in read:
+        without = {other: value for other, value in read.items() if other != key}
+        assert not validator.is_valid(without), key
+        assert not validator.is_valid({**read, key: {"no": ["value"]}}), key
+
+
 if __name__ == "__main__":
-    {"exr": exr, "equal": equal, "size": size, "3mf": three_mf, "schema": schema, "text": text}[sys.argv[1]](*sys.argv[2:])
+    {"exr": exr, "equal": equal, "size": size, "3mf": three_mf, "schema": schema, "text": text,
+     "document": document}[sys.argv[1]](*sys.argv[2:])

@@ -134,6 +134,33 @@ done
 python text "$folder/h.png" vitrine:preset >"$folder/h.json"
 [ ! -s "$folder/h.json" ] || python schema "$folder/schema.json" "$folder/h.json"
 
+# Findings and other documents of commands, by their schemas. A check of files that are not good ends with 1.
+schemas=$here/../../assets/schemas
+document() {
+    schema=$1
+    shift
+    "$vitrine" "$@" --json >"$folder/document.json" 2>/dev/null
+    code=$?
+    [ $code -le 1 ] || fail "$* ends with $code"
+    python document "$schemas/$schema.schema.json" "$folder/document.json"
+}
+echo '{"format": "vitrine-preset", "version": 1, "exhibit": "fur", "name": "a", "values": {"shellCount": "?"}}' >"$folder/bad.json"
+printf '{"format": "vitrine-scene", "version": 1, "name": "a",\n "root": {"kind": "cone"}}' >"$folder/scene.json"
+printf 'void main() {\n  gl_FragColor = vec4(of);\n}\n' >"$folder/bad.frag"
+document findings preset check "$here/../../assets/presets/sdf_morph/"*.json "$folder/h.png" "$folder/bad.json"
+document findings lesson check "$here/../../assets/lessons/fur.md" "$folder/bad.json"
+document findings scene check "$folder/balls.json" "$folder/scene.json"
+document findings shader check "$here/../../assets/shaders/"*.fs "$folder/bad.frag"
+document lessons lesson list
+document distances compare "$folder/d.png" "$folder/d.jpg" --max 0.001
+document distances compare "$folder/c.png" "$folder/c.png" --metric psnr
+for morph in 0.2 0.8; do
+    "$vitrine" study sdf_morph hitTolerance --alone --size 16x9 --views 1 --runs 1 --values 0.25,1,4 --no-model-error \
+        --set morph=$morph --out "$folder/study$morph" >/dev/null || fail "study"
+done
+document study-differences compare-studies "$folder/study0.2/study.json" "$folder/study0.8/study.json" --cost work \
+    --out "$folder/studies"
+
 [ $failed -eq 0 ] || exit 1
 [ $read_by -gt 0 ] || exit 77
 echo "$read_by files were read"

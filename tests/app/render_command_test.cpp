@@ -507,6 +507,40 @@ TEST(PresetCheck, TellsGoodFilesFromBad)
     EXPECT_EQ(test::vitrine({"preset", "check", folder / "none.json"}).code, 5);
 }
 
+TEST(PresetCheck, SaysTheSameAsJson)
+{
+    const TemporaryFolder folder;
+    test::writeBytes(folder / "good.json", preset("\"morph\": 7"));
+    test::writeBytes(folder / "type.json", preset("\n\"morph\": \"soup\""));
+    test::writeBytes(folder / "torn.json", preset("").substr(0, 40));
+    const Ended ended = test::vitrine({"preset", "check", "--json", folder / "good.json", folder / "type.json",
+                                       folder / "torn.json", folder / "none.json"});
+    EXPECT_EQ(ended.code, 5);
+    EXPECT_EQ(ended.err, "");
+    const render::Json document = render::Json::parse(ended.out);
+    EXPECT_EQ(document["format"], "vitrine-findings");
+    EXPECT_EQ(document["version"], 1);
+    EXPECT_EQ(document["command"], "preset check");
+    EXPECT_EQ(document["good"], false);
+    const render::Json& files = document["files"];
+    ASSERT_EQ(files.size(), 4U);
+    EXPECT_EQ(files[0]["good"], true);
+    EXPECT_EQ(files[0]["exhibit"], "sdf_morph");
+    EXPECT_EQ(files[0]["kind"], "preset");
+    EXPECT_EQ(files[0]["findings"][0]["level"], "note");
+    EXPECT_EQ(files[0]["findings"][0]["sentence"], "morph 7 -> 1 (allowed 0 to 1)");
+    EXPECT_EQ(files[1]["good"], false);
+    EXPECT_EQ(files[1]["findings"][0]["level"], "error");
+    EXPECT_EQ(files[1]["findings"][0]["line"], 2);
+    EXPECT_EQ(files[1]["findings"][0]["key"], "values.morph");
+    EXPECT_EQ(files[2]["findings"][0]["line"], 1);
+    const render::Json& torn = files[2]["findings"][0];
+    EXPECT_NE(torn["sentence"].get<std::string>().find(", column " + torn["column"].dump()), std::string::npos) << torn;
+    EXPECT_EQ(files[3]["good"], false);
+    EXPECT_FALSE(files[3]["findings"][0].contains("line"));
+    EXPECT_EQ(test::vitrine({"preset", "check", "--json", folder / "good.json"}).code, 0);
+}
+
 TEST(PresetCheck, SaysWhatReadingWouldChange)
 {
     const TemporaryFolder folder;

@@ -70,7 +70,12 @@ TEST(SceneCheck, SaysTheSameAsJson)
     test::writeBytes(bad, sceneText("{\"kind\": \"sphere\",\n \"raduis\": 1}"));
     const Ended ended = test::vitrine({"scene", "check", "--json", bad, ballIn(folder)});
     EXPECT_EQ(ended.code, 1);
-    const render::Json report = render::Json::parse(ended.out);
+    const render::Json document = render::Json::parse(ended.out);
+    EXPECT_EQ(document["format"], "vitrine-findings");
+    EXPECT_EQ(document["version"], 1);
+    EXPECT_EQ(document["command"], "scene check");
+    EXPECT_EQ(document["good"], false);
+    const render::Json& report = document["files"];
     ASSERT_EQ(report.size(), 2U);
     EXPECT_EQ(report[0]["good"], false);
     EXPECT_EQ(report[0]["findings"][0]["line"], 3);

@@ -34,10 +34,10 @@ TEST(ShaderCheck, NamesFileLineAndColumn)
 
     const Ended json = test::vitrine({"shader", "check", "--json", bad, good});
     EXPECT_EQ(json.code, 1);
-    const render::Json report = render::Json::parse(json.out);
+    const render::Json report = render::Json::parse(json.out)["files"];
     ASSERT_EQ(report.size(), 2U);
-    EXPECT_EQ(report[0]["errors"][0]["line"], 2);
-    EXPECT_EQ(report[0]["errors"][0]["column"], 25);
+    EXPECT_EQ(report[0]["findings"][0]["line"], 2);
+    EXPECT_EQ(report[0]["findings"][0]["column"], 25);
     EXPECT_EQ(report[1]["good"], true);
     EXPECT_EQ(report[1]["form"], "ISF 2");
     EXPECT_EQ(report[1]["inputs"][0]["type"], "bool");
