@@ -68,7 +68,7 @@ int parseAndRun(int argc, char** argv)
         ->description("Language of the window and of plaques in pictures: en or de. Default: the desktop's in the "
                       "window, en in pictures");
     parser.require_subcommand(0, 1);
-    vitrine::app::Action chosen = [&] { return vitrine::app::openWindow(argc, argv, {}); };
+    vitrine::app::Action chosen;
     vitrine::app::addOpenCommand(parser, chosen, argc, argv);
     vitrine::app::addListCommand(parser, chosen);
     vitrine::app::addTourCommand(parser, chosen);
@@ -98,6 +98,7 @@ int parseAndRun(int argc, char** argv)
         throw;
     }
     applyLanguage();
+    vitrine::app::refuseWindowOptions(parser);
     // The window installs no handler: it has a journal, and starts other programs.
     if (!parser.get_subcommands().empty() && !parser.got_subcommand("open")) vitrine::app::endOnStopSignals();
     return chosen();

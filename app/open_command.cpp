@@ -1,4 +1,5 @@
 #include "app/kit/command.h"
+#include "app/serve/window_service.h"
 #include "render/failure.h"
 #include "ui/window/run_window.h"
 
@@ -6,26 +7,66 @@
 
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 namespace vitrine::app {
+namespace {
 
-int openWindow(int& argc, char** argv, const std::vector<std::string>& files)
+struct OpenOptions {
+    std::vector<std::string> files;
+    std::string serve;
+};
+
+int openWindow(int& argc, char** argv, const OpenOptions& options)
 {
-    const int result = ui::runWindow(argc, argv, files);
+    ui::WindowOptions window{.files = options.files};
+    if (!options.serve.empty()) {
+        // Made before the window, so that a path that cannot be used ends the command.
+        // The window's thread destroys it before the window.
+        window.opened = [service = std::make_shared<WindowService>(options.serve)](ui::MainWindow& opened) mutable {
+            service->serve(opened);
+            return std::exchange(service, nullptr);
+        };
+    }
+    const int result = ui::runWindow(argc, argv, window);
     return result == ui::noDisplay ? static_cast<int>(ErrorKind::openGl) : result;
 }
+
+/// Adds the options of the window to a command.
+void addWindowOptions(CLI::App& command, OpenOptions& options)
+{
+    command.add_option(
+        "--serve", options.serve,
+        "Path of a socket at which tools and notebooks can read and change the values of the open window, "
+        "as with the command serve");
+}
+
+}  // namespace
 
 void addOpenCommand(CLI::App& parser, Action& chosen, int& argc, char** argv)
 {
     CLI::App* command = parser.add_subcommand("open", "Open the window with files: presets, prints, scenes, models");
-    auto files = std::make_shared<std::vector<std::string>>();
-    command->add_option("files", *files, "Files to open, as when they are dropped onto the window");
-    command->callback([&chosen, &argc, argv, files] {
-        for (const std::string& file : *files)
+    auto options = std::make_shared<OpenOptions>();
+    command->add_option("files", options->files, "Files to open, as when they are dropped onto the window");
+    addWindowOptions(parser, *options);
+    addWindowOptions(*command, *options);
+    chosen = [&argc, argv, options] { return openWindow(argc, argv, *options); };
+    command->callback([&chosen, &argc, argv, options] {
+        for (const std::string& file : options->files)
             if (std::error_code error; !std::filesystem::exists(file, error))
                 throw Failure(ErrorKind::usage, "Cannot open " + file + ": there is no such file; check the name.");
-        chosen = [&argc, argv, files] { return openWindow(argc, argv, *files); };
+        chosen = [&argc, argv, options] { return openWindow(argc, argv, *options); };
     });
+}
+
+void refuseWindowOptions(const CLI::App& parser)
+{
+    if (parser.get_subcommands().empty() || parser.got_subcommand("open")) return;
+    for (const char* option : {"--serve"})
+        if (parser.get_option(option)->count() > 0)
+            throw Failure(ErrorKind::usage, std::string(option) + " is an option of the window, and " +
+                                                parser.get_subcommands().front()->get_name() +
+                                                " opens none; leave it out.");
 }
 
 }  // namespace vitrine::app

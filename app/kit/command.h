@@ -13,10 +13,11 @@ namespace vitrine::app {
 /// Function that `main` runs after reading the command line. Returns the exit code.
 using Action = std::function<int()>;
 
-/// Opens the window with these files. Returns the exit code.
-int openWindow(int& argc, char** argv, const std::vector<std::string>& files);
-/// Adds the command `open`. Takes the arguments of `main`, because Qt reads its own options from them.
+/// Adds the command `open`, and its options to the program itself, which opens the window if no command is given. Takes
+/// the arguments of `main`, because Qt reads its own options from them.
 void addOpenCommand(CLI::App&, Action& chosen, int& argc, char** argv);
+/// Refuses options of the window that were given before another command. Throws Failure (ErrorKind::usage).
+void refuseWindowOptions(const CLI::App&);
 /// Each function adds its command to the parser. When that command is given, parsing sets `chosen`.
 void addListCommand(CLI::App&, Action& chosen);
 void addTourCommand(CLI::App&, Action& chosen);

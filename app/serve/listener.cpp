@@ -21,7 +21,7 @@ using render::Descriptor;
 
 Failure fileFailure(const std::string& path, const std::string& problem)
 {
-    return {ErrorKind::file, "--socket " + path + ": " + problem};
+    return {ErrorKind::file, "The socket " + path + ": " + problem};
 }
 
 sockaddr_un addressOf(const std::string& path)
@@ -29,7 +29,7 @@ sockaddr_un addressOf(const std::string& path)
     sockaddr_un address{};
     address.sun_family = AF_UNIX;
     if (path.empty() || path.size() >= sizeof address.sun_path)
-        throw Failure(ErrorKind::usage, "--socket " + path + ": a socket's path has 1 to " +
+        throw Failure(ErrorKind::usage, "The socket " + path + ": a socket's path has 1 to " +
                                             std::to_string(sizeof address.sun_path - 1) + " bytes, and this one has " +
                                             std::to_string(path.size()) + "; choose a shorter one.");
     std::memcpy(address.sun_path, path.data(), path.size());
@@ -60,7 +60,7 @@ void removeStale(const std::string& path, const sockaddr_un& address)
     const Descriptor trial(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
     if (::connect(trial.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 || errno == EAGAIN)
         throw Failure(ErrorKind::usage,
-                      "--socket " + path + ": another server answers there; stop it first, or choose another path.");
+                      "The socket " + path + ": another server answers there; stop it first, or choose another path.");
     if (errno != ECONNREFUSED)
         throw fileFailure(path, "it cannot be found out whether a server answers there (" +
                                     std::string(std::strerror(errno)) + "); choose another path.");

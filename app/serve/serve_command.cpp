@@ -53,11 +53,13 @@ int serve(const ServeOptions& chosen)
     const StopSignal stop;
     if (chosen.untilInputEnds) stopAtInputEnd();
     const Listener listener(chosen.path);
-    const render::gl::HeadlessContext context;
+    ServedGraphics graphics;
+    (void)graphics.renderer();  // Without OpenGL, the command ends here.
     const Museum museum{allExhibits()};
-    render::gl::Renderer renderer;
-    Service service(museum, renderer, context.info());
-    Server server(listener, service, std::chrono::duration<double>(chosen.idleSeconds));
+    OwnState state(museum.readTables(museum.initialSceneState()).sceneState);
+    Service service(museum, state, graphics);
+    Server server(listener, service, std::chrono::duration<double>(chosen.idleSeconds),
+                  {StopSignal::stopped, StopSignal::descriptor()});
     std::printf("vitrine: serving at %s\n", chosen.path.c_str());
     std::fflush(stdout);
     server.run();

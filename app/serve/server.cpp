@@ -1,6 +1,5 @@
 #include "app/serve/server.h"
 
-#include "app/kit/progress.h"
 #include "app/serve/params.h"
 #include "render/failure.h"
 
@@ -31,11 +30,11 @@ const std::string tooLong = "A line has more than " + std::to_string(Connection:
 
 void Server::run()
 {
-    while (!StopSignal::stopped()) {
+    while (!stop_.isAsked()) {
         for (Client& client : clients_) takeIn(client);
         removeEnded();
         exchange(std::none_of(clients_.begin(), clients_.end(), isNext));
-        for (auto client = clients_.begin(); client != clients_.end() && !StopSignal::stopped(); ++client)
+        for (auto client = clients_.begin(); client != clients_.end() && !stop_.isAsked(); ++client)
             if (isNext(*client)) serve(*client);
     }
     for (Client& client : clients_)
@@ -55,7 +54,11 @@ bool Server::isNext(const Client& client)
 
 void Server::exchange(bool wait)
 {
-    std::vector<pollfd> polled{{StopSignal::descriptor(), POLLIN, 0}, {listener_.descriptor(), POLLIN, 0}};
+    // A request that is being handled keeps the scene state that it began with. Poll skips -1.
+    const int changed = current_ ? -1 : service_.changedDescriptor();
+    std::vector<pollfd> polled{
+        {stop_.descriptor, POLLIN, 0}, {listener_.descriptor(), POLLIN, 0}, {changed, POLLIN, 0}};
+    const std::size_t first = polled.size();
     std::vector<Client*> clients;
     bool anyDropped = false;
     for (Client& client : clients_) {
@@ -71,7 +74,7 @@ void Server::exchange(bool wait)
     const int limit = !wait ? 0 : anyDropped ? dropWaitMilliseconds : -1;
     if (::poll(polled.data(), polled.size(), limit) < 0) return;
     for (std::size_t i = 0; i < clients.size(); ++i) {
-        const short events = polled[i + 2].revents;
+        const short events = polled[first + i].revents;
         Client& client = *clients[i];
         if ((events & (POLLHUP | POLLERR)) != 0) client.connection.hangUp();
         if ((events & POLLOUT) != 0) client.connection.flush();
@@ -81,6 +84,9 @@ void Server::exchange(bool wait)
     for (Client& client : clients_) takeIn(client);
     removeEnded();
     if ((polled[1].revents & POLLIN) != 0) acceptAll();
+    if ((polled[2].revents & POLLIN) == 0) return;
+    service_.refresh();
+    tellChanges(nullptr);
 }
 
 void Server::acceptAll()
@@ -168,6 +174,8 @@ void Server::serve(Client& client)
     current_ = &current;
     std::string how = "done";
     try {
+        service_.refresh();
+        tellChanges(nullptr);
         const Json result = service_.answer(request.method, request.params,
                                             [this](double part, const std::string& doing) { watch(part, doing); });
         answer(client, request, answerLine(request.id, result) + service_.takeBytes());
@@ -178,7 +186,7 @@ void Server::serve(Client& client)
     }
     if (current.told != steady_clock::time_point()) tellProgress("finished", Json{{"how", how}});
     current_ = nullptr;
-    tellChanges(client);
+    tellChanges(&client);
 }
 
 bool Server::served(Client& client, const RpcRequest& request)
@@ -234,9 +242,9 @@ void Server::watch(double part, const std::string& doing)
     }
     exchange(false);
     const Connection& connection = current_->client.connection;
-    if (!current_->canceled && !connection.hungUp() && !connection.dropped() && !StopSignal::stopped()) return;
-    throw RpcFailure(RpcCode::canceled, current_->request.method +
-                                            (StopSignal::stopped() ? ": the server was stopped." : " was canceled."));
+    if (!current_->canceled && !connection.hungUp() && !connection.dropped() && !stop_.isAsked()) return;
+    throw RpcFailure(RpcCode::canceled,
+                     current_->request.method + (stop_.isAsked() ? ": the server was stopped." : " was canceled."));
 }
 
 void Server::tellProgress(const std::string& event, Json params)
@@ -251,11 +259,11 @@ void Server::tellProgress(const std::string& event, Json params)
     }
 }
 
-void Server::tellChanges(const Client& by)
+void Server::tellChanges(const Client* by)
 {
     for (const Json& change : service_.takeChanges())
         for (Client& client : clients_)
-            if (client.wantsEvents && &client != &by) client.connection.send(eventLine("changed", change));
+            if (client.wantsEvents && &client != by) client.connection.send(eventLine("changed", change));
 }
 
 void Server::removeEnded()

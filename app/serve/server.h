@@ -7,10 +7,17 @@
 
 #include <chrono>
 #include <deque>
+#include <functional>
 #include <list>
 #include <string>
 
 namespace vitrine::app {
+
+/// Orderly stop of a server.
+struct ServerStop {
+    std::function<bool()> isAsked;
+    int descriptor = -1;  ///< Readable once it is.
+};
 
 /// Server that handles the requests of all connections, one after the other, in turn. Between the steps of a long
 /// request it accepts, reads and sends. A request is canceled by `cancel` on its own connection, by closing that, or by
@@ -23,11 +30,11 @@ public:
 
     /// Both must outlive the server. If all places are taken, a new connection replaces one that sent nothing for
     /// `mayIdle` seconds.
-    Server(const Listener& listener, Service& service, std::chrono::duration<double> mayIdle)
-        : listener_(listener), service_(service), mayIdle_(mayIdle)
+    Server(const Listener& listener, Service& service, std::chrono::duration<double> mayIdle, ServerStop stop)
+        : listener_(listener), service_(service), mayIdle_(mayIdle), stop_(std::move(stop))
     {
     }
-    /// Runs until `StopSignal::stopped()`.
+    /// Runs until the stop is asked for.
     void run();
 
 private:
@@ -61,7 +68,8 @@ private:
     void cancel(Client&, const RpcRequest&);
     void watch(double part, const std::string& doing);
     void tellProgress(const std::string& event, render::Json params);
-    void tellChanges(const Client& by);
+    /// Tells all clients but this one (null: all) what was changed.
+    void tellChanges(const Client* by);
     /// Removes ended connections, except for the one that is being served.
     void removeEnded();
     /// Returns whether more of the client's requests may be read.
@@ -72,6 +80,7 @@ private:
     const Listener& listener_;
     Service& service_;
     std::chrono::duration<double> mayIdle_;
+    ServerStop stop_;
     std::list<Client> clients_;  ///< A list, because its elements stay in place.
     Current* current_ = nullptr;
     int lastNumber_ = 0;

@@ -54,10 +54,28 @@ Json textsJson(const std::vector<std::string>& texts)
 
 }  // namespace
 
-Service::Service(const Museum& museum, render::gl::Renderer& renderer, const render::gl::ContextInfo& gl)
-    : museum_(museum), renderer_(renderer), gl_(gl),
-      sceneState_(museum.readTables(museum.initialSceneState()).sceneState)
+render::gl::Renderer& ServedGraphics::renderer()
 {
+    if (!context_) context_ = std::make_unique<render::gl::HeadlessContext>();
+    if (!renderer_) renderer_ = std::make_unique<render::gl::Renderer>();
+    return *renderer_;
+}
+
+const render::gl::ContextInfo& ServedGraphics::info()
+{
+    (void)renderer();
+    return context_->info();
+}
+
+Service::Service(const Museum& museum, ServedState& state, ServedGraphics& graphics)
+    : museum_(museum), state_(state), graphics_(graphics), sceneState_(state.current())
+{
+}
+
+void Service::refresh()
+{
+    state_.takeChanged();
+    noteState(state_.current());
 }
 
 const std::vector<Service::Entry>& Service::methods()
@@ -166,6 +184,12 @@ std::optional<render::Camera> Service::cameraOf(const std::string& name) const
 }
 
 void Service::become(SceneState next)
+{
+    state_.change(sceneState_, next);
+    noteState(std::move(next));
+}
+
+void Service::noteState(SceneState next)
 {
     for (std::size_t i = 0; i < next.values.size(); ++i) {
         Json change = changeJson(museum_.subject(i).name(), sceneState_.values[i], next.values[i]);
@@ -352,7 +376,7 @@ Json Service::planPicture(const Json& params, const Watch&)
     if (!ordered.plan.refusal.empty()) throw Failure(ErrorKind::usage, ordered.plan.refusal);
     const jobs::JobScene& scene = ordered.order.scene;
     const PictureRequest request = jobs::pictureRequest(ordered.order.values, scene, {});
-    PictureMaker maker(museum_, renderer_, scene.state, request);
+    PictureMaker maker(museum_, graphics_.renderer(), scene.state, request);
     const render::FramePlan plan = maker.firstPlan();
     return Json{{"exhibit", std::string(museum_.subject(scene.subject).name())},
                 {"size", sizeJson(request)},
@@ -379,7 +403,7 @@ Json Service::renderPicture(const Json& params, const Watch& watch)
     if (!ordered.plan.refusal.empty()) throw Failure(ErrorKind::usage, ordered.plan.refusal);
     const RequestedPicture job{order.scene.subject, order.scene.state,
                                jobs::pictureRequest(order.values, order.scene, order.out)};
-    PictureMaker maker(museum_, renderer_, job.sceneState, job.request);
+    PictureMaker maker(museum_, graphics_.renderer(), job.sceneState, job.request);
     do watch(maker.progress(), "drawing");
     while (maker.step());
     Json answer{{"exhibit", std::string(museum_.subject(job.subject).name())}, {"size", sizeJson(job.request)}};
@@ -395,7 +419,8 @@ Json Service::renderPicture(const Json& params, const Watch& watch)
     }
     if (withReport) {
         const auto between = [&] { watch(maker.progress(), "measuring"); };
-        answer["frame_report"] = pictureReport(museum_, renderer_, gl_, job, maker.report(), between);
+        answer["frame_report"] =
+            pictureReport(museum_, graphics_.renderer(), graphics_.info(), job, maker.report(), between);
     }
     answer["notes"] = notesJson(ordered.notes, maker.report().skipped);
     return answer;
@@ -434,10 +459,10 @@ Json Service::runJob(const jobs::Job& job, const Json& params, const Watch& watc
         if (!ordered.plan.refusal.empty()) throw Failure(ErrorKind::usage, ordered.plan.refusal);
         ordered.order.backend = [this, &job] {
             // Times of passes are for this job alone.
-            if (job.needs().timesPasses) return backendOf(job, renderer_.sibling());
-            return backendOf(job, {std::shared_ptr<void>(), &renderer_});
+            if (job.needs().timesPasses) return backendOf(job, graphics_.renderer().sibling());
+            return backendOf(job, {std::shared_ptr<void>(), &graphics_.renderer()});
         };
-        ordered.order.machine = [this] { return machineJson(gl_); };
+        ordered.order.machine = [this] { return machineJson(graphics_.info()); };
         const std::unique_ptr<jobs::JobRun> run = job.start(std::move(ordered.order));
         const auto show = [&] { watch(run->progress(), std::string(run->doing())); };
         for (show(); run->next() != jobs::JobRun::Next::done; show())

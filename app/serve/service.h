@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/jobs/job_arguments.h"
+#include "app/serve/served_state.h"
 #include "exhibits/jobs/kit/job.h"
 #include "exhibits/museum/museum.h"
 #include "render/files/strict_json.h"
@@ -9,6 +10,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -16,19 +18,36 @@
 
 namespace vitrine::app {
 
-/// State and methods of the service. All clients share one scene state.
+/// OpenGL context and renderer of a service, made when they are first needed. For one thread.
+class ServedGraphics {
+public:
+    /// Both throw Failure (ErrorKind::openGl).
+    [[nodiscard]] render::gl::Renderer& renderer();
+    [[nodiscard]] const render::gl::ContextInfo& info();
+
+private:
+    std::unique_ptr<render::gl::HeadlessContext> context_;
+    std::unique_ptr<render::gl::Renderer> renderer_;
+};
+
+/// Methods of the service. All clients share one scene state.
 class Service {
 public:
     /// Called between the steps of long work with the part that is done, 0 to 1, and a description. Stops the work by
     /// throwing.
     using Watch = std::function<void(double part, const std::string& doing)>;
 
-    /// All must outlive this object. Starts with the initial scene state.
-    Service(const Museum&, render::gl::Renderer&, const render::gl::ContextInfo&);
+    /// All must outlive this object.
+    Service(const Museum&, ServedState&, ServedGraphics&);
 
     /// Calls a method and returns its result. Throws RpcFailure for an unknown method, Failure like the command of the
     /// same name, and what `watch` throws; the scene state is then unchanged.
     [[nodiscard]] render::Json answer(const std::string& method, const render::Json& params, const Watch&);
+
+    /// Takes over what something else than the service changed in the scene state; see `takeChanges`.
+    void refresh();
+    /// Returns the descriptor of `ServedState::changedDescriptor`.
+    [[nodiscard]] int changedDescriptor() const { return state_.changedDescriptor(); }
 
     /// Returns the bytes that follow the last answer on the connection, as its `binary` describes them; empty: none.
     [[nodiscard]] std::string takeBytes() { return std::exchange(bytes_, {}); }
@@ -66,13 +85,15 @@ private:
     [[nodiscard]] JobStart start(bool answers) const;
     [[nodiscard]] std::size_t subjectNamed(const std::string& name) const;
     [[nodiscard]] std::optional<render::Camera> cameraOf(const std::string& name) const;
-    /// Replaces the scene state, and notes the changes.
+    /// Changes the scene state to this one, and notes the changes.
     void become(SceneState);
+    /// Takes this scene state as the present one, and notes the changes.
+    void noteState(SceneState);
 
     const Museum& museum_;
-    render::gl::Renderer& renderer_;
-    const render::gl::ContextInfo& gl_;
-    SceneState sceneState_;
+    ServedState& state_;
+    ServedGraphics& graphics_;
+    SceneState sceneState_;                          ///< Present state, as of the last `refresh` or change.
     std::map<std::size_t, render::Camera> cameras_;  ///< Cameras of the presets loaded last, by subject.
     std::vector<render::Json> changes_;
     std::string bytes_;

@@ -1244,20 +1244,6 @@ Zeiten nach: %2.</translation>
         <translation>--sixteen-bit: WebP speichert keine 16 Bit; geben Sie bei --out einen Namen an, der auf {1} endet, oder lassen Sie die Option weg.</translation>
     </message>
     <message>
-        <location filename="app/serve/listener.cpp"/>
-        <source>--socket {1}: a socket's path has 1 to {2} bytes, and this one has {3}; choose a shorter one.</source>
-        <translation>--socket {=1}: Der Pfad eines Sockets hat 1 bis {=2} Bytes, und dieser hat {=3}; wählen Sie einen kürzeren.</translation>
-    </message>
-    <message>
-        <location filename="app/serve/listener.cpp"/>
-        <source>--socket {1}: another server answers there; stop it first, or choose another path.</source>
-        <translation>--socket {=1}: Dort antwortet ein anderer Server; beenden Sie ihn zuerst, oder wählen Sie einen anderen Pfad.</translation>
-    </message>
-    <message>
-        <source>--socket {1}: {2}</source>
-        <translation>--socket {=1}: {2}</translation>
-    </message>
-    <message>
         <location filename="exhibits/printing/print_views.cpp"/>
         <source>--sweep &quot;{1}&quot;: give name=from..to, such as --sweep morph=0..1.</source>
         <translation>--sweep &quot;{=1}&quot;: Geben Sie Name=von..bis an, etwa --sweep morph=0..1.</translation>
@@ -5028,6 +5014,11 @@ Zeiten nach: %2.</translation>
         <translation>%1 ändern</translation>
     </message>
     <message>
+        <location filename="ui/model/outside_changes.cpp"/>
+        <source>Change %1 by the service</source>
+        <translation>%1 durch den Dienst ändern</translation>
+    </message>
+    <message>
         <location filename="ui/parameters/group_edits.cpp"/>
         <source>Change %1 of all together</source>
         <translation>%1 aller zusammen ändern</translation>
@@ -5066,6 +5057,11 @@ Zeiten nach: %2.</translation>
         <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Change the value; Shift ten times finer, Ctrl ten times coarser</source>
         <translation>Den Wert ändern; Umschalt zehnmal feiner, Strg zehnmal gröber</translation>
+    </message>
+    <message>
+        <location filename="ui/model/outside_changes.cpp"/>
+        <source>Change values by the service</source>
+        <translation>Werte durch den Dienst ändern</translation>
     </message>
     <message>
         <location filename="ui/parameters/parameter_panel.cpp"/>
@@ -14160,6 +14156,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>orthografisch</translation>
     </message>
     <message>
+        <location filename="app/serve/window_service.cpp"/>
+        <source>Other programs can read and change the values of this window, until you choose “Stop serving” in the status line.</source>
+        <translation>Andere Programme können die Werte dieses Fensters lesen und ändern, bis Sie in der Statuszeile „Dienst beenden“ wählen.</translation>
+    </message>
+    <message>
         <location filename="exhibits/jobs/comparison/comparison_table.h"/>
         <source>Other technique</source>
         <translation>Andere Technik</translation>
@@ -17644,6 +17645,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Trennzeichen</translation>
     </message>
     <message>
+        <location filename="ui/window/serving_bar.cpp"/>
+        <source>Serving</source>
+        <translation>Dienst läuft</translation>
+    </message>
+    <message>
         <location filename="ui/parameters/way_to_act.cpp"/>
         <location filename="ui/study/study_view.cpp"/>
         <source>Set %1</source>
@@ -19275,6 +19281,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="ui/window/clock_bar.cpp"/>
         <source>Stop or start the clock</source>
         <translation>Uhr anhalten oder starten</translation>
+    </message>
+    <message>
+        <location filename="ui/window/serving_bar.cpp"/>
+        <source>Stop serving</source>
+        <translation>Dienst beenden</translation>
     </message>
     <message>
         <location filename="ui/window/close_guard.cpp"/>
@@ -21183,6 +21194,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>die gewählte Technik erzeugt sie nicht</translation>
     </message>
     <message>
+        <location filename="app/serve/window_service.cpp"/>
+        <source>The service of this window has ended.</source>
+        <translation>Der Dienst dieses Fensters ist beendet.</translation>
+    </message>
+    <message>
         <location filename="ui/print/print_dialog.cpp"/>
         <source>The settings of a print cannot change while it is written.</source>
         <translation>Die Einstellungen eines Drucks lassen sich nicht ändern, während er geschrieben wird.</translation>
@@ -21353,6 +21369,20 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="app/serve/listener.cpp"/>
         <source>the socket cannot be used ({1}).</source>
         <translation>Der Socket lässt sich nicht verwenden ({1}).</translation>
+    </message>
+    <message>
+        <location filename="app/serve/listener.cpp"/>
+        <source>The socket {1}: a socket's path has 1 to {2} bytes, and this one has {3}; choose a shorter one.</source>
+        <translation>Der Socket {=1}: Der Pfad eines Sockets hat 1 bis {=2} Bytes, und dieser hat {=3}; wählen Sie einen kürzeren.</translation>
+    </message>
+    <message>
+        <location filename="app/serve/listener.cpp"/>
+        <source>The socket {1}: another server answers there; stop it first, or choose another path.</source>
+        <translation>Der Socket {=1}: Dort antwortet ein anderer Server; beenden Sie ihn zuerst, oder wählen Sie einen anderen Pfad.</translation>
+    </message>
+    <message>
+        <source>The socket {1}: {2}</source>
+        <translation>Der Socket {=1}: {2}</translation>
     </message>
     <message>
         <location filename="exhibits/your_shader/shadertoy_reader.cpp"/>
@@ -25006,6 +25036,11 @@ steht in assets/SOURCES.md.</translation>
         <translation>Ihr Objekt: {1}</translation>
     </message>
     <message>
+        <location filename="ui/window/serving_bar.cpp"/>
+        <source>Your other programs can read and change the values of this window, at the socket %1.</source>
+        <translation>Ihre anderen Programme können die Werte dieses Fensters am Socket %1 lesen und ändern.</translation>
+    </message>
+    <message>
         <location filename="exhibits/hall/plaque_text.cpp"/>
         <source>Your own object</source>
         <translation>Ihr eigenes Objekt</translation>
@@ -25321,6 +25356,11 @@ steht in assets/SOURCES.md.</translation>
         <location filename="ui/presets/preset_controller.cpp"/>
         <source>{1} is a preset of &quot;{2}&quot;, which is not in this museum.</source>
         <translation>{=1} ist ein Preset von „{=2}“, das es in diesem Museum nicht gibt.</translation>
+    </message>
+    <message>
+        <location filename="app/open_command.cpp"/>
+        <source>{1} is an option of the window, and {2} opens none; leave it out.</source>
+        <translation>{=1} ist eine Option des Fensters, und {=2} öffnet keines; lassen Sie sie weg.</translation>
     </message>
     <message>
         <location filename="app/jobs/run_job.cpp"/>

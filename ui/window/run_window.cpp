@@ -27,7 +27,7 @@ bool hasDisplay()
            !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
 }
 
-int runWindow(int& argc, char** argv, const std::vector<std::string>& files)
+int runWindow(int& argc, char** argv, const WindowOptions& options)
 {
     if (!hasDisplay()) {
         std::fprintf(stderr,
@@ -58,7 +58,8 @@ int runWindow(int& argc, char** argv, const std::vector<std::string>& files)
                      [&window](const QString& message) { window.say(MessageStrip::Mood::problem, message); });
     reportFirstPicture(window.viewport(), window);
     window.show();
-    for (const std::string& file : files) window.files().open(QString::fromStdString(file));
+    for (const std::string& file : options.files) window.files().open(QString::fromStdString(file));
+    const std::shared_ptr<void> kept = options.opened ? options.opened(window) : nullptr;
     return QApplication::exec();
 }
 

@@ -69,7 +69,7 @@ TEST(ServeSocket, NothingElseIsReplaced)
     const auto expectRefused = [&](const std::string& path, int code, const std::string& part) {
         const Ended ended = test::vitrine({"serve", "--socket", path});
         EXPECT_EQ(ended.code, code);
-        test::expectOneSentence(ended, {"--socket", part});
+        test::expectOneSentence(ended, {"The socket ", part});
     };
     const std::string letter = folder / "letter.txt";
     test::writeBytes(letter, "dear");

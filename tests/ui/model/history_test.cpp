@@ -5,6 +5,7 @@
 #include "tests/ui/ui_main.h"
 
 #include "ui/model/history.h"
+#include "ui/model/outside_changes.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -75,6 +76,45 @@ private slots:
         QCOMPARE(history.stack().redoText(), QString("Change roughness"));
         history.stack().redo();
         QCOMPARE(history.sceneState().values[0][table_.roughness], 1.0);
+    }
+
+    void aChangeFromOutsideKeepsWhatWasSetMeanwhile()
+    {
+        History history(start());
+        OutsideChanges outside(history);
+        const SceneState before = history.sceneState();
+        history.set(0, table_.roughness.row, 0.75, 0);
+        outside.make(before, with(before, table_.morph, 0.25));
+        QCOMPARE(history.sceneState().values[0][table_.morph], 0.25);
+        QCOMPARE(history.sceneState().values[0][table_.roughness], 0.75);
+        QCOMPARE(history.stack().count(), 2);
+        QCOMPARE(history.stack().undoText(), QStringLiteral("Change morph by the service"));
+        history.stack().undo();
+        QCOMPARE(history.sceneState().values[0][table_.morph], 0.5);
+        QCOMPARE(history.sceneState().values[0][table_.roughness], 0.75);
+        outside.make(before, before);
+        QCOMPARE(history.stack().index(), 1);
+    }
+
+    void changesFromOutsideThatFollowSoonAreOneStep()
+    {
+        History history(start());
+        OutsideChanges outside(history);
+        const auto make = [&](Real parameter, double value) {
+            const SceneState now = history.sceneState();
+            outside.make(now, with(now, parameter, value));
+        };
+        for (const double value : {0.1, 0.2, 0.3}) make(table_.morph, value);
+        QCOMPARE(history.stack().count(), 1);
+        make(table_.roughness, 0.5);
+        QCOMPARE(history.stack().count(), 2);
+        // An edit in the window is a step of its own, and so is what follows it.
+        history.set(0, table_.roughness.row, 0.6, newGesture());
+        make(table_.roughness, 0.7);
+        QCOMPARE(history.stack().count(), 4);
+        QTest::qWait(OutsideChanges::sameStep + 100);
+        make(table_.roughness, 0.8);
+        QCOMPARE(history.stack().count(), 5);
     }
 
     void oneValueThatChangesIsNamedAndOnlyThat()
