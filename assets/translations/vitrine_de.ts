@@ -1120,6 +1120,26 @@ Zeiten nach: %2.</translation>
         <translation>--json: Die Standardausgabe nimmt schon die Datei von --out {=1} auf; lassen Sie eines von beiden weg.</translation>
     </message>
     <message>
+        <location filename="ui/window/kiosk.cpp"/>
+        <source>--kiosk-parameters {1}: give it as exhibit.parameter.</source>
+        <translation>--kiosk-parameters {=1}: Geben Sie ihn als exponat.parameter an.</translation>
+    </message>
+    <message>
+        <location filename="ui/window/kiosk.cpp"/>
+        <source>--kiosk-parameters {1}: there is no exhibit &quot;{2} `vitrine list` names them.</source>
+        <translation>--kiosk-parameters {=1}: Es gibt kein Exponat „{=2} `vitrine list` nennt alle.</translation>
+    </message>
+    <message>
+        <location filename="ui/window/kiosk.cpp"/>
+        <source>--kiosk-parameters {1}: visitors cannot choose files or texts; leave it out.</source>
+        <translation>--kiosk-parameters {=1}: Besucher können weder Dateien noch Texte wählen; lassen Sie ihn weg.</translation>
+    </message>
+    <message>
+        <location filename="ui/window/kiosk.cpp"/>
+        <source>--kiosk-parameters {1}: {2} has no parameter of that name{3} `vitrine list {4}` names them.</source>
+        <translation>--kiosk-parameters {=1}: {=2} hat keinen Parameter dieses Namens{3} `vitrine list {=4}` nennt alle.</translation>
+    </message>
+    <message>
         <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
         <source>--low and --high belong together: two corners of the part that is meshed.</source>
         <translation>--low und --high gehören zusammen: zwei Ecken des Teils, der vernetzt wird.</translation>
@@ -1188,6 +1208,11 @@ Zeiten nach: %2.</translation>
         <location filename="app/kit/picture_options.cpp"/>
         <source>--scale {1}: a scale of 0 leaves nothing to draw; give three numbers away from 0.</source>
         <translation>--scale {=1}: Ein Maßstab von 0 lässt nichts zu zeichnen; geben Sie drei Zahlen an, die nicht 0 sind.</translation>
+    </message>
+    <message>
+        <location filename="app/open_command.cpp"/>
+        <source>--serve and --kiosk exclude each other; give one of them.</source>
+        <translation>--serve und --kiosk schließen einander aus; geben Sie eine davon an.</translation>
     </message>
     <message>
         <location filename="exhibits/museum/assignment.cpp"/>

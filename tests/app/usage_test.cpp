@@ -340,6 +340,10 @@ TEST(Usage, WhatWasMistypedIsNamedWithItsCommandAndWhatIsNear)
         {{"--language", "xx", "list"}, "--language \"xx\": give one of en, de."},
         {{"record", "fur", "--out", "x.mp4", "--pace", "slow"}, "--pace \"slow\": give one of auto, constant, eased."},
         {{"open", "/nowhere/a.json"}, "Cannot open /nowhere/a.json: there is no such file"},
+        {{"--serve", "/tmp/none.socket", "list"}, "--serve is an option of the window, and list opens none;"},
+        {{"--kiosk", "--serve", "/tmp/none.socket"}, "--serve and --kiosk exclude each other; give one of them."},
+        {{"--kiosk-minutes", "3"}, "--kiosk-minutes has no effect without --kiosk;"},
+        {{"--kiosk", "--kiosk-minutes", "0"}, "--kiosk-minutes \"0\": give a number from 0.1 to 1440"},
         {{"study", "fur", "--out", "x", "--metric", "ssm"},
          "did you mean dssim? give one of rmse, max, beyond, mape, relmse, dssim, flip, normal, depth."},
     };

@@ -15,6 +15,7 @@
 #include "ui/window/window_actions.h"
 
 #include <QSurfaceFormat>
+#include <QTemporaryDir>
 
 #include <clocale>
 #include <cstdio>
@@ -53,12 +54,23 @@ int runWindow(int& argc, char** argv, const WindowOptions& options)
     applyAppearance(app, Preferences::saved(), {});
     const Museum museum{allExhibits()};
     MuseumRenderers renderers(museum);
+    std::optional<QTemporaryDir> apart;
+    if (options.kiosk) {
+        // An exhibition neither continues a session nor replaces it.
+        apart.emplace();
+        qputenv("XDG_STATE_HOME", apart->path().toLocal8Bit());
+    }
     MainWindow window(museum, renderers, makeWindowActions);
     QObject::connect(&app, &Application::caught, &window,
                      [&window](const QString& message) { window.say(MessageStrip::Mood::problem, message); });
     reportFirstPicture(window.viewport(), window);
-    window.show();
+    if (!options.kiosk) window.show();
     for (const std::string& file : options.files) window.files().open(QString::fromStdString(file));
+    std::optional<Kiosk> kiosk;
+    if (options.kiosk) {
+        kiosk.emplace(window, *options.kiosk);
+        window.show();
+    }
     const std::shared_ptr<void> kept = options.opened ? options.opened(window) : nullptr;
     return QApplication::exec();
 }

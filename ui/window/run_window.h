@@ -1,7 +1,10 @@
 #pragma once
 
+#include "ui/window/kiosk.h"
+
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,7 +14,8 @@ class MainWindow;
 
 /// How the window is opened.
 struct WindowOptions {
-    std::vector<std::string> files = {};  ///< Opened as if they were dropped onto it.
+    std::vector<std::string> files = {};     ///< Opened as if they were dropped onto it.
+    std::optional<KioskOptions> kiosk = {};  ///< Shows the window for an exhibition.
     /// Called when the window is shown; empty: nothing is. What it returns is destroyed before the window.
     std::function<std::shared_ptr<void>(MainWindow&)> opened = {};
 };

@@ -251,7 +251,7 @@ void WindowDocks::nameStacks()
 void WindowDocks::hideAll()
 {
     for (QDockWidget* dock : docks_)
-        if (dock->isVisible()) hidden_ << dock;
+        if (!dock->isHidden()) hidden_ << dock;
     for (QDockWidget* dock : hidden_) dock->hide();
 }
 
