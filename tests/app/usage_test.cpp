@@ -231,7 +231,8 @@ TEST(UsageOfNumbers, EveryOptionRefusesWhatIsNone)
                 words.back() += '=' + number;
             }
             const Ended ended = test::vitrine(words);
-            SCOPED_TRACE(option.command.front() + ' ' + option.name + ' ' + number);
+            SCOPED_TRACE((option.command.empty() ? "the window" : option.command.front()) + ' ' + option.name + ' ' +
+                         number);
             EXPECT_EQ(ended.code, 2);
             if (number == "0,5")
                 expectOneSentence(ended, {option.name + " \"0,5\": ", "decimal point", "write 0.5."});
