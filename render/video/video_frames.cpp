@@ -2,6 +2,7 @@
 
 #include "render/failure.h"
 #include "render/files/extension.h"
+#include "render/image/orientation.h"
 #include "render/image/srgb.h"
 #include "render/image/video_codec.h"
 
@@ -69,6 +70,7 @@ std::optional<Image> VideoFrameReader::frame(std::size_t number)
     requireVideo(path_, reader_->next(picture, isEnd));
     ++next_;
     if (isEnd) return std::nullopt;
+    orient(picture, picture.orientation);
     return linearOf(picture);
 }
 

@@ -7,8 +7,37 @@ extern "C" {
 }
 
 #include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
 
 namespace vitrine::render::ffmpeg {
+namespace {
+
+using DisplayMatrix = std::array<std::int32_t, 9>;
+
+/// Returns the display matrix of a stream (ISO/IEC 14496-12, 6.2.2): a pixel (x, y) is shown at (ax + cy, bx + dy),
+/// where a, b, c, d are its numbers 0, 1, 3, 4. The identity if there is none.
+DisplayMatrix displayMatrix(const AVStream& stream)
+{
+    DisplayMatrix matrix{1, 0, 0, 0, 1, 0, 0, 0, 1};
+    const std::uint8_t* data = nullptr;
+    std::size_t size = 0;
+#if LIBAVCODEC_VERSION_INT >= AV_VERSION_INT(60, 31, 100)  // FFmpeg 6.1 moved it.
+    const AVCodecParameters& parameters = *stream.codecpar;
+    if (const AVPacketSideData* side = av_packet_side_data_get(
+            parameters.coded_side_data, parameters.nb_coded_side_data, AV_PKT_DATA_DISPLAYMATRIX)) {
+        data = side->data;
+        size = side->size;
+    }
+#else
+    data = av_stream_get_side_data(&stream, AV_PKT_DATA_DISPLAYMATRIX, &size);
+#endif
+    if (data && size >= sizeof matrix) std::memcpy(matrix.data(), data, sizeof matrix);
+    return matrix;
+}
+
+}  // namespace
 
 void readable(int result)
 {
@@ -52,6 +81,14 @@ const AVFrame* Decoder::next()
         if (isDrained_ || packet_->stream_index == stream_)
             readable(avcodec_send_packet(codec_.get(), isDrained_ ? nullptr : packet_.get()));
     }
+}
+
+int Decoder::orientation() const
+{
+    const DisplayMatrix matrix = displayMatrix(*file_->streams[stream_]);
+    const std::int64_t a = matrix[0], b = matrix[1], c = matrix[3], d = matrix[4];
+    if (std::abs(b) + std::abs(c) <= std::abs(a) + std::abs(d)) return a >= 0 ? (d >= 0 ? 1 : 4) : (d >= 0 ? 2 : 3);
+    return b >= 0 ? (c >= 0 ? 5 : 6) : (c >= 0 ? 8 : 7);
 }
 
 std::size_t Decoder::countPackets()

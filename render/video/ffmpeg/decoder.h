@@ -19,6 +19,8 @@ public:
 
     /// Returns the next frame, valid until the next call; null at the end. Throws Problem.
     [[nodiscard]] const AVFrame* next();
+    /// Returns the orientation of the stream's pictures, 1 to 8 as in `orient`: the nearest to its display matrix.
+    [[nodiscard]] int orientation() const;
     /// Counts the packets of the stream, which are its frames in videos. Afterwards `next` returns nothing.
     [[nodiscard]] std::size_t countPackets();
 

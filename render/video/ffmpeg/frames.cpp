@@ -94,6 +94,7 @@ public:
                 format_ = frame->format;
             }
             out = rgb_->picture(*frame);
+            out.orientation = decoder_.orientation();
         });
     }
 

@@ -4,6 +4,7 @@
 #include "render/image/image_io.h"
 #include "render/image/srgb.h"
 #include "render/video/video_file.h"
+#include "render/video/video_frames.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/video_reader.h"
 
@@ -66,6 +67,55 @@ void expectTimes(const test::ReadVideo& read, double framesPerSecond, double wit
     ASSERT_EQ(read.times.size(), static_cast<std::size_t>(count));
     for (int k = 0; k < count; ++k)
         EXPECT_NEAR(read.times[static_cast<std::size_t>(k)] - read.times[0], k / framesPerSecond, within) << k;
+}
+
+/// Stores the display matrix of an .mp4 in its track header (ISO/IEC 14496-12, 8.3.2).
+void setDisplayMatrix(const std::filesystem::path& file, const std::array<int, 4>& turn)
+{
+    std::string bytes = test::bytesOf(file);
+    const std::size_t header = bytes.find("tkhd");
+    ASSERT_NE(header, std::string::npos);
+    ASSERT_EQ(bytes[header + 4], 0) << "version 0: times have 32 bits";
+    const std::size_t matrix = header + 4 + 40;
+    const std::array<std::pair<std::size_t, int>, 4> places{{{0, turn[0]}, {1, turn[1]}, {3, turn[2]}, {4, turn[3]}}};
+    for (const auto& [place, number] : places) {
+        const auto fixed = static_cast<std::uint32_t>(number * 65536);
+        for (std::size_t i = 0; i < 4; ++i)
+            bytes[matrix + 4 * place + i] = static_cast<char>(fixed >> (24 - 8 * i) & 255U);
+    }
+    test::writeBytes(file, bytes);
+}
+
+TEST(VideoFile, FramesAreTurnedAsTheFileSays)
+{
+    const TemporaryFolder folder;
+    const std::filesystem::path file = written(folder, "a.mp4", {});
+    const Image stored = *render::VideoFrameReader(file).frame(2);
+    ASSERT_EQ(stored.width, wide);
+    // All right angles, with and without a mirror.
+    for (const auto& [a, b, c, d] : std::vector<std::array<int, 4>>{{1, 0, 0, 1},
+                                                                    {0, 1, -1, 0},
+                                                                    {-1, 0, 0, -1},
+                                                                    {0, -1, 1, 0},
+                                                                    {-1, 0, 0, 1},
+                                                                    {1, 0, 0, -1},
+                                                                    {0, 1, 1, 0},
+                                                                    {0, -1, -1, 0}}) {
+        setDisplayMatrix(file, {a, b, c, d});
+        render::VideoFrameReader reader(file);
+        static_cast<void>(reader.frame(0));
+        const Image shown = *reader.frame(2);
+        ASSERT_EQ(shown.width, a == 0 ? high : wide);
+        ASSERT_EQ(shown.height, a == 0 ? wide : high);
+        for (int y = 0; y < high; ++y)
+            for (int x = 0; x < wide; ++x) {
+                const int left = a * x + c * y, top = b * x + d * y;
+                const int toX = left + (a + c < 0 ? shown.width - 1 : 0),
+                          toY = top + (b + d < 0 ? shown.height - 1 : 0);
+                for (int channel = 0; channel < 3; ++channel)
+                    ASSERT_EQ(shown.at(toX, toY, channel), stored.at(x, y, channel)) << a << b << c << d;
+            }
+    }
 }
 
 TEST(VideoFile, AnMp4HasEveryFrameAtItsTimeAndSaysWhichColorsItHas)
