@@ -2326,6 +2326,11 @@ Zeiten nach: %2.</translation>
         <translation>Ein dünnes Blatt mit drei Ecken.</translation>
     </message>
     <message>
+        <location filename="exhibits/printing/read_print.cpp"/>
+        <source>a tile has no number of repeatedColumns; correct it there.</source>
+        <translation>Einer Kachel fehlt die Zahl repeatedColumns; berichtigen Sie das dort.</translation>
+    </message>
+    <message>
         <location filename="ui/compare/compare_actions.cpp"/>
         <source>A to the left of a line, B to the right; drag the line. If there is no B yet, the current settings become B.</source>
         <translation>Links einer Linie A, rechts davon B; die Linie lässt sich ziehen. Gibt es noch kein B, werden die jetzigen Einstellungen zu B.</translation>
@@ -2994,6 +2999,11 @@ Zeiten nach: %2.</translation>
         <location filename="exhibits/sdf_scenes/source_scene.cpp"/>
         <source>an object: { ... }</source>
         <translation>ein Objekt: { ... }</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_file.cpp"/>
+        <source>An overlap of {1} mm is not smaller than the tiles, which are {2} mm wide; give a smaller one.</source>
+        <translation>Eine Überlappung von {=1} mm ist nicht kleiner als die Kacheln, die {=2} mm breit sind; geben Sie eine kleinere an.</translation>
     </message>
     <message>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
@@ -22948,6 +22958,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <location filename="exhibits/printing/print_table.h"/>
+        <source>Tile overlap</source>
+        <translation>Überlappung der Kacheln</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
         <source>Tile width</source>
         <translation>Kachelbreite</translation>
     </message>
@@ -24692,6 +24707,11 @@ steht in assets/SOURCES.md.</translation>
         <source>Width of the ribs.</source>
         <extracomment>tables</extracomment>
         <translation>Breite der Rippen.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/printing/print_table.h"/>
+        <source>Width of the strip at the left of these files that the file before it has, too, so that sheets can be laid over each other. It is enlarged to whole lenses.</source>
+        <translation>Breite des Streifens am linken Rand dieser Dateien, den auch die Datei davor hat, damit Bögen übereinandergelegt werden können. Er wird auf ganze Linsen vergrößert.</translation>
     </message>
     <message>
         <location filename="exhibits/lenticular/lenticular_table.h"/>

@@ -24,7 +24,7 @@ std::int64_t stripRows(std::int64_t width)
 template <typename Code> class RowMaker {
 public:
     RowMaker(const PrintLayout& layout, std::function<void(const Region&, Code*)> make, const PrintFile& file)
-        : make_(std::move(make)), marks_(layout)
+        : make_(std::move(make)), marks_(layout, tileCuts(layout, file.tileWidth))
     {
         if (!file.outputProfile.empty()) conversion_.emplace(file.profile, file.outputProfile, file.conversion);
     }
@@ -82,6 +82,15 @@ void writeColumns(const PrintLayout& layout, const std::function<void(const Regi
     out.finish();
 }
 
+/// Returns the column of the cusp that is nearest to a column.
+std::int64_t cuspColumn(const PrintLayout& layout, double at)
+{
+    const double cusp = std::round(layout.lensAt(at, 0));
+    const double x = (cusp - layout.lensAt(0, 0)) / layout.lensesPerPixelX();
+    return layout.settings().mirror ? layout.width() - std::llround(static_cast<double>(layout.width()) - x)
+                                    : std::llround(x);
+}
+
 std::filesystem::path tilePath(const std::filesystem::path& path, std::size_t tile)
 {
     std::filesystem::path name = path;
@@ -122,11 +131,13 @@ render::StreamSpec specOf(const PrintLayout& layout, const PrintFile& file, std:
 
 void requireRoom(const PrintLayout& layout, const PrintFile& file)
 {
-    const std::vector<std::int64_t> cuts = tileCuts(layout, file.tileWidth);
-    for (std::size_t tile = 0; tile + 1 < cuts.size(); ++tile)
-        render::requireStream(file.path, {cuts[tile + 1] - cuts[tile], layout.height(),
-                                          render::profileChannels(file.outputProfile), file.bits});
-    render::requireSpace(file.path, render::streamBytes(file.path, specOf(layout, file, 0, layout.width())));
+    std::int64_t columns = 0;
+    for (const PrintTile& tile : printTiles(layout, file.tileWidth, file.tileOverlap)) {
+        render::requireStream(
+            file.path, {tile.x1 - tile.x0, layout.height(), render::profileChannels(file.outputProfile), file.bits});
+        columns += tile.x1 - tile.x0;
+    }
+    render::requireSpace(file.path, render::streamBytes(file.path, specOf(layout, file, 0, columns)));
 }
 
 int interlacingThreads()
@@ -146,15 +157,33 @@ std::vector<std::int64_t> tileCuts(const PrintLayout& layout, double tileWidth)
     std::vector<std::int64_t> cuts{0};
     const double tile = tileWidth / mmPerInch * layout.settings().dpiX;
     for (double at = tile; at < static_cast<double>(layout.width()); at += tile) {
-        const double cusp = std::round(layout.lensAt(at, 0));
-        const double x = (cusp - layout.lensAt(0, 0)) / layout.lensesPerPixelX();
-        const std::int64_t column = layout.settings().mirror
-                                        ? layout.width() - std::llround(static_cast<double>(layout.width()) - x)
-                                        : std::llround(x);
+        const std::int64_t column = cuspColumn(layout, at);
         if (column > cuts.back() && column < layout.width()) cuts.push_back(column);
     }
     cuts.push_back(layout.width());
     return cuts;
+}
+
+std::vector<PrintTile> printTiles(const PrintLayout& layout, double tileWidth, double tileOverlap)
+{
+    const std::vector<std::int64_t> cuts = tileCuts(layout, tileWidth);
+    if (tileWidth > 0 && !(tileOverlap < tileWidth))
+        throw Failure(ErrorKind::usage, "An overlap of " + shortText(tileOverlap) +
+                                            " mm is not smaller than the tiles, which are " + shortText(tileWidth) +
+                                            " mm wide; give a smaller one.");
+    const double overlap = tileOverlap / mmPerInch * layout.settings().dpiX;
+    std::vector<PrintTile> tiles;
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+        PrintTile tile{cuts[i], cuts[i + 1]};
+        if (i > 0 && overlap > 0) {
+            // The cusp nearest to half a lens farther to the left is the last one before that column.
+            const double before = static_cast<double>(cuts[i]) - overlap - 0.5 / std::abs(layout.lensesPerPixelX());
+            tile.x0 = std::max(cuspColumn(layout, before), cuts[i - 1]);
+            tile.repeated = cuts[i] - tile.x0;
+        }
+        tiles.push_back(tile);
+    }
+    return tiles;
 }
 
 std::vector<std::filesystem::path> printFiles(const PrintLayout& layout, const PrintFile& file)
@@ -168,15 +197,16 @@ std::vector<std::filesystem::path> printFiles(const PrintLayout& layout, const P
 
 StagedPrint stagedRaster(const PrintLayout& layout, const RasterSource& source, const PrintFile& file)
 {
-    const std::vector<std::int64_t> cuts = tileCuts(layout, file.tileWidth);
+    const std::vector<PrintTile> tiles = printTiles(layout, file.tileWidth, file.tileOverlap);
     requireRoom(layout, file);
     StagedPrint staged{printFiles(layout, file)};
-    for (std::size_t tile = 0; tile + 1 < cuts.size(); ++tile) {
-        render::PictureStream stream(staged.pictures[tile], specOf(layout, file, cuts[tile], cuts[tile + 1]));
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        const PrintTile& tile = tiles[i];
+        render::PictureStream stream(staged.pictures[i], specOf(layout, file, tile.x0, tile.x1));
         if (file.bits == 16)
-            writeColumns<std::uint16_t>(layout, source.sixteen, file, cuts[tile], cuts[tile + 1], stream);
+            writeColumns<std::uint16_t>(layout, source.sixteen, file, tile.x0, tile.x1, stream);
         else
-            writeColumns<std::uint8_t>(layout, source.eight, file, cuts[tile], cuts[tile + 1], stream);
+            writeColumns<std::uint8_t>(layout, source.eight, file, tile.x0, tile.x1, stream);
         staged.parts.push_back(stream.takePart());
     }
     if (!file.json.empty()) {

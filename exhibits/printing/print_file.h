@@ -19,7 +19,8 @@ struct PrintFile {
     std::filesystem::path path{};
     int bits = 8;  ///< 8 or 16.
     render::StreamCompression compression = render::StreamCompression::none;
-    double tileWidth = 0;  ///< Millimeters; cut into files of about this width at cusps; 0: one file.
+    double tileWidth = 0;    ///< Millimeters; cut into files of about this width at cusps; 0: one file.
+    double tileOverlap = 0;  ///< Millimeters that each tile but the first repeats of the one at its left.
     std::string profile = render::srgbProfile();  ///< ICC profile of the views, stored if there is no other one.
     std::string outputProfile{};                  ///< ICC profile into which the print is converted; empty: none.
     render::ConversionSettings conversion{};
@@ -71,5 +72,15 @@ struct StagedPrint {
 /// Returns the columns at which a print is cut: 0, the cusps nearest to multiples of `tileWidth`, the width. Throws
 /// Failure (ErrorKind::usage) for lenses that are not vertical, and for tiles narrower than a lens.
 [[nodiscard]] std::vector<std::int64_t> tileCuts(const PrintLayout&, double tileWidth);
+
+/// One of the files into which a print is cut: the columns from `x0` up to `x1`.
+struct PrintTile {
+    std::int64_t x0 = 0, x1 = 0;
+    std::int64_t repeated = 0;  ///< First columns that the tile at the left has, too.
+};
+/// Returns the tiles, from the left. Each but the first begins at the last cusp that is at least `tileOverlap`
+/// millimeters before its cut. Throws Failure (ErrorKind::usage) as `tileCuts`, and for an overlap that is not smaller
+/// than the tiles.
+[[nodiscard]] std::vector<PrintTile> printTiles(const PrintLayout&, double tileWidth, double tileOverlap);
 
 }  // namespace vitrine::printing

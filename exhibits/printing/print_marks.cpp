@@ -52,13 +52,13 @@ template <typename Code> Code codeOf(double value)
 
 }  // namespace
 
-PrintMarks::PrintMarks(const PrintLayout& layout)
+PrintMarks::PrintMarks(const PrintLayout& layout, const std::vector<std::int64_t>& cuts)
     : layout_(layout), perMmX_(layout.settings().dpiX / mmPerInch), perMmY_(layout.settings().dpiY / mmPerInch),
       borderX_(static_cast<double>(layout.borderX())), borderY_(static_cast<double>(layout.borderY()))
 {
     const MarkSettings& marks = layout.settings().marks;
     const auto width = static_cast<double>(layout.width()), height = static_cast<double>(layout.height());
-    if (marks.crop) addCropMarks();
+    if (marks.crop) addCropMarks(cuts);
     if (marks.registration) {
         addRegistration(width / 2, borderY_ / 2);
         addRegistration(width / 2, height - borderY_ / 2);
@@ -80,14 +80,17 @@ void PrintMarks::addBox(double x0, double y0, double x1, double y1, const Color&
     boxes_.push_back({{left, top, right, bottom}, color});
 }
 
-void PrintMarks::addCropMarks()
+void PrintMarks::addCropMarks(const std::vector<std::int64_t>& cuts)
 {
     const auto width = static_cast<double>(layout_.width()), height = static_cast<double>(layout_.height());
     const auto [left, top, right, bottom] = layout_.trimBox();
     const double thickX = markLine / 2 * perMmX_, thickY = markLine / 2 * perMmY_;
     const double nearX = borderX_ - markGap * perMmX_, farX = std::max(0.0, borderX_ - markLongest * perMmX_);
     const double nearY = borderY_ - markGap * perMmY_, farY = std::max(0.0, borderY_ - markLongest * perMmY_);
-    for (const double x : {left, right}) {
+    std::vector<double> columns{left, right};
+    // The first and the last are the edges of the print.
+    for (std::size_t i = 1; i + 1 < cuts.size(); ++i) columns.push_back(static_cast<double>(cuts[i]));
+    for (const double x : columns) {
         addBox(x - thickX, farY, x + thickX, nearY);
         addBox(x - thickX, height - nearY, x + thickX, height - farY);
     }

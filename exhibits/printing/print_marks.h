@@ -8,13 +8,14 @@
 
 namespace vitrine::printing {
 
-/// Marks for the press in the border of a print: crop marks at the corners of the trim, registration marks at the
-/// middle of each side, a bar of colors below, and a strip of lines at the pitch of the lenses along the edge that
-/// crosses them. Nothing lies on trim or bleed.
+/// Marks for the press in the border of a print: crop marks at the corners of the trim and at cuts, registration marks
+/// at the middle of each side, a bar of colors below, and a strip of lines at the pitch of the lenses along the edge
+/// that crosses them. Nothing lies on trim or bleed.
 class PrintMarks {
 public:
-    /// Throws Failure (ErrorKind::usage) if the print is too narrow for the marks that the layout asks for.
-    explicit PrintMarks(const PrintLayout&);
+    /// `cuts`: columns of `tileCuts`. Throws Failure (ErrorKind::usage) if the print is too narrow for the marks that
+    /// the layout asks for.
+    explicit PrintMarks(const PrintLayout&, const std::vector<std::int64_t>& cuts = {});
 
     /// Draws the marks over a region of the raster in sRGB, rows without padding.
     void draw(const Region&, std::uint8_t* rgb) const;
@@ -31,7 +32,7 @@ private:
         double radius = 0, width = 0.1;  ///< Millimeters.
     };
 
-    void addCropMarks();
+    void addCropMarks(const std::vector<std::int64_t>& cuts);
     void addRegistration(double x, double y);
     void addColorBar();
     void addPitchStrip();

@@ -66,6 +66,7 @@ PrintFile printFile(const ParameterValues& values, const std::filesystem::path& 
     file.compression = values[table.compression];
     // Only vertical lenses can be cut between.
     file.tileWidth = isChart(values) || values[table.direction] != 0 ? 0 : values[table.tileWidth] * 1000;
+    file.tileOverlap = file.tileWidth > 0 ? values[table.tileOverlap] * 1000 : 0;
     file.threads = interlacingThreads();
     file.outputProfile = profile ? *profile : outputProfile(values);
     file.conversion = {values[table.intent], values[table.blackPoint], file.bits};
@@ -83,9 +84,8 @@ PrintPlan printPlan(const ParameterValues& values, const PrintViews* views, cons
         const PrintFile file = printFile(values, path, profile);
         const int channels = render::profileChannels(file.outputProfile);
         static_cast<void>(PrintMarks(layout));
-        const std::vector<std::int64_t> cuts = tileCuts(layout, file.tileWidth);
-        for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
-            render::requireStream(path, {cuts[i + 1] - cuts[i], layout.height(), channels, file.bits});
+        for (const PrintTile& tile : printTiles(layout, file.tileWidth, file.tileOverlap))
+            render::requireStream(path, {tile.x1 - tile.x0, layout.height(), channels, file.bits});
         plan.numbers = numbersOf(layout, render::storedDpi(path, layout.settings().dpiX));
         plan.warnings = warningsOf(layout);
         const bool upright = std::abs(values[printTable().direction]) < std::numbers::pi / 4;
@@ -116,6 +116,28 @@ std::shared_ptr<const PrintPreview> printPreview(const ParameterValues& values, 
     return std::make_shared<PrintPreview>(layout, std::move(views), std::move(proof));
 }
 
+namespace {
+
+/// Returns the files of a print in tiles: name, columns of the print, and how many of them the one at the left has,
+/// too. Empty if there is only one.
+render::Json tilesJson(const ParameterValues& values, const PrintLayout& layout, const std::filesystem::path& path)
+{
+    const std::string noProfile;
+    const PrintFile file = printFile(values, path, &noProfile);
+    const std::vector<std::filesystem::path> paths = printFiles(layout, file);
+    const std::vector<PrintTile> tiles = printTiles(layout, file.tileWidth, file.tileOverlap);
+    render::Json json = render::Json::array();
+    if (tiles.size() < 2) return json;
+    for (std::size_t i = 0; i < tiles.size(); ++i)
+        json.push_back({{"file", paths[i].filename().string()},
+                        {"columns", {tiles[i].x0, tiles[i].x1}},
+                        {"repeatedColumns", tiles[i].repeated},
+                        {"overlap", static_cast<double>(tiles[i].repeated) / layout.settings().dpiX * mmPerInch}});
+    return json;
+}
+
+}  // namespace
+
 std::string printText(const ParameterValues& values, const PrintViews* views, const std::filesystem::path& path,
                       std::optional<CrossTalk>* compensated)
 {
@@ -129,8 +151,9 @@ std::string printText(const ParameterValues& values, const PrintViews* views, co
         const std::size_t chart = printTable().chart.row;
         from.names = {formatValue(values.rows()[chart], values.row(chart)) + " chart"};
     }
-    std::string text =
-        render::writeJson(printJson(values, layout, render::storedDpi(path, layout.settings().dpiX), from));
+    render::Json json = printJson(values, layout, render::storedDpi(path, layout.settings().dpiX), from);
+    if (render::Json tiles = tilesJson(values, layout, path); !tiles.empty()) json["report"]["tiles"] = tiles;
+    std::string text = render::writeJson(json);
     if (!views || !layout.settings().compensate) return text;
     const ViewMatrix mixing = viewMixing(layout);
     const CrossTalk talk = crossTalkOf(views->full(), mixing, compensation(mixing));

@@ -16,13 +16,18 @@ constexpr std::int64_t mostImagePixels = 1 << 26;
 
 }  // namespace
 
-PrintRaster::PrintRaster(const PrintLayout& layout, const std::vector<fs::path>& tiles) : layout_(layout)
+PrintRaster::PrintRaster(const PrintLayout& layout, const std::vector<fs::path>& tiles,
+                         std::vector<std::int64_t> repeated)
+    : layout_(layout), repeated_(std::move(repeated))
 {
+    repeated_.resize(tiles.size());
     std::int64_t width = 0;
     std::int64_t height = 0;
     for (const fs::path& tile : tiles) {
         tiles_.emplace_back(tile);
-        width += tiles_.back().width();
+        const std::int64_t own = tiles_.back().width() - repeated_[tiles_.size() - 1];
+        if (own < 1 || own > tiles_.back().width()) break;
+        width += own;
         height = tiles_.back().height();
         if (height != layout.height()) break;
     }
@@ -42,9 +47,14 @@ void PrintRaster::load(std::int64_t y)
 {
     std::uint16_t* to =
         rows_.data() + static_cast<std::size_t>(y % capacity_) * static_cast<std::size_t>(layout_.width()) * 3;
-    for (render::PictureRows& tile : tiles_) {
-        tile.read(y, 1, to);
-        to += static_cast<std::size_t>(tile.width()) * 3;
+    for (std::size_t i = 0; i < tiles_.size(); ++i) {
+        render::PictureRows& tile = tiles_[i];
+        const auto whole = static_cast<std::size_t>(tile.width()) * 3;
+        const auto left = static_cast<std::size_t>(repeated_[i]) * 3;
+        part_.resize(whole);
+        tile.read(y, 1, left > 0 ? part_.data() : to);
+        if (left > 0) std::copy(part_.begin() + static_cast<std::ptrdiff_t>(left), part_.end(), to);
+        to += whole - left;
     }
 }
 

@@ -16,8 +16,10 @@ namespace vitrine::printing {
 /// demand, and a window of them is kept.
 class PrintRaster {
 public:
-    /// `tiles` are in order from the left and must together have the layout's size. Throws Failure if they do not.
-    PrintRaster(const PrintLayout&, const std::vector<std::filesystem::path>& tiles);
+    /// `tiles` are in order from the left and must together have the layout's size. `repeated`: number of first columns
+    /// of each that the tile at its left has, too; missing ones are 0. Throws Failure if the size differs.
+    PrintRaster(const PrintLayout&, const std::vector<std::filesystem::path>& tiles,
+                std::vector<std::int64_t> repeated = {});
 
     [[nodiscard]] const PrintLayout& layout() const { return layout_; }
     /// Returns `PrintDescription::doubt` of the file with which it was opened.
@@ -39,6 +41,7 @@ private:
 
     PrintLayout layout_;
     std::vector<render::PictureRows> tiles_;
+    std::vector<std::int64_t> repeated_;  ///< As many as tiles.
     std::int64_t capacity_ = 0;
     std::int64_t begin_ = 0, end_ = 0;  ///< Range of the rows in memory; row y is at y modulo capacity.
     std::vector<std::uint16_t> rows_;

@@ -236,6 +236,10 @@ struct PrintTable final : Parameters {
         real("tileWidth", 0, millimeter, Range{0, 100}.soft(0, 1),
              "Width of the files into which the print is divided; the cuts lie between lenses. Auto: one file.",
              reads(0, "auto"), option("tile-mm", millimeter), when(direction, 0.0));
+    Real tileOverlap = real("tileOverlap", 0, millimeter, Range{0, 10}.soft(0, 0.05),
+                            "Width of the strip at the left of these files that the file before it has, too, so that "
+                            "sheets can be laid over each other. It is enlarged to whole lenses.",
+                            option("tile-overlap-mm", millimeter), when(direction, 0.0) && whenAbove(tileWidth, 0));
 };
 
 /// Returns the table to which all values below belong.

@@ -7,6 +7,7 @@ outside_readers.py schema SCHEMA FILE...
                                    jsonschema: each file is valid, and not once its values are of another type.
 outside_readers.py document SCHEMA FILE
                                    jsonschema: the file is valid, and not without any one of its keys.
+outside_readers.py tiles WHOLE JSON   Pillow: the tiles that the JSON lists are parts of the whole, and neighbors share 3 mm.
 outside_readers.py text FILE KEY     Pillow: prints a text of a PNG.
 outside_readers.py 3mf FILE N      zipfile, ElementTree and, if it is here, lib3mf: N triangles, millimeters, colors.
 
@@ -14,6 +15,7 @@ Exit 77: the reader is not here."""
 
 import ctypes
 import json
+import os
 import struct
 import sys
 import zipfile
@@ -208,6 +210,24 @@ def schema(name, *files):
             assert not validator.is_valid(read), (each, key)
 
 
+def tiles(whole, description):
+    image = pillow().open(whole)
+    with open(description) as file:
+        listed = json.load(file)["report"]["tiles"]
+    assert len(listed) > 2, listed
+    end = 0
+    for number, tile in enumerate(listed):
+        left, right = tile["columns"]
+        assert left + tile["repeatedColumns"] == end, (end, tile)
+        assert number == 0 or 3 <= tile["overlap"] < 3 + 25.4 / 40 * 1.1, tile
+        part = pillow().open(os.path.join(os.path.dirname(description), tile["file"]))
+        assert part.size == (right - left, image.height), (part.size, tile)
+        assert part.tobytes() == image.crop((left, 0, right, image.height)).tobytes(), tile
+        end = right
+    assert end == image.width, (end, image.width)
+    print(len(listed), "tiles of", image.width, "columns")
+
+
 def document(name, file):
     try:
         import jsonschema
@@ -228,4 +248,4 @@ def document(name, file):
 
 if __name__ == "__main__":
     {"exr": exr, "equal": equal, "size": size, "3mf": three_mf, "schema": schema, "text": text,
-     "document": document}[sys.argv[1]](*sys.argv[2:])
+     "document": document, "tiles": tiles}[sys.argv[1]](*sys.argv[2:])

@@ -123,6 +123,17 @@ if by pdfinfo; then
     read_by=$((read_by + 1))
 fi
 
+# The same in tiles that overlap. Read again, they are the print in one piece.
+for tile in "" "--tile-mm 25 --tile-overlap-mm 3"; do
+    "$vitrine" print --exhibit sdf_morph --samples 1 --view-size 60x40 --count 4 --lpi 40 --dpi 300 --width-mm 70 \
+        --height-mm 30 --bleed-mm 2 --border-mm 6 --registration-marks $tile --out "$folder/${tile:+tile}w.tif" \
+        >/dev/null 2>&1 || fail "print $tile"
+    "$vitrine" proof "$folder/${tile:+tile}w.tif" --angle 0 --out "$folder/${tile:+tile}proof.png" >/dev/null ||
+        fail "proof $tile"
+done
+python tiles "$folder/w.tif" "$folder/tilew-1.tif.json"
+python equal "$folder/proof.png" "$folder/tileproof.png"
+
 # Presets, and settings of the whole museum, by their schema.
 for presets in "$here"/../../assets/presets/*/; do
     exhibit=$(basename "$presets")

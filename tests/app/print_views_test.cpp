@@ -357,7 +357,7 @@ TEST(PrintCommand, HasAnOptionForEachParameter)
         EXPECT_NE(std::min(help.find(option.name + ' '), help.find(off)), std::string::npos) << option.name;
         EXPECT_NE(help.find(jobs::typeText(table, option)), std::string::npos) << option.name;
     }
-    EXPECT_EQ(options, 55);
+    EXPECT_EQ(options, 56);
 }
 
 TEST(PrintCommand, TheLpiGivenBesideASheetIsTheMeasuredOne)

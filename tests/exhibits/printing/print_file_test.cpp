@@ -1,5 +1,6 @@
 #include "exhibits/printing/print_file.h"
 
+#include "exhibits/printing/print_marks.h"
 #include "render/image/image_io.h"
 #include "tests/exhibits/printing/samples.h"
 #include "tests/support/failures.h"
@@ -116,6 +117,73 @@ TEST(PrintFile, CarriesAColorProfileOver)
     profile.replace(68, 12, std::string("\0\0\xf6\xd6\0\1\0\0\0\0\xd3\x2d", 12));
     (void)writePrint(layout, views, {.path = folder / "a.tif", .profile = profile});
     EXPECT_EQ(render::embeddedProfile(folder / "a.tif"), profile);
+}
+
+TEST(PrintFile, TilesRepeatWholeLensesOfTheirNeighbors)
+{
+    const TemporaryFolder folder;
+    const ViewSet views = noisyViews(3, 40, 30);
+    for (const bool mirror : {false, true}) {
+        PrintSettings settings = settingsFor(40.15, 600, 3, 1000, 20);
+        settings.mirror = mirror;
+        const PrintLayout layout(settings);
+        const std::vector<std::int64_t> cuts = tileCuts(layout, 10);
+        const std::vector<PrintTile> tiles = printTiles(layout, 10, 2);
+        ASSERT_EQ(tiles.size() + 1, cuts.size());
+        EXPECT_EQ(tiles[0].x0, 0);
+        EXPECT_EQ(tiles[0].repeated, 0);
+        const double least = 2 / 25.4 * 600;
+        for (std::size_t i = 0; i < tiles.size(); ++i) {
+            EXPECT_EQ(tiles[i].x1, cuts[i + 1]);
+            EXPECT_EQ(tiles[i].x0 + tiles[i].repeated, cuts[i]);
+            if (i == 0) continue;
+            EXPECT_GE(static_cast<double>(tiles[i].repeated), least - 1);
+            EXPECT_LE(static_cast<double>(tiles[i].repeated), least + layout.pixelsPerLens() + 1);
+            const double u = layout.lensAt(static_cast<double>(tiles[i].x0), 0);
+            EXPECT_NEAR(u, std::round(u), 0.5 / layout.pixelsPerLens() + 1e-9);
+        }
+        std::vector<std::uint8_t> whole(1000 * 20 * 3);
+        Interlacer(layout, views).fill({0, 0, 1000, 20}, whole.data());
+        const auto files = writePrint(layout, views, {.path = folder / "t.tif", .tileWidth = 10, .tileOverlap = 2});
+        ASSERT_EQ(files.size(), tiles.size());
+        for (std::size_t i = 0; i < files.size(); ++i) {
+            const std::vector<std::uint8_t> part = codesOf(files[i]);
+            const auto width = static_cast<std::ptrdiff_t>(tiles[i].x1 - tiles[i].x0) * 3;
+            ASSERT_EQ(static_cast<std::ptrdiff_t>(part.size()), 20 * width);
+            for (std::ptrdiff_t y = 0; y < 20; ++y)
+                ASSERT_TRUE(std::equal(part.begin() + y * width, part.begin() + (y + 1) * width,
+                                       whole.begin() + y * 3000 + tiles[i].x0 * 3));
+        }
+        EXPECT_NE(
+            vitrine::test::refusalOf([&] { (void)printTiles(layout, 10, 10); }).find("not smaller than the tiles"),
+            std::string::npos);
+    }
+}
+
+TEST(PrintFile, CutsHaveCropMarksInTheBorder)
+{
+    PrintSettings settings = settingsFor(40.15, 600, 3, 1000, 400);
+    settings.border = 6;
+    settings.marks.crop = true;
+    const PrintLayout layout(settings);
+    const std::vector<std::int64_t> cuts = tileCuts(layout, 15);
+    ASSERT_GT(cuts.size(), 2U);
+    const Region all{0, 0, layout.width(), layout.height()};
+    std::vector<std::uint8_t> without(static_cast<std::size_t>(layout.width() * layout.height()) * 3, 255);
+    std::vector<std::uint8_t> with = without;
+    PrintMarks(layout).draw(all, without.data());
+    PrintMarks(layout, cuts).draw(all, with.data());
+    const auto codeAt = [&](const std::vector<std::uint8_t>& codes, std::int64_t x, std::int64_t y) {
+        return codes[static_cast<std::size_t>(y * layout.width() + x) * 3];
+    };
+    // 3 mm from the edge is in the border, between the gap at the bleed and the end of the marks.
+    const std::int64_t deep = std::llround(3 / 25.4 * 600);
+    for (std::size_t i = 1; i + 1 < cuts.size(); ++i)
+        for (const std::int64_t y : {deep, layout.height() - 1 - deep}) {
+            EXPECT_EQ(codeAt(without, cuts[i], y), 255);
+            EXPECT_EQ(codeAt(with, cuts[i], y), 0);
+        }
+    EXPECT_EQ(codeAt(with, cuts[1], layout.height() / 2), 255) << "nothing lies on the print";
 }
 
 TEST(PrintFile, TilesAreCutBetweenLensesAndMakeUpTheWhole)
