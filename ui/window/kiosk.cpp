@@ -80,8 +80,8 @@ Kiosk::Kiosk(MainWindow& window, const KioskOptions& options) : window_(window),
     idle_.setInterval(static_cast<int>(std::lround(options.minutes * 60'000)));
     connect(&idle_, &QTimer::timeout, this, &Kiosk::beginAnew);
     // Gamepads and services change the state without events of this window.
-    connect(&window_.history(), &History::walked, this, &Kiosk::noteInput);
-    connect(&window_.history(), &History::changesSettled, this, &Kiosk::noteInput);
+    connect(&window_.history(), &History::walked, this, &Kiosk::noteChange);
+    connect(&window_.history(), &History::changesSettled, this, &Kiosk::noteChange);
     connect(&window_.viewport().visitor(), &Visitor::visited, this, &Kiosk::follow);
     connect(&window_.viewport().visitor(), &Visitor::headedFor, this, &Kiosk::follow);
     connect(&window_.viewport().visitor(), &Visitor::walkedOn, this, &Kiosk::follow);
@@ -110,6 +110,11 @@ void Kiosk::noteInput()
     idle_.start();
 }
 
+void Kiosk::noteChange()
+{
+    if (!(window_.history().sceneState() == start_)) noteInput();  // Beginning anew is no input.
+}
+
 void Kiosk::follow()
 {
     if (panel_) panel_->follow(window_.chosen());
@@ -123,7 +128,7 @@ void Kiosk::beginAnew()
     window_.choose(hallIndex);
     window_.viewport().setFocus();
     follow();
-    idle_.stop();  // Its own changes are no input.
+    idle_.stop();
 }
 
 bool Kiosk::passes(const QKeyEvent& event) const

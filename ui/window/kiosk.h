@@ -35,6 +35,8 @@ public:
 
     /// Restores the state of the start, as after the idle minutes.
     void beginAnew();
+    /// Returns whether there was input since the start.
+    [[nodiscard]] bool isWaiting() const { return idle_.isActive(); }
 
 protected:
     bool eventFilter(QObject*, QEvent*) override;
@@ -42,6 +44,7 @@ protected:
 private:
     void ignoreOtherInput();
     void noteInput();
+    void noteChange();
     void follow();
     /// Returns whether a key reaches the window.
     [[nodiscard]] bool passes(const QKeyEvent&) const;

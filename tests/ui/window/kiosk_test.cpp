@@ -119,6 +119,8 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(window_->chosen(), hallIndex, test::patience);
         QVERIFY(window_->history().sceneState() == start);
         QCOMPARE(window_->history().stack().count(), 0);
+        QCoreApplication::processEvents();
+        QVERIFY2(!kiosk_->isWaiting(), "beginning anew is no input");
         QVERIFY(!row("roughness")->isVisible());
         QVERIFY(row("exposure")->isVisible());
     }
