@@ -18034,6 +18034,12 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Anteil</translation>
     </message>
     <message>
+        <location filename="exhibits/fur/fur_table.h"/>
+        <source>Share of a strand's length that fades out towards its tip: 0 is opaque to the end, at 1 the whole strand lets light through.</source>
+        <extracomment>tables</extracomment>
+        <translation>Anteil der Länge eines Haares, auf dem es zur Spitze hin ausläuft: Bei 0 ist es bis zum Ende undurchsichtig, bei 1 lässt das ganze Haar Licht durch.</translation>
+    </message>
+    <message>
         <location filename="exhibits/printing/print_table.h"/>
         <source>Share of a strip's width that is blended with its two neighbors: 0 blends nothing, 100 % all of it.</source>
         <translation>Anteil der Streifenbreite, der mit den beiden Nachbarn überblendet wird: 0 überblendet nichts, 100 % den ganzen Streifen.</translation>
@@ -23105,6 +23111,12 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <source>Tip</source>
         <extracomment>tables</extracomment>
         <translation>Spitze</translation>
+    </message>
+    <message>
+        <location filename="exhibits/fur/fur_table.h"/>
+        <source>Tip softness</source>
+        <extracomment>tables</extracomment>
+        <translation>Weichheit der Spitzen</translation>
     </message>
     <message>
         <location filename="ui/parameters/motion_dialog.cpp"/>

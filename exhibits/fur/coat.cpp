@@ -31,7 +31,7 @@ double colliderRadius(const FurTable& table, const ParameterValues& values, int 
 double shellsAtDistance(int wanted, double length, double distance, double pixelAngle)
 {
     const double pixels = length / std::max(distance * pixelAngle, 1e-9);
-    return std::clamp(pixels / 4, std::min<double>(wanted, 5), static_cast<double>(wanted));
+    return std::clamp(pixels / 4.5, std::min<double>(wanted, 5), static_cast<double>(wanted));
 }
 
 double Coats::radius(int index) const

@@ -64,9 +64,8 @@ struct Coats {
     [[nodiscard]] render::Box bounds(int index, const render::Box& skin) const;
 };
 
-/// Returns the number of shells for a coat of `length` meters at `distance` meters. A shell needs at least eight pixels
-/// of the coat's length, each of `pixelAngle` radians. The number decreases continuously from `wanted`, but not below
-/// 5.
+/// Returns the number of shells for a coat of `length` meters at `distance` meters: one for each 4.5 pixels of its
+/// length, each of `pixelAngle` radians. The number decreases continuously from `wanted`, but not below 5.
 [[nodiscard]] double shellsAtDistance(int wanted, double length, double distance, double pixelAngle);
 
 /// Returns the radius in meters of the sphere, roll or tube that collides: the current skin, and the part of the fur

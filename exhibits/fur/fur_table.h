@@ -42,11 +42,14 @@ struct FurTable final : Parameters {
 
     Group strands = group("Strands");
     Real strandRoundness = real(
-        "strandRoundness", 0.55, none, {0, 0.999},
+        "strandRoundness", 0.4, none, {0, 0.999},
         "Shape of the strands along their length: 0 tapers them to a needle, high keeps them thick with a blunt tip.");
     Real thicknessVariation = real("thicknessVariation", 0.0, none, {0, 1},
                                    "Variation of thickness between strands: at 0 all have the coat's thickness, at 1 "
                                    "they range from that down to none.");
+    Real tipSoftness = real("tipSoftness", 0.45, none, {0, 1},
+                            "Share of a strand's length that fades out towards its tip: 0 is opaque to the end, at 1 "
+                            "the whole strand lets light through.");
     Real distanceAttenuation = real("distanceAttenuation", 0.5, none, Range{0.01, 3}.soft(0.3, 3),
                                     "Distribution of the shells over the length of the fur: below 1 more of them lie "
                                     "near the tips, above 1 near the skin.");
@@ -177,7 +180,7 @@ struct FurTable final : Parameters {
     // With 64 shells without marching, drawn from inside out, 12.7 times as many samples pass as with the initial
     // values, for the same error.
     Count shellCount =
-        count("shellCount", 16, {1, 256, logarithmic},
+        count("shellCount", 18, {1, 256, logarithmic},
               "Number of layers (shells) drawn from tip to skin: few show gaps, many are more accurate and cost more.",
               quality(256), essential());
     Count samplesBetween = count(

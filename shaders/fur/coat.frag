@@ -41,6 +41,7 @@ CoatStrands strandsSeen(float distance_, float shrink)
     c.widest = body.strandRadius / body.cellSize;
     c.girths = parameters.thicknessVariation;
     c.roundness = parameters.strandRoundness;
+    c.soft = parameters.tipSoftness;
     // Separate strands stay inside their cells, which would cut them off. Where strands overlap, the cut is not
     // visible.
     c.jitter = mix(clamp(1.0 - 2.0 * c.widest, 0.3, 0.8), 0.8, smoothStep(0.45, 0.65, c.widest));

@@ -36,7 +36,8 @@ struct CoatStrands {
     float girths;       // share by which others may be thinner
     float roundness;    // that of strandTaper
     float pixel;        // half the width of a pixel: thinner strands are drawn this wide, but only a part of them
-    float shuffle;      // any number: selects which
+    float soft;         // share of a strand's length at its tip that fades out, 0 to 1
+    float shuffle;      // any number: selects the parts of strands that are drawn
     float jitter;       // that of strandOfCell
     float clump;        // 0 to below 1: how far strands converge towards their tips
     float tuft;         // cells along a side of a tuft
@@ -138,16 +139,27 @@ float squaredRadius(CoatStrands c, float left, float own)
     return own * own * pow(clamp(left, 1.0e-8, 1.0), 2.0 - 2.0 * c.roundness);
 }
 
-// Position on a straight segment of the ray, 0 to 1, where a strand is hit first; 2: never. `offset`: from the strand
-// to the segment's start, cells; `pace`: to its end; `from`, `to`: heights; `end`: of the strand; `own`: its radius at
-// the root. The squared radius is assumed to be linear over the segment, which gives a quadratic equation.
-float strandEntry(CoatStrands c, StrandLattice l, vec2 offset, vec2 pace, float from, float to, float end, float own)
+// Height up to which a strand of length `end` is drawn in this supersample; 0: not at all. `own`: its radius at the
+// root; `draw`: its random number, 0 to 1. A strand thinner than half a pixel is drawn in a share of the supersamples,
+// and a soft tip ends earlier in some of them than in others. The mean is a thin strand, and a tip that fades out.
+float drawnHeight(CoatStrands c, float end, float own, float draw)
 {
-    // Part of the segment below the strand's tip.
+    return draw * c.pixel < own ? end * (1.0 - draw * c.soft) : 0.0;
+}
+
+// Position on a straight segment of the ray, 0 to 1, where a strand is hit first; 2: never. `offset`: from the strand
+// to the segment's start, cells; `pace`: to its end; `from`, `to`: heights; `end`: of the strand; `top`: the height up
+// to which it is drawn; `own`: its radius at the root. The squared radius is assumed to be linear over the segment,
+// which gives a quadratic equation.
+float strandEntry(CoatStrands c, StrandLattice l, vec2 offset, vec2 pace, vec2 heights, float end, float top, float own)
+{
+    float from = heights.x;
+    float to = heights.y;
+    // Part of the segment below the drawn tip.
     float sinks = to - from;
-    float tip = clamp((end - from) / (abs(sinks) > 1.0e-6 ? sinks : 1.0e-6), 0.0, 1.0);
-    float first = from < end ? 0.0 : tip;
-    float last = to < end ? 1.0 : tip;
+    float tip = clamp((top - from) / (abs(sinks) > 1.0e-6 ? sinks : 1.0e-6), 0.0, 1.0);
+    float first = from < top ? 0.0 : tip;
+    float last = to < top ? 1.0 : tip;
     // Radii at both ends relative to the lower one: x^e is approximately ((1 - e) + (1 + e) x) / ((1 + e) + (1 - e) x),
     // exact for e = 0 and 1 (Pade approximant at x = 1).
     float low = end - (from + sinks * (sinks < 0.0 ? last : first));
@@ -168,7 +180,7 @@ float strandEntry(CoatStrands c, StrandLattice l, vec2 offset, vec2 pace, float 
     float root = nearing * nearing - across * apart;
     float entry = apart <= 0.0 ? first : first + apart / max(nearing + safeSqrt(root), 1.0e-6);
     bool meets = apart <= 0.0 || (nearing > 0.0 && root >= 0.0);
-    return meets && min(from, to) < end && entry <= last ? entry : 2.0;
+    return meets && min(from, to) < top && entry <= last ? entry : 2.0;
 }
 
 // Finds the first strand that the ray hits between t = stretch.x and stretch.y, within at most `cells` cells. Its path
@@ -209,8 +221,9 @@ MetStrand walkStrands(CoatRay ray, CoatStrands c, StrandLattice l, vec3 n, vec2 
         RootedStrand s = strandOfCell(l, cell, c.jitter);
         float own = c.widest * (1.0 - c.girths * s.girth);
         float reach = mix(c.leastLength, 1.0, s.rank);
-        float entry = strandEntry(c, l, q - cell - 0.5 - s.offset, next - q, h, deep, reach, own);
-        if (s.rooted && fractBelowOne(s.tint + c.shuffle) * c.pixel < own) met = entry <= 1.0 ? mix(u, w, entry) : 2.0;
+        float top = drawnHeight(c, reach, own, fractBelowOne(s.tint + c.shuffle));
+        float entry = strandEntry(c, l, q - cell - 0.5 - s.offset, next - q, vec2(h, deep), reach, top, own);
+        if (s.rooted && top > 0.0) met = entry <= 1.0 ? mix(u, w, entry) : 2.0;
         if (met <= 1.0 || w >= 1.0) break;
         u = w;
         q = next;

@@ -46,6 +46,7 @@ TEST(ReferencePreset, OfTheFurHasItsExportedDefaults)
     EXPECT_EQ(v[t.shellCount], 16);
     EXPECT_EQ(v[t.distanceAttenuation], 1);  // distance_shell_density_attenuation
     EXPECT_EQ(v[t.strandRoundness], 0);
+    EXPECT_EQ(v[t.tipSoftness], 0);
     EXPECT_EQ(v[t.occlusionAttenuation], 1);
     EXPECT_EQ(v[t.strength], 0.1);  // displacement_strength
     EXPECT_EQ(v[t.curvature], 1);

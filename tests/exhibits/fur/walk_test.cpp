@@ -67,12 +67,13 @@ bool same(const Found& a, const Found& b)
     return !a || (a->rank == b->rank && a->tint == b->tint);
 }
 
-/// Returns the strand that contains a point of the lattice.
+/// Returns the strand that contains a point of the lattice, if this supersample draws it there.
 Found inStrand(const CoatStrands& c, const StrandLattice& l, const dvec2& q, double height)
 {
     const RootedStrand s = glsl::strandInCell(l, q, c.jitter);
     const double end = c.leastLength + (1 - c.leastLength) * s.rank;
-    if (!s.rooted || s.tint * c.pixel >= c.widest || height >= end) return {};
+    const double draw = glsl::fractBelowOne(s.tint + c.shuffle);
+    if (!s.rooted || draw * c.pixel >= c.widest || height >= end || 1 - height / end <= draw * c.soft) return {};
     const double radius = std::max(c.widest * glsl::strandTaper(height, end, c.roundness), c.pixel);
     if (glm::dot(s.offset, s.offset) + s.along * s.along >= radius * radius) return {};
     return Hit{height, s.rank, s.tint};
@@ -109,8 +110,11 @@ Found byHalfCells(const CoatRay& ray, const CoatStrands& c, const StrandLattice&
 TEST(StrandWalk, MeetsTheStrandThatFineStepsMeet)
 {
     const StrandLattice l = glsl::strandLattice(up, 5);
-    for (const double clump : {0.0, 0.75}) {
-        const CoatStrands c = ballStrands(clump);
+    using Pair = std::pair<double, double>;
+    for (const auto& [clump, soft] : {Pair(0, 0), Pair(0.75, 0), Pair(0.75, 0.4)}) {
+        CoatStrands c = ballStrands(clump);
+        c.soft = soft;
+        c.shuffle = 0.4;
         RandomNumbers random(7);
         int right = 0, coarse = 0, met = 0;
         double off = 0;
@@ -132,6 +136,27 @@ TEST(StrandWalk, MeetsTheStrandThatFineStepsMeet)
         EXPECT_LT(coarse, (clump > 0 ? 0.88 : 0.95) * rays) << "the coarse way would do as well";
         ASSERT_GT(met, rays / 3);
         EXPECT_LT(off / met, 0.002) << "of a strand's length, where it is met";
+    }
+}
+
+TEST(StrandWalk, FadesOutTowardsTheTips)
+{
+    // Share of the supersamples that draw a strand at a height: it grows linearly from the tip down to the end of the
+    // soft part, and is at most the share of a pixel that the strand covers.
+    constexpr int draws = 10'000;
+    constexpr double end = 0.7;
+    using Pair = std::pair<double, double>;
+    for (const auto& [pixel, soft] : {Pair(0.05, 0.7), Pair(0.05, 0), Pair(0.9, 0.3), Pair(3, 0.5)}) {
+        CoatStrands c = ballStrands(0);
+        c.pixel = pixel;
+        c.soft = soft;
+        for (const double h : {0.05, 0.3, 0.5, 0.62, 0.69}) {
+            int drawn = 0;
+            for (int i = 0; i < draws; ++i) drawn += h < glsl::drawnHeight(c, end, c.widest, (i + 0.5) / draws);
+            const double fade = soft > 0 ? (1 - h / end) / soft : 1;
+            EXPECT_NEAR(static_cast<double>(drawn) / draws, std::min({fade, c.widest / pixel, 1.0}), 1e-3)
+                << pixel << ' ' << soft << ' ' << h;
+        }
     }
 }
 
