@@ -3,6 +3,7 @@
 struct SceneHit {
     vec3 position;
     vec3 normal;      // unit; outward
+    float curvature;  // mean curvature of the surface, 1/meter, without its sign
     float tolerance;  // meters
     float traveled;   // length of the path so far
 };
@@ -52,15 +53,29 @@ March sceneMarch(vec3 origin, vec3 direction, MarchSettings settings)
     return march;
 }
 
-SceneHit sceneHit(vec3 origin, vec3 direction, March march, MarchSettings settings)
+// Normal and curvature are those at the scale `width`, meters: central differences with steps of that length, or longer.
+// The sum of the second differences is the Laplacian, which for a field of slope 1 is twice the mean curvature.
+SceneHit sceneHit(vec3 origin, vec3 direction, March march, MarchSettings settings, float width)
 {
     SceneHit hit;
     hit.position = origin + direction * march.t;
     hit.tolerance = hitTolerance(march.t, settings);
     hit.traveled = settings.traveled + march.t;
     float asked = min(parameters.normalStep, stage.largestNormalStep);
-    float h = max(max(asked, 0.25 * settings.pixelCone * hit.traveled), 2e-6 * length(hit.position));
-    hit.normal = fieldNormal(hit.position, h, NORMAL_CENTRAL, -direction * march.side);
+    float h = max(max(asked, width), 2e-6 * length(hit.position));
+    vec3 gradient = vec3(0.0);
+    float sum = 0.0;
+    for (int i = 0; i < 6; ++i) {
+        int axis = i < 3 ? i : i - 3;
+        vec3 along = vec3(axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0) * (i < 3 ? 1.0 : -1.0);
+        float d = fieldDistance(hit.position + along * h);
+        gradient += along * d;
+        sum += d;
+    }
+    float slope = length(gradient) / (2.0 * h);
+    vec3 fallback = -direction * march.side;
+    hit.normal = slope > 1e-3 ? safeNormalize(gradient, fallback) : fallback;
+    hit.curvature = 0.5 * abs(sum - 6.0 * march.distance) / (h * h * max(slope, 1e-3));
     evaluations += 6;
     return hit;
 }

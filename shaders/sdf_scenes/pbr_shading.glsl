@@ -37,6 +37,17 @@ vec3 lightReflected(SceneMaterial m, vec3 n, vec3 toEye, vec3 l, float width)
     return (diffuse + PI * min(f * (d * v * energy), vec3(40.0))) * cosL;
 }
 
+// Roughness of a curved surface under a footprint of half the width `width`, meters: its normals under the footprint
+// widen the lobe, so that highlights and reflections of small shapes do not flicker (Tokuyoshi and Kaplanyan 2019,
+// "Improved Geometric Specular Antialiasing"). `cosine` is that of the angle to the eye.
+float filteredRoughness(float roughness, float curvature, float width, float cosine)
+{
+    float turned = 2.0 * width * curvature;
+    float grazing = 0.5 + 0.5 / max(cosine * cosine, 0.1);
+    float a2 = roughness * roughness * roughness * roughness + 0.5 * turned * turned * grazing;
+    return sqrt(sqrt(min(a2, 1.0)));
+}
+
 vec3 allLights(SceneHit hit, SceneMaterial m, vec3 n, vec3 toEye)
 {
     vec3 sum = vec3(0.0);
@@ -103,6 +114,9 @@ SceneSeen sceneSeen(PortalRay ray)
     vec3 color = vec3(0.0);
     vec3 share = vec3(1.0);
     float side = 1.0;  // -1 inside glass
+    // Half the ray's width at its start, and its growth with distance, which curved mirrors increase.
+    float width = settings.pixelCone * settings.traveled;
+    float spread = settings.pixelCone;
     float roughness = 0.0;
     int bounces = 0;
 #if defined(GLASS)
@@ -114,6 +128,8 @@ SceneSeen sceneSeen(PortalRay ray)
     vec3 waitingDirection = vec3(0.0);
     vec3 waitingShare = vec3(0.0);
     float waitingTraveled = 0.0;
+    float waitingWidth = 0.0;
+    float waitingSpread = 0.0;
 #elif defined(MIRRORS)
     const int most = 4;
 #else
@@ -132,6 +148,8 @@ SceneSeen sceneSeen(PortalRay ray)
             side = 1.0;
             settings.side = 1.0;
             settings.traveled = waitingTraveled;
+            width = waitingWidth;
+            spread = waitingSpread;
 #else
             break;
 #endif
@@ -146,7 +164,8 @@ SceneSeen sceneSeen(PortalRay ray)
             ended = true;
             continue;
         }
-        SceneHit hit = sceneHit(origin, direction, march, settings);
+        width += spread * march.t;
+        SceneHit hit = sceneHit(origin, direction, march, settings, 0.5 * width);
         // Infinite floors fade into the background before rays reach the step limit.
         float haze = smoothstep(0.05, 0.5, hit.traveled / stage.farthest);
         color += share * haze * beyond(direction, roughness);
@@ -164,6 +183,7 @@ SceneSeen sceneSeen(PortalRay ray)
             seen.distance = march.t;
         }
         float cosine = clamp(dot(n, toEye), 0.0, 1.0);
+        m.roughness = filteredRoughness(m.roughness, hit.curvature, width, cosine);
         settings.tMin = 0.0;
         settings.traveled = hit.traveled;
 #ifdef GLASS
@@ -186,6 +206,8 @@ SceneSeen sceneSeen(PortalRay ray)
                     waitingDirection = image;
                     waitingShare = imageShare;
                     waitingTraveled = hit.traveled;
+                    waitingWidth = width;
+                    waitingSpread = spread + 2.0 * width * hit.curvature;
                 } else {
                     color += imageShare * beyond(image, m.roughness);
                 }
@@ -227,6 +249,7 @@ SceneSeen sceneSeen(PortalRay ray)
             continue;
         }
         bounces += 1;
+        spread += 2.0 * width * hit.curvature;
         roughness = max(roughness, m.roughness);
         origin = hit.position + n * (2.0 * hit.tolerance);
         direction = image;

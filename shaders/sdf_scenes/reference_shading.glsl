@@ -43,7 +43,7 @@ SceneSeen sceneSeen(PortalRay ray)
             color += share * environmentLight(direction, 0.0);
             break;
         }
-        SceneHit hit = sceneHit(origin, direction, march, settings);
+        SceneHit hit = sceneHit(origin, direction, march, settings, 0.25 * settings.pixelCone * (settings.traveled + march.t));
         SceneMaterial m = sceneSurface(hit.position).material;
         evaluations += 1;
         vec3 around = stage.ambient * m.color * m.ambient;

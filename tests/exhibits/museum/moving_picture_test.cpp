@@ -207,13 +207,18 @@ protected:
     static constexpr double mostOfAnExhibit = 2;  ///< Percent of the pixels.
 
     /// Returns the percentage of pixels in the middle third that differ by more than 16 levels from the frame one pixel
-    /// before, shifted back.
-    double shareThatDiffers(const char* subject, bool antialiasing)
+    /// before, shifted back. `scene`: a scene of shapes that the exhibit shows in place of its initial one.
+    double shareThatDiffers(const char* subject, bool antialiasing, const std::string& scene = {})
     {
         const Museum& museum = gallery().museum;
         SceneState sceneState = museum.initialSceneState();
         sceneState.hall().set(hallParameters.temporalAntialiasing, antialiasing);
         const std::size_t index = *museum.find(subject);
+        if (!scene.empty()) {
+            ParameterValues& values = sceneState.values[index];
+            values.setParameter(*values.table().find("scene"), scene);
+            sceneState = museum.readTables(sceneState).sceneState;
+        }
         const render::Camera end = museum.bestView(index, sceneState.values[index]);
         const int frames = antialiasing ? 10 : 2;
         render::Image before;
@@ -253,6 +258,11 @@ TEST_F(TurnedByAPixel, TheFurStandsStill)
 {
     EXPECT_LE(shareThatDiffers("fur", true), mostOfAnExhibit);
     EXPECT_GT(shareThatDiffers("fur", false), mostOfAnExhibit) << "the control: single frames";
+}
+
+TEST_F(TurnedByAPixel, BeadsAndTheirImagesInCurvedMirrorsStandStillInSingleFrames)
+{
+    EXPECT_LE(shareThatDiffers("sdf_scenes", false, "mercury.json"), mostOfAnExhibit);
 }
 
 /// Takes a minute and more; the fur, which has the finest details, is also in the short suite.
