@@ -44,7 +44,20 @@ vec3 moonGlow(vec3 d, vec2 blur)
 #endif
 }
 
-// At most one star in each cell of a cube's faces, drawn as wide as a pixel, with brightness independent of the width.
+// Irradiance of a star of magnitude 7.2 at the brightness 1, in the scene's units: most are faint specks.
+const float FAINTEST_STAR = 1.1e-7;
+
+// Color of a star for a random number from 0 to 1, linear: as many blue-white, white, yellow and orange ones as among
+// the stars that the eye sees (spectral classes B and A 42 %, F and G 28 %, K and M 30 %).
+vec3 starColor(float x)
+{
+    vec3 hot = mix(vec3(0.55, 0.72, 1.0), vec3(0.82, 0.9, 1.0), min(x / 0.42, 1.0));
+    vec3 cool = mix(vec3(1.0, 0.93, 0.78), vec3(1.0, 0.62, 0.33), clamp((x - 0.56) / 0.44, 0.0, 1.0));
+    return mix(hot, cool, smoothstep(0.42, 0.56, x));
+}
+
+// At most one star in each cell of a cube's faces: some 22,000, down to magnitude 7.2. Each is drawn as a Gaussian of
+// half a pixel, which is wide enough to move between pixels without flicker; its light is independent of the width.
 vec3 starLight(vec3 d, float pixel)
 {
     const float cells = 84.0;
@@ -62,16 +75,16 @@ vec3 starLight(vec3 d, float pixel)
     vec2 starAt = (at / cells * 2.0 - 1.0) * a[face];
     vec3 star = face == 0 ? vec3(d.x, starAt) : (face == 1 ? vec3(starAt.x, d.y, starAt.y) : vec3(starAt, d.z));
     float off = length(normalize(star) - d);
-    float wide = clamp(0.7 * pixel, 1e-5, 0.1 * perCell);
+    float wide = clamp(0.5 * pixel, 1e-5, 0.1 * perCell);
     float lobe = exp(-0.5 * off * off / (wide * wide));
-    float u = unitFromBits(bits.z);
-    // Ten times as many stars per magnitude and a half.
-    float power = min(1.5e-9 / (u * u + 2e-4) / (wide * wide), 4.0);
-    float coarse = min(wide / (0.7 * pixel), 1.0);
+    // Magnitudes as in the sky: 3.2 times as many stars with each magnitude, so that 1.25 is the exponent of the number
+    // of stars over their brightness.
+    float light_ = FAINTEST_STAR * pow(max(unitFromBits(bits.z), 1e-5), -0.8);
+    float power = light_ / (2.0 * PI * wide * wide);
+    float coarse = min(wide / (0.5 * pixel), 1.0);
     // Uniform density over the sky: cells are smaller towards the edges of a face.
     if (unitFromBits(more.y) > largest * largest * largest) return vec3(0.0);
-    vec3 tint = mix(vec3(1.0, 0.82, 0.66), vec3(0.72, 0.83, 1.0), unitFromBits(more.x));
-    return tint * (power * lobe * coarse * coarse * smoothstep(0.0, 0.25, d.y));
+    return starColor(unitFromBits(more.x)) * (min(power * lobe, 30.0) * coarse * coarse * smoothstep(0.0, 0.25, d.y));
 }
 
 // Direction of the sun below the horizon: to the right of straight ahead.
