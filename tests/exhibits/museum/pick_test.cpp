@@ -51,6 +51,9 @@ TEST_F(PickTest, PointsAtWhatIsDrawn)
     shot.see({1.35, 1.65, 10.2}, {-0.35, 2.15, -4.0});
     expectWhatIsDrawn(shot, "the entrance");
     shot.see({1.2, 1.65, 5.2}, {3.3, 0.0, 3.0});
+    // The floor is visible through soft tips, but coats are picked as a whole.
+    ParameterValues& coats = shot.sceneState.values[*gallery().museum.find("fur")];
+    coats.setParameter(*coats.table().find("tipSoftness"), 0.0);
     expectWhatIsDrawn(shot, "the pit");
     shot.see({-3.0, 1.5, 4.6}, {-3.2, 1.1, 3.0});
     expectWhatIsDrawn(shot, "the card");

@@ -80,8 +80,11 @@ TEST(Recovery, SaysHowToSetAnotherFolderIfItsOwnCannotBeWritten)
     };
     // A file in place of the folder makes writing fail even for root.
     std::ofstream(folder.path() / "vitrine") << "no folder";
-    const test::EnvironmentVariable state("XDG_STATE_HOME", folder.path().string());
-    const std::string ofState = saidFor(stateFolder() / "recovery" / "1-2.json");
+    std::string ofState;
+    {
+        const test::EnvironmentVariable state("XDG_STATE_HOME", folder.path().string());
+        ofState = saidFor(stateFolder() / "recovery" / "1-2.json");
+    }
     EXPECT_NE(ofState.find("XDG_STATE_HOME set to a folder that can be written"), std::string::npos) << ofState;
     EXPECT_EQ(ofState.find("choose"), std::string::npos) << ofState;
     const std::string other = saidFor(folder.path() / "vitrine" / "a.json");
