@@ -26,7 +26,7 @@ std::optional<glm::ivec2> UnboundedTime::nextBand(glm::ivec2 size)
     int rows = software_ ? 1 : std::max(size.y / 4, 1);
     if (band_) {
         const double seconds = now - begun_;
-        used_ += software_ ? std::min(seconds, processCpuSeconds() - begunCpu_) : seconds;
+        used_ += seconds;
         row = band_->y;
         const int drawn = band_->y - band_->x;
         const double inTime = drawn * bandSeconds / std::max(seconds, 1e-9);
@@ -37,7 +37,6 @@ std::optional<glm::ivec2> UnboundedTime::nextBand(glm::ivec2 size)
     isOver_ = row < size.y && used_ > limit_;
     if (row >= size.y || isOver_) return std::nullopt;
     begun_ = now;
-    begunCpu_ = processCpuSeconds();
     band_ = glm::ivec2(row, std::min(row + rows, size.y));
     return band_;
 }

@@ -7,8 +7,7 @@
 
 namespace vitrine::render::gl {
 
-/// Divides passes that may take any time into bands of rows, and says when their time in a frame is over. For a
-/// software renderer, time in which other processes keep this one waiting does not count.
+/// Divides passes that may take any time into bands of rows, and says when their time in a frame is over.
 class UnboundedTime {
 public:
     /// `software`: a processor draws. Its bands are small, because nothing else bounds their time; a graphics card is
@@ -30,9 +29,8 @@ public:
 private:
     bool software_;
     double limit_ = std::numeric_limits<double>::infinity();
-    double used_ = 0;      ///< Seconds of this frame.
-    double begun_ = 0;     ///< Start of `band_`, by the wall clock.
-    double begunCpu_ = 0;  ///< The same by the CPU time of this process.
+    double used_ = 0;   ///< Seconds of this frame.
+    double begun_ = 0;  ///< Start of `band_`, by the wall clock.
     std::optional<glm::ivec2> band_;
     bool isOver_ = false;
 };
