@@ -23,6 +23,7 @@
 namespace vitrine::printing {
 namespace {
 
+using namespace vitrine::test;
 using namespace test;
 
 std::vector<render::Image> noisyImages(int count, int width, int height)
@@ -97,10 +98,10 @@ std::size_t residentFileBytes()
 
 TEST(LargeViews, LieOnDiskWhereTmpIsMemory)
 {
-    const vitrine::test::EnvironmentVariable none("TMPDIR", std::nullopt);
+    const EnvironmentVariable none("TMPDIR", std::nullopt);
     EXPECT_EQ(render::ScratchFile().folder(), "/var/tmp");
     const TemporaryFolder folder;
-    const vitrine::test::EnvironmentVariable here("TMPDIR", folder.path().string());
+    const EnvironmentVariable here("TMPDIR", folder.path().string());
     EXPECT_EQ(render::ScratchFile().folder(), folder.path());
 }
 
@@ -131,7 +132,7 @@ TEST(LargeViews, AFullDiskOrAMissingFolderIsSaidAndLeavesNothing)
     const TemporaryFolder folder;
     const render::Image image(200, 100, 3, 0.5F);
     {
-        const vitrine::test::EnvironmentVariable here("TMPDIR", folder.path().string());
+        const EnvironmentVariable here("TMPDIR", folder.path().string());
         const FileSizeLimit limit(10000);
         ViewSet views(0);
         EXPECT_FAILURE(views.add(image), folder.path().string());
@@ -139,7 +140,7 @@ TEST(LargeViews, AFullDiskOrAMissingFolderIsSaidAndLeavesNothing)
         EXPECT_FAILURE(again.add(image), "free some space");
     }
     EXPECT_EQ(folder.files(), std::vector<std::string>{});
-    const vitrine::test::EnvironmentVariable nowhere("TMPDIR", (folder / "none").string());
+    const EnvironmentVariable nowhere("TMPDIR", (folder / "none").string());
     ViewSet views(0);
     EXPECT_FAILURE(views.add(image), "TMPDIR");
 }

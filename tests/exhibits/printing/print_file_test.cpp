@@ -17,6 +17,7 @@
 namespace vitrine::printing {
 namespace {
 
+using namespace vitrine::test;
 using namespace test;
 
 std::vector<std::uint8_t> codesOf(const std::filesystem::path& path)
