@@ -10,6 +10,7 @@
 #include <QFileInfo>
 #include <QStringDecoder>
 
+#include <algorithm>
 #include <utility>
 
 namespace vitrine::ui {
@@ -24,9 +25,8 @@ QString editedText(const std::string& bytes)
 LiveText::LiveText(Workbench& window, QObject* parent) : QObject(parent), window_(window)
 {
     timer_.setSingleShot(true);
-    timer_.setInterval(pause);
     timer_.setTimerType(Qt::PreciseTimer);
-    connect(&timer_, &QTimer::timeout, this, &LiveText::check);
+    connect(&timer_, &QTimer::timeout, this, &LiveText::paused);
     connect(&window.viewport().scene(), &PresentScene::filesChanged, this, &LiveText::load);
 }
 
@@ -49,6 +49,7 @@ void LiveText::setSubject(std::size_t exhibit)
 {
     flush();
     isTyped_ = false;
+    checked_.reset();
     disconnect(watched_);
     subject_ = exhibit;
     source_ = capability<HasText>(window_.museum().subject(exhibit));
@@ -70,6 +71,7 @@ void LiveText::load()
     const QString now = editedText(source_->documentText(values()));
     if (now == text_) return;
     text_ = now;
+    checked_.reset();
     emit replaced();
     check();
 }
@@ -79,7 +81,10 @@ void LiveText::edit(const QString& text)
     if (!source_ || text == text_) return;
     text_ = text;
     isTyped_ = true;
-    timer_.start();
+    checked_.reset();
+    sinceKey_.start();
+    timer_.start(pause);
+    check();
     emit checked();
 }
 
@@ -88,7 +93,7 @@ void LiveText::flush()
     if (!source_ || !timer_.isActive()) return;
     timer_.stop();
     setDraft(text_.toStdString());  // As a text with errors until the check says otherwise.
-    check();
+    paused();
 }
 
 void LiveText::begin(const TextTemplate& from)
@@ -110,20 +115,34 @@ void LiveText::check()
                                              assets = window_.museum().assets()]() mutable {
         std::vector<TextFinding> findings = source->withText(values, text, assets).findings;
         QMetaObject::invokeMethod(
-            this, [this, text, findings = std::move(findings)]() mutable { take(text, std::move(findings)); },
+            this, [this, text, findings = std::move(findings)]() mutable { finishCheck(text, std::move(findings)); },
             Qt::QueuedConnection);
     });
 }
 
-void LiveText::take(const std::string& text, std::vector<TextFinding> findings)
+void LiveText::finishCheck(const std::string& text, std::vector<TextFinding> findings)
 {
     running_.reset();
     if (!source_) return;
-    if (text_.toStdString() != text) {
-        if (!timer_.isActive()) check();
-        return;
-    }
-    findings_ = std::move(findings);
+    if (text_.toStdString() != text) return check();
+    checked_ = Checked{text, std::move(findings)};
+    if (!timer_.isActive()) paused();
+}
+
+void LiveText::paused()
+{
+    if (!checked_) return check();
+    const bool hasErrors = std::any_of(checked_->findings.begin(), checked_->findings.end(),
+                                       [](const TextFinding& each) { return each.isError; });
+    if (hasErrors && isTyped_ && sinceKey_.elapsed() < errorPause)
+        return timer_.start(errorPause - static_cast<int>(sinceKey_.elapsed()));
+    take(*std::exchange(checked_, std::nullopt));
+}
+
+void LiveText::take(Checked result)
+{
+    const std::string text = std::move(result.text);
+    findings_ = std::move(result.findings);
     const bool isDraft = !std::get<std::string>(values().row(*place().draft)).empty();
     if (isDraft || (isTyped_ && editedText(source_->documentText(values())) != text_)) apply(text);
     isTyped_ = false;

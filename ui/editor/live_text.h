@@ -2,6 +2,7 @@
 
 #include "exhibits/framework/scene/text_document.h"
 
+#include <QElapsedTimer>
 #include <QMetaObject>
 #include <QObject>
 #include <QString>
@@ -17,15 +18,17 @@ namespace vitrine::ui {
 
 class Workbench;
 
-/// Text of the visited exhibit's document while it is edited. A pause after the last key, the text is checked on a
-/// thread of its own. A text without errors becomes the shown one, as one step of the window's history. A text with
-/// errors is kept beside the last good one, so that sessions store it.
+/// Text of the visited exhibit's document while it is edited. Each key begins a check of the text on a thread of its
+/// own; a pause after the last key, its result is taken. A text without errors becomes the shown one, as one step of
+/// the window's history. A text with errors is kept beside the last good one, so that sessions store it.
 class LiveText final : public QObject {
     Q_OBJECT
 
 public:
-    /// Milliseconds without a key before the text is checked.
-    static constexpr int pause = 200;
+    /// Milliseconds without a key before a text without errors is shown.
+    static constexpr int pause = 80;
+    /// Milliseconds without a key before errors are shown: most texts between two keys have some.
+    static constexpr int errorPause = 300;
 
     /// The window must outlive this object.
     explicit LiveText(Workbench&, QObject* parent = nullptr);
@@ -48,7 +51,7 @@ public:
     /// Errors and remarks of the text that was checked last.
     [[nodiscard]] const std::vector<TextFinding>& findings() const { return findings_; }
     /// True from a key to the end of the check of its text.
-    [[nodiscard]] bool isChecking() const { return timer_.isActive() || running_.has_value(); }
+    [[nodiscard]] bool isChecking() const { return timer_.isActive() || running_ || checked_; }
 
 signals:
     /// Emitted when the text was changed by something else than `edit`: undo, a preset, another program.
@@ -57,10 +60,18 @@ signals:
     void checked();
 
 private:
+    /// A text, and what the check found in it.
+    struct Checked {
+        std::string text;
+        std::vector<TextFinding> findings;
+    };
+
     [[nodiscard]] const ParameterValues& values() const;
     void load();
     void check();
-    void take(const std::string& text, std::vector<TextFinding> findings);
+    void paused();
+    void finishCheck(const std::string& text, std::vector<TextFinding> findings);
+    void take(Checked);
     void apply(const std::string& text);
     void setDraft(const std::string& text);
     /// Copies the text of the file to the document parameter, and removes the draft.
@@ -73,7 +84,9 @@ private:
     QString text_;
     std::vector<TextFinding> findings_;
     QTimer timer_;
+    QElapsedTimer sinceKey_;
     std::optional<std::string> running_;  ///< Text that is being checked.
+    std::optional<Checked> checked_;      ///< Result that waits for the pause.
     bool isTyped_ = false;                ///< The text was typed and is not in the values yet.
     bool applying_ = false;               ///< The present change of the history comes from here.
     std::future<void> check_;
