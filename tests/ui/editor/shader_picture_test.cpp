@@ -17,6 +17,7 @@
 #include "ui/parameters/parameter_panel.h"
 #include "ui/parameters/parameter_row.h"
 #include "ui/viewport/viewport.h"
+#include "ui/window/file_opener.h"
 #include "ui/window/main_window.h"
 #include "ui/window/window_docks.h"
 
@@ -30,6 +31,7 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
+#include <QTimer>
 #include <QToolButton>
 
 #include <algorithm>
@@ -425,6 +427,57 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(viewport().pictures().schedule().still(), 60000);
         QVERIFY(brightness(viewport().pictures().shown().image()) > 5);
         QVERIFY(viewport().pictures().shown().image() != gyroid);
+    }
+
+    void anAttackEndsWithAMessageWhileTheWindowAnswers_data()
+    {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("sentence");
+        QString calls = "float f0(float x) { return sin(x); }\n";
+        for (int i = 1; i < 26; ++i)
+            calls += QString("float f%1(float x) { return f%2(x) + f%2(x + 1.0); }\n").arg(i).arg(i - 1);
+        QTest::newRow("calls") << calls + "void main() { gl_FragColor = vec4(f25(gl_FragCoord.x)); }"
+                               << "instructions when every call is replaced by its function";
+        // Macros that are given macros are not counted before: the compiler runs into its limit.
+        QTest::newRow("macros") << "#define D(x) x x\n#define E(x) D(D(D(D(D(D(x))))))\n"
+                                   "void main() { gl_FragColor = vec4(E(E(E(E(E(1.0 +))))) 1.0); }"
+                                << "the GLSL compiler needs more than";
+        QTest::newRow("array") << "void main() { float a[20000000]; a[int(gl_FragCoord.x)] = 1.0; gl_FragColor = "
+                                  "vec4(a[int(gl_FragCoord.y)]); }"
+                               << "make the arrays smaller";
+        QTest::newRow("loop") << "void main() { float n = 0.0; for (;;) { n += 1.0; if (n < 0.0) break; } "
+                                 "gl_FragColor = vec4(n); }"
+                              << "takes too long here";
+    }
+    void anAttackEndsWithAMessageWhileTheWindowAnswers()
+    {
+        QFETCH(QString, text);
+        QFETCH(QString, sentence);
+        settle();
+        const QString path = home_->filePath("attack.frag");
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(text.toUtf8());
+        file.close();
+        QElapsedTimer sinceOpened, sinceAnswer;
+        qint64 longest = 0;
+        QTimer answers;
+        connect(&answers, &QTimer::timeout, this, [&] { longest = std::max(longest, sinceAnswer.restart()); });
+        sinceOpened.start();
+        sinceAnswer.start();
+        answers.start(10);
+        window_->files().open(path);
+        auto* strip = window_->findChild<MessageStrip*>();
+        QTRY_VERIFY2_WITH_TIMEOUT(strip->texts().join(QLatin1Char('\n')).contains(sentence),
+                                  qPrintable(strip->texts().join(QLatin1Char('\n'))), 120000);
+        const qint64 told = sinceOpened.elapsed();
+        longest = std::max(longest, sinceAnswer.elapsed());
+        qInfo("%lld ms to the message, %lld ms at most without an answer", told, longest);
+        // The time to the message depends on the machine's load; on an idle one it is at most 6 s as well.
+        QVERIFY2(longest < 6000, qPrintable(QString::number(longest)));
+        set("file", std::string("gyroid.frag"));
+        settle();
+        QVERIFY(brightness(viewport().pictures().shown().image()) > 5);
     }
 
     void anErrorLeavesThePictureAsItIs()
