@@ -65,11 +65,12 @@ std::string withoutProgress(const std::string& err)
 void expectOneSentence(const Ended& ended, const std::vector<std::string>& parts)
 {
     EXPECT_EQ(ended.out, "");
-    EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
-    EXPECT_EQ(ended.err.rfind("vitrine: ", 0), 0U) << ended.err;
-    EXPECT_TRUE(ended.err.size() > 2 && ended.err[ended.err.size() - 2] == '.') << ended.err;
+    const std::string sentence = withoutProgress(ended.err);  // A slow machine shows progress before the refusal.
+    EXPECT_EQ(std::count(sentence.begin(), sentence.end(), '\n'), 1) << ended.err;
+    EXPECT_EQ(sentence.rfind("vitrine: ", 0), 0U) << ended.err;
+    EXPECT_TRUE(sentence.size() > 2 && sentence[sentence.size() - 2] == '.') << ended.err;
     for (const std::string& part : parts)
-        EXPECT_NE(ended.err.find(part), std::string::npos) << part << " is missing in: " << ended.err;
+        EXPECT_NE(sentence.find(part), std::string::npos) << part << " is missing in: " << ended.err;
 }
 
 }  // namespace vitrine::test
