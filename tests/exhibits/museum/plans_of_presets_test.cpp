@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <deque>
 #include <map>
 #include <set>
@@ -19,9 +20,11 @@ using namespace test;
 
 /// Returns the plans of all presets by name ("sdf_morph/glass"), seen from the preset's camera or the exhibit's best
 /// view.
-std::map<std::string, render::FramePlan> plansOfPresets(bool everything = false)
+const std::map<std::string, render::FramePlan>& plansOfPresets(bool everything = false)
 {
-    std::map<std::string, render::FramePlan> plans;
+    static std::array<std::map<std::string, render::FramePlan>, 2> made;  // Planned once for all tests of this file.
+    auto& plans = made.at(everything ? 1 : 0);
+    if (!plans.empty()) return plans;
     auto scenes = scenesOfPresets();
     for (auto& [name, scene] : scenes) {
         scene.request.runEverything = everything;
@@ -33,7 +36,7 @@ std::map<std::string, render::FramePlan> plansOfPresets(bool everything = false)
 
 TEST(PlansOfPresets, RunEachStepOnceInTheOrderOfTheStagesAndForAReason)
 {
-    const auto plans = plansOfPresets();
+    const auto& plans = plansOfPresets();
     EXPECT_GE(plans.size(), 11U);
     for (const auto& [name, plan] : plans) {
         std::set<std::string> names;
@@ -116,7 +119,7 @@ TEST(PlansOfPresets, NameOnlyWhatTheyDeclare)
 
 TEST(PlansOfPresets, LeaveOutWhatTheyDoNotShow)
 {
-    const auto plans = plansOfPresets();
+    const auto& plans = plansOfPresets();
     EXPECT_NE(plans.at("sdf_morph/facets").find("sdf_morph/mesh"), nullptr);
     EXPECT_EQ(plans.at("sdf_morph/old-gold").find("sdf_morph/mesh"), nullptr);
     EXPECT_NE(plans.at("sdf_morph/a-box-too-small").find("sdf_morph/box"), nullptr);
