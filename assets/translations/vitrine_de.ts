@@ -2886,6 +2886,11 @@ Zeiten nach: %2.</translation>
         <translation>Amplitude der ersten Oktave: 0 verschiebt nichts.</translation>
     </message>
     <message>
+        <location filename="render/scene/gltf_compression.cpp"/>
+        <source>an accessor of it does not exist</source>
+        <translation>ein Accessor davon existiert nicht</translation>
+    </message>
+    <message>
         <location filename="exhibits/framework/table/parameters.cpp"/>
         <source>An accuracy parameter cannot be animated, because it sets the cost of the picture.</source>
         <translation>Ein Genauigkeitsparameter lässt sich nicht animieren, weil er die Kosten des Bildes bestimmt.</translation>
@@ -5959,6 +5964,11 @@ Zeiten nach: %2.</translation>
         <translation>Komposition</translation>
     </message>
     <message>
+        <location filename="render/scene/gltf_compression.cpp"/>
+        <source>compressed primitives consist of triangles</source>
+        <translation>komprimierte Primitive bestehen aus Dreiecken</translation>
+    </message>
+    <message>
         <location filename="exhibits/printing/print_table.h"/>
         <source>Compression</source>
         <translation>Kompression</translation>
@@ -7238,6 +7248,11 @@ Zeiten nach: %2.</translation>
         <location filename="exhibits/paper_lanterns/paper_lanterns.cpp"/>
         <source>down upon them</source>
         <translation>von oben auf sie</translation>
+    </message>
+    <message>
+        <location filename="render/scene/draco_codec.cpp"/>
+        <source>Draco's library</source>
+        <translation>die Bibliothek von Draco</translation>
     </message>
     <message>
         <source>Draft</source>
@@ -10073,6 +10088,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>es will sich zum {1}-fachen seiner Größe entpacken, mehr, als das Format packen kann</translation>
     </message>
     <message>
+        <location filename="render/scene/gltf_compression.cpp"/>
+        <source>it compresses {1}, which the primitive does not have</source>
+        <translation>es komprimiert {1}, das dem Primitiv fehlt</translation>
+    </message>
+    <message>
         <location filename="ui/kit/preferences.cpp"/>
         <source>it contains unknown preferences</source>
         <translation>sie enthält unbekannte Einstellungen</translation>
@@ -10138,6 +10158,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="render/image/oiio/row_reader.cpp"/>
         <source>it has {1} channels</source>
         <translation>es hat {1} Kanäle</translation>
+    </message>
+    <message>
+        <location filename="render/scene/gltf_compression.cpp"/>
+        <source>it has {1} vertices, and an accessor of it has {2}</source>
+        <translation>es hat {1} Eckpunkte, und ein Accessor davon hat {2}</translation>
     </message>
     <message>
         <location filename="render/image/image_limits.cpp"/>
@@ -10425,6 +10450,16 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>ihr Block muss ein Objekt sein: {...}.</translation>
     </message>
     <message>
+        <location filename="render/scene/gltf_compression.cpp"/>
+        <source>its buffer view does not exist</source>
+        <translation>die Pufferansicht existiert nicht</translation>
+    </message>
+    <message>
+        <location filename="render/scene/gltf_compression.cpp"/>
+        <source>its byteStride does not fit its mode and filter</source>
+        <translation>byteStride passt nicht zu Modus und Filter</translation>
+    </message>
+    <message>
         <location filename="render/image/oiio/read.cpp"/>
         <source>its color channels lie too far apart among its others; save them alone</source>
         <translation>seine Farbkanäle liegen zwischen den anderen zu weit auseinander; speichern Sie sie allein</translation>
@@ -10455,9 +10490,39 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>seine Farben sind als Helligkeit und Farbdifferenz (Y, RY, BY) gespeichert, was nicht gelesen wird; speichern Sie es mit den Kanälen R, G und B</translation>
     </message>
     <message>
+        <location filename="render/scene/gltf_compression.cpp"/>
+        <source>its compressed data has no triangles</source>
+        <translation>die komprimierten Daten haben keine Dreiecke</translation>
+    </message>
+    <message>
+        <location filename="render/scene/gltf_compression.cpp"/>
+        <source>its compressed data has not the attributes that the primitive names</source>
+        <translation>den komprimierten Daten fehlen Attribute, die das Primitiv nennt</translation>
+    </message>
+    <message>
+        <location filename="render/scene/gltf_compression.cpp"/>
+        <source>its compressed data is broken</source>
+        <translation>die komprimierten Daten sind beschädigt</translation>
+    </message>
+    <message>
+        <location filename="render/scene/gltf_compression.cpp"/>
+        <source>its compressed data is not of version 2.2 of Draco</source>
+        <translation>die komprimierten Daten sind nicht von Draco, Version 2.2</translation>
+    </message>
+    <message>
+        <location filename="render/scene/gltf_compression.cpp"/>
+        <source>its compressed data reaches beyond the buffer</source>
+        <translation>die komprimierten Daten reichen über den Puffer hinaus</translation>
+    </message>
+    <message>
         <location filename="render/image/image_read.cpp"/>
         <source>its content is {1} although its name ends in &quot;{2}&quot;</source>
         <translation>der Inhalt ist {1}, obwohl der Name auf „{=2}“ endet</translation>
+    </message>
+    <message>
+        <location filename="render/scene/gltf_compression.cpp"/>
+        <source>its count and byteStride do not make the byteLength of the view</source>
+        <translation>count und byteStride ergeben nicht die byteLength der Ansicht</translation>
     </message>
     <message>
         <location filename="render/scene/gltf_validate.cpp"/>
@@ -10548,6 +10613,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="exhibits/printing/print_layout.cpp"/>
         <source>its marks need a border of at least {1} mm, and it has {2} mm; give a wider border, or leave the marks out</source>
         <translation>seine Marken brauchen einen Rand von mindestens {1} mm, und er hat {2} mm; wählen Sie einen breiteren Rand oder keine Marken</translation>
+    </message>
+    <message>
+        <location filename="render/scene/gltf_compression.cpp"/>
+        <source>its mode or filter is none of EXT_meshopt_compression's</source>
+        <translation>Modus oder Filter sind keine von EXT_meshopt_compression</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/scene_evaluator.cpp"/>
@@ -14446,6 +14516,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="ui/lessons/page_dialog.cpp"/>
+        <location filename="ui/window/kiosk_panel.cpp"/>
         <location filename="ui/window/window_docks.cpp"/>
         <location filename="exhibits/study/study_table.h"/>
         <source>Parameters</source>
@@ -16034,6 +16105,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="ui/gamepad/pads.cpp"/>
         <source>reads gamepads</source>
         <translation>liest Gamepads</translation>
+    </message>
+    <message>
+        <location filename="render/scene/draco_codec.cpp"/>
+        <source>reads meshes that Draco compressed</source>
+        <translation>liest Netze, die Draco komprimiert hat</translation>
     </message>
     <message>
         <location filename="ui/preferences/keys_page.cpp"/>
@@ -20250,6 +20326,16 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
         <source>the cut leaves nothing; raise it above -radius</source>
         <translation>der Schnitt lässt nichts übrig; heben Sie ihn über -radius</translation>
+    </message>
+    <message>
+        <location filename="render/scene/gltf_compression.cpp"/>
+        <source>the decoded data is larger than {1} bytes; simplify the model.</source>
+        <translation>Die entpackten Daten sind größer als {1} Byte; vereinfachen Sie das Modell.</translation>
+    </message>
+    <message>
+        <location filename="render/scene/gltf_compression.cpp"/>
+        <source>the decoded mesh is too large; simplify the model.</source>
+        <translation>Das entpackte Netz ist zu groß; vereinfachen Sie das Modell.</translation>
     </message>
     <message>
         <location filename="exhibits/your_shader/reading.cpp"/>
@@ -25872,6 +25958,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1}; meinten Sie {=2}?</translation>
     </message>
     <message>
+        <location filename="render/scene/gltf_compression.cpp"/>
         <location filename="render/scene/gltf_validate.cpp"/>
         <source>{1}; export the file again.</source>
         <translation>{1}; exportieren Sie die Datei neu.</translation>

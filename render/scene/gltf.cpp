@@ -2,6 +2,7 @@
 
 #include "render/failure.h"
 #include "render/files/read_file.h"
+#include "render/scene/gltf_compression.h"
 #include "render/scene/gltf_convert.h"
 #include "render/scene/gltf_guard.h"
 #include "render/scene/gltf_sources.h"
@@ -96,6 +97,7 @@ GltfFile readGltfFile(const std::string& bytes, const std::filesystem::path& pat
     std::vector<Message> warnings;
     gltf.buffers = readBuffers(document, binOf(bytes, name), folder, limits, warnings);
     gltf.images = readImages(document, folder, limits, warnings);
+    decompress(gltf, document, limits);
     validateGltf(gltf, document, limits);
     return {std::move(document), std::move(gltf), std::move(warnings)};
 }

@@ -11,7 +11,8 @@ namespace vitrine::render {
 
 /// Reads a glTF 2.0 file, .glb or .gltf, as untrusted input. The container, the JSON, every index, range, path and
 /// number is checked before use (see gltf_guard.h and gltf_validate.h). Other files are opened only below the folder of
-/// `path`, or beside it (see `gltfReference`). An accessor without a view and a buffer without a URI are filled with
+/// `path`, or beside it (see `gltfReference`). Meshes that Draco or meshoptimizer compressed are decoded (see
+/// gltf_compression.h). An accessor without a view and a buffer without a URI are filled with
 /// zeros, as the standard says.
 ///
 /// The node tree is flattened: one MeshInstance per triangle primitive and node, a Marker for each node without a mesh.

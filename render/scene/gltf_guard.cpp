@@ -2,6 +2,7 @@
 
 #include "render/files/little_endian.h"
 #include "render/files/read_file.h"
+#include "render/scene/gltf_compression.h"
 #include "render/scene/gltf_schema.h"
 #include "render/scene/gltf_sources.h"
 
@@ -119,13 +120,15 @@ void checkBuffers(const JsonDocument& document, const GltfLimits& limits)
     }
 }
 
-/// Checks the accessors. Elements without a view are zeros and cost the file nothing, so they have their own limit.
+/// Checks the accessors. Elements without a view are zeros and cost the file nothing, so they have their own limit,
+/// unless they are in compressed data.
 void checkAccessors(const JsonDocument& document, const GltfLimits& limits)
 {
     constexpr std::array<std::uint64_t, 6> componentTypes = {5120, 5121, 5122, 5123, 5125, 5126};
     constexpr std::array<std::string_view, 7> types = {"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"};
     std::uint64_t zeros = 0;
     const Json& accessors = arrayAt(document, "accessors");
+    const std::vector<bool> compressed = dracoAccessors(document);
     for (std::size_t i = 0; i < accessors.size(); ++i) {
         const Json& accessor = accessors[i];
         const auto isOneOf = [](const auto& all, const auto& one) {
@@ -135,7 +138,7 @@ void checkAccessors(const JsonDocument& document, const GltfLimits& limits)
             !isOneOf(types, accessor.at("type").get<std::string>()))
             throw document.failure(elementPath("accessors", i, "componentType"),
                                    message("its type or component type is none of glTF's; export the file again."));
-        if (accessor.contains("bufferView")) continue;
+        if (accessor.contains("bufferView") || compressed[i]) continue;
         const std::uint64_t mostElements = limits.zeroBytes / (16 * sizeof(float));
         const std::uint64_t count = sizeAt(accessor, "count");
         if (count > mostElements || (zeros += count) > mostElements)
@@ -215,8 +218,9 @@ bool beginsAsGltf(const std::string& bytes)
 bool isDrawnExtension(std::string_view name)
 {
     // Quantized vertices use only component types that the reader supports anyway.
-    constexpr std::array<std::string_view, 4> drawn{"KHR_materials_emissive_strength", "KHR_materials_unlit",
-                                                    "KHR_mesh_quantization", "KHR_texture_transform"};
+    constexpr std::array<std::string_view, 6> drawn{"EXT_meshopt_compression",         "KHR_draco_mesh_compression",
+                                                    "KHR_materials_emissive_strength", "KHR_materials_unlit",
+                                                    "KHR_mesh_quantization",           "KHR_texture_transform"};
     return std::find(drawn.begin(), drawn.end(), name) != drawn.end();
 }
 

@@ -8,8 +8,8 @@
 namespace vitrine::render {
 
 /// Checks the members that are read: each has the type that the JSON schema of glTF 2.0 requires, and no required one
-/// is missing. Animations, skins, cameras, extensions and extras are not checked here; gltf_animation.cpp checks what
-/// it reads itself. Throws Failure naming file, line and key, and what the schema requires there.
+/// is missing. Animations, skins, cameras, extras and most extensions are not checked here; gltf_animation.cpp checks
+/// what it reads itself. Throws Failure naming file, line and key, and what the schema requires there.
 void checkGltfSchema(const JsonDocument&);
 
 /// Converts every whole number to an integer: "4.0" and "4" are the same number in JSON, and the schema's integers may

@@ -1,4 +1,5 @@
 #include "render/scene/gltf_sources.h"
+#include "render/scene/gltf_compression.h"
 #include "render/scene/gltf_schema.h"
 
 #include "render/failure.h"
@@ -125,6 +126,7 @@ std::vector<tinygltf::Buffer> readBuffers(const JsonDocument& document, std::str
         const std::string uri = textAt(rows[i], "uri");
         const std::string path = elementPath("buffers", i, uri.empty() ? "byteLength" : "uri");
         FileBytes& data = buffers[i].data;
+        if (isFallbackBuffer(rows[i])) continue;
         if (uri.starts_with("data:")) {
             data = ofLength(document, path, dataOf(document, path, uri), length);
         } else if (!uri.empty()) {

@@ -13,8 +13,8 @@ namespace vitrine::render {
 
 /// Reads every buffer of a guarded file, each of its `byteLength`: from the GLB container (`bin`, the first buffer
 /// only), a data: URI, or a file (`gltfReference`). A buffer without a source is filled with zeros, and a sentence in
-/// `warnings` says so. Throws Failure naming file, line and key if a source is missing or too short, or if there are
-/// more zeros than `limits` allow.
+/// `warnings` says so. A fallback buffer (`isFallbackBuffer`) stays empty. Throws Failure naming file, line and key if
+/// a source is missing or too short, or if there are more zeros than `limits` allow.
 [[nodiscard]] std::vector<tinygltf::Buffer> readBuffers(const JsonDocument&, std::string_view bin,
                                                         const std::filesystem::path& folder, const GltfLimits& limits,
                                                         std::vector<Message>& warnings);

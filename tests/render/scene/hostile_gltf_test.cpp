@@ -277,8 +277,8 @@ TEST(HostileGltf, ThatReachesForOtherFilesIsRefused)
 
 TEST(HostileGltf, ThatRequiresWhatIsNotThereIsRefused)
 {
-    EXPECT_REFUSED(json["extensionsRequired"] = Json::array({"KHR_draco_mesh_compression"}),
-                   "KHR_draco_mesh_compression, which is not supported");
+    EXPECT_REFUSED(json["extensionsRequired"] = Json::array({"EXT_mesh_gpu_instancing"}),
+                   "EXT_mesh_gpu_instancing, which is not supported");
 }
 
 TEST(HostileGltf, BeyondTheLimitsIsRefused)
