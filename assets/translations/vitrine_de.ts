@@ -5145,8 +5145,8 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/picture/picture_table.h"/>
-        <source>Channels of an OpenEXR file, separated by commas: color, depth, normal, evaluations, position, object (which exhibit, as Cryptomatte). Empty: those of the picture whose settings are used, else color only.</source>
-        <translation>Kanäle einer OpenEXR-Datei, durch Kommas getrennt: color, depth, normal, evaluations, position, object (welches Exponat, als Cryptomatte). Leer: die des Bildes, dessen Einstellungen verwendet werden, sonst nur die Farbe.</translation>
+        <source>Channels of an OpenEXR file, separated by commas: color, depth, normal, evaluations, albedo (base color before light), position, object (which exhibit, as Cryptomatte). Empty: those of the picture whose settings are used, else color only.</source>
+        <translation>Kanäle einer OpenEXR-Datei, durch Kommas getrennt: color, depth, normal, evaluations, albedo (Grundfarbe vor dem Licht), position, object (welches Exponat, als Cryptomatte). Leer: die des Bildes, dessen Einstellungen verwendet werden, sonst nur die Farbe.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/table/measurements_table.h"/>

@@ -158,6 +158,7 @@ struct Planner {
         Pass made = exhibitPass("fur/shade", "light on the strands that were found", values(), "fur/shade.vert",
                                 "fur/shade.frag");
         made.colors = {Attachment::whole(radianceImage)};
+        if (scene.context.channels.albedo) writeAlbedo(made);
         // Draws the back faces of the boxes around the fur where something is in front of them, so few pixels without a
         // strand are shaded.
         made.depth = Attachment::whole(depthImage);
@@ -194,6 +195,7 @@ struct Planner {
         else if (values()[table.rugRadius] <= 0)
             made.bound = {1, 0, {}};  // The pass may block all light, but adds none.
         made.colors = {Attachment::whole(radianceImage)};
+        if (scene.context.channels.albedo) writeAlbedo(made);
         made.depth = Attachment::whole(depthImage);
         made.state = {.depthTest = render::DepthTest::nearer, .blend = render::Blend::premultiplied};
         made.reads = {statesName};

@@ -48,7 +48,7 @@ void planPlates(const HallScene& scene, const SceneLighting& light, const Channe
         plan.add(std::move(pass));
 }
 
-void planLetters(const HallScene& scene, const SceneLighting& light, render::FramePlan& plan)
+void planLetters(const HallScene& scene, const SceneLighting& light, const Channels& channels, render::FramePlan& plan)
 {
     Pass pass;
     pass.name = "hall/plaques";
@@ -56,6 +56,7 @@ void planLetters(const HallScene& scene, const SceneLighting& light, render::Fra
     pass.phase = render::PassPhase::transparent;
     pass.shader = {.vertex = "hall/text.vert", .fragment = "hall/text.frag"};
     pass.colors = {Attachment::whole(radianceImage)};
+    if (channels.albedo) writeAlbedo(pass);
     pass.depth = Attachment::whole(depthImage);
     pass.state = {.depthTest = render::DepthTest::nearerOrEqual,
                   .cull = render::Cull::back,
@@ -89,7 +90,7 @@ void planPlaques(const HallScene& scene, const SceneLighting& light, const Chann
         return;
     }
     planPlates(scene, light, channels, plan);
-    planLetters(scene, light, plan);
+    planLetters(scene, light, channels, plan);
 }
 
 }  // namespace vitrine

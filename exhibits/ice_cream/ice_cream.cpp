@@ -226,7 +226,7 @@ void IceCream::planBeside(const SdfScene& scene, render::FramePlan& plan) const
     else {
         render::Pass pass = sdfPass(scene, "ground", "it is shown alone in the light of the reference",
                                     "lib/fullscreen.vert", "ice_cream/ground.frag");
-        drawSurface(pass, {.normal = scene.context.channels.normal});
+        drawSurface(pass, scene.context.channels.withoutCounts());
         scene.context.lighting.bindLighting(pass);
         pass.shader.defines.push_back(shadowDefine(scene));
         pass.state.cull = render::Cull::none;

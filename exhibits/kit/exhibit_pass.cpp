@@ -35,10 +35,18 @@ void drawSurface(render::Pass& pass, const Channels& channels, render::Load load
         pass.shader.defines.push_back("WRITE_EVALUATIONS " + std::to_string(pass.colors.size()));
         pass.colors.push_back(target(evaluationsImage));
     }
+    if (channels.albedo) writeAlbedo(pass, load);
     pass.depth = target(depthImage);
     pass.state.depthTest = render::DepthTest::nearer;
     pass.state.depthWrite = true;
     pass.state.cull = render::Cull::back;
+}
+
+void writeAlbedo(render::Pass& pass, render::Load load)
+{
+    pass.shader.defines.push_back("WRITE_ALBEDO " + std::to_string(pass.colors.size()));
+    pass.colors.push_back(load == render::Load::clear ? Attachment::cleared(albedoImage)
+                                                      : Attachment::whole(albedoImage));
 }
 
 render::Pass surfacePass(std::string name, std::string reason, const SceneLighting& light, const Channels& channels,

@@ -14,8 +14,13 @@ namespace vitrine {
 
 /// Makes a pass draw surfaces into the picture: radiance and depth over what is there, depth-tested, with back faces
 /// culled. Defines tell shaders to write further outputs. With `channels.normal` it is WRITE_NORMAL, the normal at
-/// location 1. With `channels.evaluations` it is WRITE_EVALUATIONS, whose value is the location of the count.
+/// location 1. With `channels.evaluations` it is WRITE_EVALUATIONS, whose value is the location of the count, and with
+/// `channels.albedo` likewise WRITE_ALBEDO (`writeAlbedo`).
 void drawSurface(render::Pass&, const Channels&, render::Load = render::Load::keep);
+
+/// Adds the image of base colors to a pass that has all its other color images. The define WRITE_ALBEDO is its location
+/// in the shader, which writes (base color, 1), blended like the radiance.
+void writeAlbedo(render::Pass&, render::Load = render::Load::keep);
 
 /// Returns the depth-only variant for meshes whose positions determine their depth, so every fragment must be opaque.
 /// Draws are `surfaceDraw`s, or contain their block alone.

@@ -156,7 +156,7 @@ struct SdfPlanner {
     {
         Pass made = marchPass("march", "in view");
         made.variant = scene.body.variant;
-        drawSurface(made, {.normal = scene.context.channels.normal});
+        drawSurface(made, scene.context.channels.withoutCounts());
         // Back faces exist even if the camera is inside the box.
         made.state.cull = render::Cull::front;
         made.state.depthClamp = true;
@@ -196,7 +196,7 @@ struct SdfPlanner {
             return false;
         }
         Pass made = pass("mesh", "shown instead of the field", "kit/sdf/mesh.vert", "kit/sdf/mesh.frag");
-        drawSurface(made, {.normal = scene.context.channels.normal});
+        drawSurface(made, scene.context.channels.withoutCounts());
         scene.context.lighting.bindLighting(made);
         made.draws = {draw(found->value)};
         made.depthOnly = {made.shader};
@@ -221,7 +221,7 @@ struct SdfPlanner {
         glow.roughness = 1;
         Pass made =
             surfacePass(named("box"), clips ? "the overlay is on; the box clips the object" : "the overlay is on",
-                        scene.context.lighting, {.normal = scene.context.channels.normal});
+                        scene.context.lighting, scene.context.channels.withoutCounts());
         const double thickness = 0.006 / glm::length(glm::dvec3(worldFromBody()[0]));
         const glm::dvec3 half = scene.box.halfSize();
         for (int axis = 0; axis < 3; ++axis) {

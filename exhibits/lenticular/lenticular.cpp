@@ -286,7 +286,7 @@ void Lenticular::plan(const PlanContext& context, render::FramePlan& plan) const
     if (!prepared.sheetNote.empty()) scene.reason += "; the sheet is impossible: " + prepared.sheetNote;
     Pass card = cardPass(scene, pose, prepared, plan);
     Pass count = card;
-    drawSurface(card, {.normal = context.channels.normal});
+    drawSurface(card, context.channels.withoutCounts());
     card.depthOnly = render::DepthOnly{.shader = {.vertex = "lenticular/card.vert", .fragment = "kit/depth.frag"}};
     plan.add(std::move(card));
     if (!context.channels.evaluations) {

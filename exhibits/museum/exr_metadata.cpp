@@ -99,6 +99,9 @@ render::PictureMetadata exrMetadata(const Museum& museum, const PictureRequest& 
         "meters along the view axis from the eye to the surface at the pixel's center; infinity where there is none");
     say(channels.normal, "normal", "unit vector in world space at the pixel's center");
     say(channels.evaluations, "evaluations", "number of evaluations of the distance field for the pixel's center");
+    say(channels.albedo, "albedo",
+        "base color of the surface at the pixel's center before any light, linear with the primaries of Rec. 709; 0 "
+        "for volumes, pictures on screens, views into worlds of light, and where there is no surface");
     say(request.position, "position", "meters in world space at the pixel's center; 0 where there is no surface");
     if (request.objects) addCryptomatte(museum, metadata);
     return metadata;

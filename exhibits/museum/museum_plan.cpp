@@ -284,6 +284,7 @@ void Museum::Frame::declareImages(render::FramePlan& into) const
     into.image({.name = depthImage, .format = render::Format::depth32f, .nearest = true});
     into.image({.name = normalImage, .format = render::Format::rgba32f});
     into.image({.name = evaluationsImage, .format = render::Format::r32f});
+    into.image({.name = albedoImage, .format = render::Format::rgba16f});
 }
 
 /// Finds the exhibits in this picture, and reports files that they need and cannot read.
@@ -416,6 +417,7 @@ void Museum::Frame::clearPicture(render::FramePlan& into) const
     clear.colors = {render::Attachment::cleared(radianceImage)};
     if (request.channels.normal) clear.colors.push_back(render::Attachment::cleared(normalImage));
     if (request.channels.evaluations) clear.colors.push_back(render::Attachment::cleared(evaluationsImage));
+    if (request.channels.albedo) clear.colors.push_back(render::Attachment::cleared(albedoImage));
     clear.depth = render::Attachment::cleared(depthImage);
     into.add(std::move(clear));
 }
@@ -599,6 +601,7 @@ void Museum::Frame::finish(const render::PersistentState& kept)
     std::vector<std::string> outputs{"frame", depthImage, frameHistoryImage};
     if (request.channels.normal) outputs.emplace_back(normalImage);
     if (request.channels.evaluations) outputs.emplace_back(evaluationsImage);
+    if (request.channels.albedo) outputs.emplace_back(albedoImage);
     plan.prune(outputs, kept);
 }
 

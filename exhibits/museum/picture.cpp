@@ -52,6 +52,7 @@ PictureMaker::PictureMaker(const Museum& museum, render::RenderBackend& backend,
     if (request_.depth) names.emplace_back("depth.Z");
     if (request_.frame.channels.normal) names.insert(names.end(), {"normal.X", "normal.Y", "normal.Z"});
     if (request_.frame.channels.evaluations) names.emplace_back("evaluations");
+    if (request_.frame.channels.albedo) names.insert(names.end(), {"albedo.R", "albedo.G", "albedo.B"});
     if (request_.position) names.insert(names.end(), {"position.X", "position.Y", "position.Z"});
     request_.objects = request_.objects && request_.motion.empty();
     for (const char* channel : {"R", "G", "B", "A"})
@@ -185,6 +186,10 @@ void PictureMaker::takeChannels(const Tile& tile)
         next += 3;
     }
     if (request_.frame.channels.evaluations) copyChannels(backend_.read(evaluationsImage), tile, 0, 1, next++);
+    if (request_.frame.channels.albedo) {
+        copyChannels(backend_.read(albedoImage), tile, 0, 3, next);
+        next += 3;
+    }
     if (request_.position) takePosition(tile, depth, next);
 }
 

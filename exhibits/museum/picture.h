@@ -54,8 +54,8 @@ public:
 
     /// The finished picture: R, G, B, A, row 0 at the top, alpha not premultiplied. Color is display-referred linear
     /// light or radiance, by `frame.averageIn`. Further channels, if requested: "depth.Z" (meters along the view axis,
-    /// infinity where nothing was hit), "normal.X" "normal.Y" "normal.Z" (world space), "evaluations", "position" and
-    /// "CryptoObject00" (as in the request).
+    /// infinity where nothing was hit), "normal.X" "normal.Y" "normal.Z" (world space), "evaluations", "albedo",
+    /// "position" and "CryptoObject00" (as in the request).
     [[nodiscard]] const render::Image& picture() const { return picture_; }
     /// Report of the first sample of the first tile; of a picture in motion, that of its last frame.
     [[nodiscard]] const render::FrameReport& report() const { return report_; }

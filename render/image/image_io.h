@@ -65,7 +65,7 @@ struct PictureMetadata {
 /// for enough free space, writes beside the target, reads back and compares, syncs, renames.
 ///
 /// PNG and TIFF take 1 to 4 channels, sRGB-encoded and rounded to the nearest code (alpha linear, NaN 0); alpha is not
-/// premultiplied. OpenEXR takes up to 16 channels, named by `channelNames` (by default Y, YA, RGB or RGBA), with color
+/// premultiplied. OpenEXR takes up to 32 channels, named by `channelNames` (by default Y, YA, RGB or RGBA), with color
 /// premultiplied by A as the format demands, the chromaticities of Rec. 709 and the name of this program.
 ///
 /// The preset goes into an iTXt chunk or attribute "vitrine:preset", in TIFF into ImageDescription, in JPEG into the

@@ -14,7 +14,7 @@ struct ImageLimits {
     std::uint64_t pixels = 268'435'456;  ///< 2^28.
     std::uint64_t decodedBytes = 2ULL << 30U;
     std::uint64_t channels = 4;
-    std::uint64_t exrChannels = 16;  ///< Number of channels that are read; a file may have more.
+    std::uint64_t exrChannels = 32;  ///< Number of channels that are read; a file may have more.
 };
 
 /// Size of a picture, as its header declares it.

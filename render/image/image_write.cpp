@@ -90,7 +90,7 @@ StoredPicture forExr(const Image& image, bool halfColor)
 
 void check(const std::filesystem::path& path, const Image& image, PictureFormat format)
 {
-    const int most = isExr(format) ? 16 : 4;
+    const int most = isExr(format) ? static_cast<int>(ImageLimits{}.exrChannels) : 4;
     if (image.width < 1 || image.height < 1 || image.channels < 1) refuse(path, "the picture is empty");
     if (image.channels > most) {
         refuse(path, "the picture has " + std::to_string(image.channels) + " channels and this format holds " +

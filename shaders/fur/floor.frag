@@ -14,6 +14,9 @@ flat in vec3 ambient;
 flat in vec3 lampOnFloor;
 
 layout(location = 0) out vec4 radiance;
+#ifdef WRITE_ALBEDO
+layout(location = WRITE_ALBEDO) out vec4 albedoOut;
+#endif
 
 vec3 sunOnFloor(vec3 normal)
 {
@@ -21,6 +24,8 @@ vec3 sunOnFloor(vec3 normal)
     float lit = sunVisibility(world, upwards) * max(dot(normal, light.sunDirection), 0.0);
     return light.sunIrradiance * sunThroughGlass(world) * (lit / PI);
 }
+
+const vec3 FLOOR_COLOR = vec3(0.34, 0.31, 0.28);  // with ALONE
 
 // Radiance of the rug. `width`: of the pixel, in the pit. `open`: share of the sky's light past the bodies.
 vec3 rugRadiance(float r, float width, float open)
@@ -43,7 +48,7 @@ void main()
     vec3 lamp = lampOnFloor * (left.y * open);
 #ifdef ALONE
     float there = 1.0 - smoothStep(0.35, 1.0, r / fur.pitRadius);
-    vec3 color = vec3(0.34, 0.31, 0.28) * (ambient * open + sunOnFloor(upwards) + lamp);
+    vec3 color = FLOOR_COLOR * (ambient * open + sunOnFloor(upwards) + lamp);
     radiance = vec4(color, 1.0) * there;
 #else
     // The hall has lit the floor with both lights already. The output is the share of their light that the bodies do
@@ -64,4 +69,12 @@ void main()
         vec3 rug = min(rugRadiance(r, width, open), vec3(6e4));
         radiance = radiance * (1.0 - cover) + vec4(rug, 1.0) * cover;
     }
+#ifdef WRITE_ALBEDO
+    vec3 rugColor = rugPoint(inPit.xz, width, fur.rugRadius, fur.rugColor).color;
+#ifdef ALONE
+    albedoOut = mix(vec4(FLOOR_COLOR, 1.0) * there, vec4(rugColor, 1.0), cover);
+#else
+    albedoOut = vec4(rugColor, 1.0) * cover;  // A floor in shadow keeps its color.
+#endif
+#endif
 }

@@ -13,6 +13,9 @@ flat in vec3 toLamp;
 flat in float cover;
 
 layout(location = 0) out vec4 radiance;
+#ifdef WRITE_ALBEDO
+layout(location = WRITE_ALBEDO) out vec4 albedoOut;
+#endif
 
 // Visible point of the coat in a pixel; directions in world space.
 struct HairPoint {
@@ -131,4 +134,7 @@ void main()
     }
     if (parameters.lamp > 0.0) color += directLight(lampLight() * left.y, toLamp, p);
     radiance = vec4(min(color, vec3(6e4)), 1.0);
+#ifdef WRITE_ALBEDO
+    albedoOut = vec4(p.albedo, 1.0);
+#endif
 }

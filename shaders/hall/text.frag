@@ -10,6 +10,9 @@ in vec3 worldNormal;
 in vec2 glyphUv;
 
 layout(location = 0) out vec4 radiance;
+#ifdef WRITE_ALBEDO
+layout(location = WRITE_ALBEDO) out vec4 albedoOut;
+#endif
 
 void main()
 {
@@ -31,4 +34,7 @@ void main()
     vec3 toEye = normalize(frame.eye - worldPosition);
     // Premultiplied alpha.
     radiance = vec4(shadeSurface(s, toEye), 1.0) * coverage * object.baseColor.a;
+#ifdef WRITE_ALBEDO
+    albedoOut = vec4(s.baseColor, 1.0) * coverage * object.baseColor.a;
+#endif
 }

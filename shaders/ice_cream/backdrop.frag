@@ -17,6 +17,9 @@ layout(location = 0) out vec4 radiance;
 #ifdef WRITE_NORMAL
 layout(location = 1) out vec4 normalOut;
 #endif
+#ifdef WRITE_ALBEDO
+layout(location = WRITE_ALBEDO) out vec4 albedoOut;
+#endif
 
 void main()
 {
@@ -39,5 +42,8 @@ void main()
     radiance = vec4(min(parameters.backdropColor * light_, vec3(6e4)), 1.0);
 #ifdef WRITE_NORMAL
     normalOut = vec4(n, 1.0);
+#endif
+#ifdef WRITE_ALBEDO
+    albedoOut = vec4(parameters.backdropColor, 1.0);
 #endif
 }

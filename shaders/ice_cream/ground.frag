@@ -8,6 +8,9 @@ layout(location = 0) out vec4 radiance;
 #ifdef WRITE_NORMAL
 layout(location = 1) out vec4 normalOut;
 #endif
+#ifdef WRITE_ALBEDO
+layout(location = WRITE_ALBEDO) out vec4 albedoOut;
+#endif
 layout(depth_any) out float gl_FragDepth;
 
 // Visibility of the sun at a point of the ground. A ray hits nothing if it passes the box at a distance of more than
@@ -36,12 +39,18 @@ void main()
 #ifdef WRITE_NORMAL
     normalOut = vec4(worldNormalOf(n), 1.0);
 #endif
+#ifdef WRITE_ALBEDO
+    albedoOut = vec4(0.0, 0.0, 0.0, 1.0);
+#endif
     if (!below || t >= farthest) return;
     vec3 p = ray.origin + ray.direction * t;
     Surface s;
     s.position = p;
     s.normal = n;
     s.baseColor = shape.stage < STAGE_COLORS ? vec3(0.5) : parameters.groundColor;
+#ifdef WRITE_ALBEDO
+    albedoOut = vec4(s.baseColor, 1.0);
+#endif
     s.metalness = 0.0;
     s.roughness = 0.9;
     s.specular = 0.0;

@@ -1,6 +1,7 @@
 // Shades a mesh with a material. Permutations: those of kit/material.glsl, NORMAL_MAP, ORM_MAP, OCCLUSION_MAP,
 // ALPHA_MASK, BLENDED (opacity in alpha), LIGHTMAP, BOUNCED_LIGHT (of the sun, with LIGHTMAP), LAMP_LIGHT (of the
-// vault, with LIGHTMAP), UNLIT (some objects are), FLAT_PROBE (for the probe's own capture: no reflections), WRITE_NORMAL, WRITE_EVALUATIONS, and
+// vault, with LIGHTMAP), UNLIT (some objects are), FLAT_PROBE (for the probe's own capture: no reflections), WRITE_NORMAL,
+// WRITE_EVALUATIONS, WRITE_ALBEDO, and
 // POLISHED_FLOOR with those of kit/polished_floor.glsl.
 #include "lib/frame.glsl"
 #include "lib/surface.glsl"
@@ -31,6 +32,9 @@ layout(location = 1) out vec4 normalOut;
 #endif
 #ifdef WRITE_EVALUATIONS
 layout(location = WRITE_EVALUATIONS) out vec4 evaluationsOut;
+#endif
+#ifdef WRITE_ALBEDO
+layout(location = WRITE_ALBEDO) out vec4 albedoOut;
 #endif
 
 vec3 bakedAmbient()
@@ -133,5 +137,8 @@ void main()
 #endif
 #ifdef WRITE_EVALUATIONS
     evaluationsOut = vec4(0.0, 0.0, 0.0, 1.0);
+#endif
+#ifdef WRITE_ALBEDO
+    albedoOut = vec4(base.rgb, 1.0) * opacity;
 #endif
 }

@@ -13,6 +13,9 @@ layout(location = 0) out vec4 radiance;
 #ifdef WRITE_NORMAL
 layout(location = 1) out vec4 normalOut;
 #endif
+#ifdef WRITE_ALBEDO
+layout(location = WRITE_ALBEDO) out vec4 albedoOut;
+#endif
 
 // A pixel of the picture on the plane of the card's front: its center, and its change per pixel to the right and up.
 // Computed from gl_FragCoord, so that adjacent tiles match bit by bit.
@@ -65,15 +68,21 @@ vec3 backColor(vec2 p, float pixel)
     return mix(color, vec3(0.05, 0.045, 0.04), ink);
 }
 
+// Color of edges and back.
+vec3 slabColor(vec3 world)
+{
+    float pixel = 2.0 * frame.tanHalfFov.y * frame.inverseSize.y * length(frame.eye - world);
+    return cardNormal.z < -0.5 ? backColor(cardPosition.xy, pixel) : vec3(0.62, 0.66, 0.65);
+}
+
 // Shades edges and back: a slab of plastic, mounted on a board.
-vec3 slabColor(vec3 world, vec3 normal, vec3 worldToEye)
+vec3 slabLight(vec3 world, vec3 normal, vec3 worldToEye, vec3 base)
 {
     Surface s;
     s.position = world;
     s.normal = normal;
     bool back = cardNormal.z < -0.5;
-    float pixel = 2.0 * frame.tanHalfFov.y * frame.inverseSize.y * length(frame.eye - world);
-    s.baseColor = back ? backColor(cardPosition.xy, pixel) : vec3(0.62, 0.66, 0.65);
+    s.baseColor = base;
     s.metalness = 0.0;
     s.roughness = back ? 0.6 : 0.16;
     s.specular = parameters.specular;
@@ -89,9 +98,11 @@ void main()
     vec3 worldNormal = normalize(transpose(mat3(object.cardFromWorld)) * normalize(cardNormal));
     vec3 eye = (object.cardFromWorld * vec4(frame.eye, 1.0)).xyz;
     vec3 color = vec3(0.0);
+    vec3 base = vec3(0.0);  // Before any light; that of a print is what its lenses show.
     if (cardNormal.z < 0.999 || eye.z <= 0.0) {
 #ifndef COUNT
-        color = slabColor(world, worldNormal, normalize(frame.eye - world));
+        base = slabColor(world);
+        color = slabLight(world, worldNormal, normalize(frame.eye - world), base);
 #endif
     } else {
         Patch p = patchOf(eye);
@@ -102,6 +113,7 @@ void main()
 #else
         vec3 printed = printedColor(p.place, object.leftEye, p.stepX, p.stepY);
 #endif
+        base = printed;
 #ifndef COUNT
         world = (object.worldFromCard * vec4(p.place, 0.0, 1.0)).xyz;
         vec3 toEye = normalize(eye - vec3(p.place, 0.0));
@@ -123,5 +135,8 @@ void main()
 #endif
 #ifdef WRITE_NORMAL
     normalOut = vec4(worldNormal, 1.0);
+#endif
+#ifdef WRITE_ALBEDO
+    albedoOut = vec4(base, 1.0);
 #endif
 }

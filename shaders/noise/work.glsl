@@ -67,5 +67,6 @@ PortalSeen nothingSeen()
     seen.normal = vec3(0.0);
     seen.distance = 1e20;
     seen.evaluations = 0.0;
+    seen.albedo = vec3(0.0);
     return seen;
 }

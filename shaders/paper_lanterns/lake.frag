@@ -247,6 +247,7 @@ PortalSeen portalSeen(PortalRay eye)
     PortalSeen seen;
     seen.normal = vec3(0.0);
     seen.distance = 1e20;
+    seen.albedo = vec3(0.0);
     LanternRay ray = LanternRay(eye.origin, eye.direction, eye.start, LAKE_FARTHEST, vec2(0.0), vec2(eye.footprint));
     Leg leg = Leg(ray, vec3(1.0), vec2(0.3 * eye.footprint), false, 0);
     Gathered sum = Gathered(vec3(0.0), vec3(0.0));

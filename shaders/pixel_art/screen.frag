@@ -33,6 +33,7 @@ PortalSeen portalSeen(PortalRay ray)
     PortalSeen seen;
     seen.normal = vec3(0.0, 0.0, 1.0);
     seen.evaluations = 0.0;
+    seen.albedo = vec3(0.0);
     vec2 size = vec2(pixel.size);
     vec3 light;
 #ifdef ALONE

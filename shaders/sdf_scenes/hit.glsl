@@ -13,6 +13,7 @@ struct SceneSeen {
     vec3 normal;     // normal of the first surface; 0 if there is none
     float distance;  // distance to it; at least 1e20 if there is none
     int steps;       // steps of the camera ray
+    vec3 albedo;     // base color of the first surface; 0 if there is none
 };
 
 MarchSettings sceneSettings(float tMin, float footprint)

@@ -107,7 +107,7 @@ vec3 lampsSeen(vec3 origin, vec3 d, float t)
 
 SceneSeen sceneSeen(PortalRay ray)
 {
-    SceneSeen seen = SceneSeen(vec3(0.0), vec3(0.0), 1e20, 0);
+    SceneSeen seen = SceneSeen(vec3(0.0), vec3(0.0), 1e20, 0, vec3(0.0));
     MarchSettings settings = sceneSettings(max(ray.start, 1e-4), ray.footprint);
     vec3 origin = ray.origin;
     vec3 direction = ray.direction;
@@ -181,6 +181,7 @@ SceneSeen sceneSeen(PortalRay ray)
         if (i == 0) {
             seen.normal = n;
             seen.distance = march.t;
+            seen.albedo = m.color;
         }
         float cosine = clamp(dot(n, toEye), 0.0, 1.0);
         m.roughness = filteredRoughness(m.roughness, hit.curvature, width, cosine);

@@ -25,7 +25,7 @@ vec3 phongLit(SceneHit hit, SceneMaterial m, vec3 toEye)
 
 SceneSeen sceneSeen(PortalRay ray)
 {
-    SceneSeen seen = SceneSeen(vec3(0.0), vec3(0.0), 1e20, 0);
+    SceneSeen seen = SceneSeen(vec3(0.0), vec3(0.0), 1e20, 0, vec3(0.0));
     MarchSettings settings = sceneSettings(max(ray.start, 1e-4), ray.footprint);
     vec3 origin = ray.origin;
     vec3 direction = ray.direction;
@@ -51,6 +51,7 @@ SceneSeen sceneSeen(PortalRay ray)
         if (bounce == 0) {
             seen.normal = hit.normal;
             seen.distance = march.t;
+            seen.albedo = m.color;
             float open = 1.0;
 #ifdef OCCLUSION
             if (max(around.r, max(around.g, around.b)) > 0.0) open = 1.0 - stage.occlusion * sceneHidden(hit.position, hit.normal);

@@ -31,6 +31,7 @@ PortalSeen portalSeen(PortalRay ray)
     seen.radiance = found.radiance;
     seen.normal = found.normal;
     seen.distance = found.distance;
+    seen.albedo = found.albedo;
 #ifdef COUNT_SHAPES
     seen.evaluations = float(primitiveEvaluations);
 #else

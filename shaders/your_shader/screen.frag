@@ -52,6 +52,7 @@ PortalSeen portalSeen(PortalRay ray)
     PortalSeen seen;
     seen.normal = vec3(0.0, 0.0, 1.0);
     seen.evaluations = 0.0;
+    seen.albedo = vec3(0.0);
     vec3 color;
 #ifdef ALONE
     seen.distance = 2.0;

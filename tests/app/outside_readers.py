@@ -98,6 +98,9 @@ def exr(name):
             names = [name for name, id in ids.items() if id == number]
             assert len(names) == 1, number
             seen.add(names[0])
+            if names[0] == "sdf_morph":
+                albedo = [pixel[channel["albedo." + c]] for c in "RGB"]
+                assert numpy.allclose(albedo, [0.8, 0.4, 0.2], atol=1e-3), albedo
     print(spec.width, "x", spec.height, "pixels,", hits, "with a surface, of", ", ".join(sorted(seen)))
     assert {"hall", "sdf_morph"} <= seen, seen
 

@@ -33,13 +33,13 @@ python() {
 }
 
 # OpenEXR with all channels.
-"$vitrine" render sdf_morph --size 48x27 --samples 1 --channels color,depth,normal,position,object \
+"$vitrine" render sdf_morph --size 48x27 --samples 1 --channels color,depth,normal,albedo,position,object --set baseColor=0.8,0.4,0.2 \
     --out "$folder/a.exr" >/dev/null || exit 1
 if by exrheader; then
     exrheader "$folder/a.exr" >"$folder/header" || fail "exrheader cannot read the file"
     for line in "worldToCamera (type m44f)" "worldToNDC (type m44f)" "chromaticities (type chromaticities)" \
         "software (type string)" "vitrine:depth.Z (type string)" "depth.Z, 32-bit floating-point" \
-        "CryptoObject00.A, 32-bit floating-point" "position.X, 32-bit floating-point"; do
+        "CryptoObject00.A, 32-bit floating-point" "position.X, 32-bit floating-point" "albedo.R, 32-bit floating-point" "vitrine:albedo (type string)"; do
         grep -qF "$line" "$folder/header" || fail "exrheader does not find $line"
     done
     read_by=$((read_by + 1))

@@ -243,17 +243,18 @@ TEST(RenderCommand, StandardOutputTakesThePictureAlone)
     test::expectOneSentence(test::vitrine(rendering("sdf_morph", "-.gif", {"--alone"})), {".png"});
 }
 
-TEST(RenderCommand, ChannelsOfPositionAndObjectComeBackFromThePicture)
+TEST(RenderCommand, ChannelsComeBackFromThePicture)
 {
     const TemporaryFolder folder;
-    const Ended made = test::vitrine(rendering("sdf_morph", folder / "a.exr", {"--channels", "position,object"}));
+    const Ended made =
+        test::vitrine(rendering("sdf_morph", folder / "a.exr", {"--channels", "albedo,position,object"}));
     ASSERT_EQ(made.code, 0) << made.err;
     const Ended again = test::vitrine({"render", "sdf_morph", "--preset", folder / "a.exr", "--out", folder / "b.exr"});
     ASSERT_EQ(again.code, 0) << again.err;
     EXPECT_EQ(test::withoutProgress(again.err), "");
     EXPECT_TRUE(sameBytes(folder / "a.exr", folder / "b.exr"));
-    test::expectOneSentence(test::vitrine(rendering("sdf_morph", folder / "c.exr", {"--channels", "albedo"})),
-                            {"\"albedo\"", "depth, normal, evaluations, position or object"});
+    test::expectOneSentence(test::vitrine(rendering("sdf_morph", folder / "c.exr", {"--channels", "luminance"})),
+                            {"\"luminance\"", "depth, normal, evaluations, albedo, position or object"});
 }
 
 TEST(RenderCommand, APictureOfEveryExhibitAloneBringsItselfBackWithNothingElseSaid)

@@ -22,10 +22,11 @@ struct NamedChannel {
     std::string_view name;
     bool& (*of)(PictureRecord&);
 };
-constexpr std::array<NamedChannel, 5> namedChannels{
+constexpr std::array<NamedChannel, 6> namedChannels{
     {{"depth", [](PictureRecord& r) -> bool& { return r.depth; }},
      {"normal", [](PictureRecord& r) -> bool& { return r.channels.normal; }},
      {"evaluations", [](PictureRecord& r) -> bool& { return r.channels.evaluations; }},
+     {"albedo", [](PictureRecord& r) -> bool& { return r.channels.albedo; }},
      {"position", [](PictureRecord& r) -> bool& { return r.position; }},
      {"object", [](PictureRecord& r) -> bool& { return r.objects; }}}};
 

@@ -25,7 +25,11 @@ namespace vitrine {
 struct Channels {
     bool normal = false;       ///< Normals in world space, of unit length, in the image "normal".
     bool evaluations = false;  ///< Number of field evaluations per pixel, in the image "evaluations".
+    /// Base color of surfaces before any light, in the image "albedo": linear Rec. 709, 0 where there is none.
+    bool albedo = false;
 
+    /// Returns the channels without `evaluations`, which some exhibits count in a pass of their own.
+    [[nodiscard]] Channels withoutCounts() const { return {.normal = normal, .albedo = albedo}; }
     bool operator==(const Channels&) const = default;
 };
 
@@ -35,6 +39,7 @@ inline constexpr const char* radianceImage = "radiance";
 inline constexpr const char* depthImage = "depth";
 inline constexpr const char* normalImage = "normal";
 inline constexpr const char* evaluationsImage = "evaluations";
+inline constexpr const char* albedoImage = "albedo";
 inline constexpr const char* exhibitShadowImage = "shadow.exhibits";
 inline constexpr const char* glassShadowImage = "shadow.glass";
 

@@ -266,7 +266,11 @@ JobPlan PictureJob::plan(const ParameterValues& values, const JobScene& scene, c
                          const std::filesystem::path& out) const
 {
     JobPlan plan;
-    plan.offers["channels"] = {"color", "color,depth", "color,normal", "color,depth,normal,position,object",
+    plan.offers["channels"] = {"color",
+                               "color,depth",
+                               "color,normal",
+                               "color,albedo,normal",
+                               "color,depth,normal,position,object",
                                "color,depth,normal,evaluations"};
     try {
         const PictureRequest request = pictureRequest(values, scene, out);

@@ -1,6 +1,6 @@
 // Traces one ray per pixel into the world behind a portal. The depth is that of the opening; with ALONE, that of the
-// hit. Permutations: ALONE, WRITE_NORMAL, WRITE_EVALUATIONS. The including shader defines PORTAL_DISPLAY_LIGHT if it
-// returns display colors.
+// hit. Permutations: ALONE, WRITE_NORMAL, WRITE_EVALUATIONS, WRITE_ALBEDO. The including shader defines
+// PORTAL_DISPLAY_LIGHT if it returns display colors.
 #include "lib/display_light.glsl"
 
 layout(location = 0) out vec4 radiance;
@@ -9,6 +9,9 @@ layout(location = 1) out vec4 normalOut;
 #endif
 #ifdef WRITE_EVALUATIONS
 layout(location = WRITE_EVALUATIONS) out vec4 evaluationsOut;
+#endif
+#ifdef WRITE_ALBEDO
+layout(location = WRITE_ALBEDO) out vec4 albedoOut;
 #endif
 
 void main()
@@ -30,6 +33,9 @@ void main()
 #endif
 #ifdef WRITE_EVALUATIONS
     evaluationsOut = vec4(seen.evaluations, 0.0, 0.0, 1.0);
+#endif
+#ifdef WRITE_ALBEDO
+    albedoOut = vec4(seen.albedo, 1.0);
 #endif
 #ifdef ALONE
     // Depth along the view axis. It is never 0, which marks empty pixels.

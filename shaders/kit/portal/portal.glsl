@@ -30,6 +30,7 @@ struct PortalSeen {
     vec3 normal;        // unit, in the world behind the portal; 0 if no surface was hit
     float distance;     // distance from the eye; at least 1e20 if nothing was hit
     float evaluations;  // number of evaluations, as the shader counts them
+    vec3 albedo;        // base color of the surface; 0 if it has none
 };
 
 PortalRay portalRay(vec2 fragCoord)

@@ -14,6 +14,9 @@ layout(location = 0) out vec4 radiance;
 #ifdef WRITE_NORMAL
 layout(location = 1) out vec4 normalOut;
 #endif
+#ifdef WRITE_ALBEDO
+layout(location = WRITE_ALBEDO) out vec4 albedoOut;
+#endif
 #ifndef COUNT
 layout(depth_any) out float gl_FragDepth;
 #endif
@@ -60,6 +63,9 @@ void main()
 #endif
 #ifdef WRITE_NORMAL
     normalOut = vec4(hit.worldNormal, 1.0);
+#endif
+#ifdef WRITE_ALBEDO
+    albedoOut = vec4(fieldMaterial(hit.local).baseColor, 1.0);
 #endif
 #endif
 #endif

@@ -10,6 +10,9 @@ layout(location = 0) out vec4 radiance;
 #ifdef WRITE_NORMAL
 layout(location = 1) out vec4 normalOut;
 #endif
+#ifdef WRITE_ALBEDO
+layout(location = WRITE_ALBEDO) out vec4 albedoOut;
+#endif
 
 void main()
 {
@@ -31,6 +34,9 @@ void main()
     radiance = vec4(min(shadeSurface(s, toEye), vec3(6e4)), 1.0);  // Half floats end at 65504.
 #ifdef WRITE_NORMAL
     normalOut = vec4(s.normal, 1.0);
+#endif
+#ifdef WRITE_ALBEDO
+    albedoOut = vec4(s.baseColor, 1.0);
 #endif
 #endif
 }

@@ -324,8 +324,10 @@ TEST(MuseumPlan, ChannelsAreWrittenOnlyWhenAskedFor)
     };
     EXPECT_FALSE(writes(scene.plan(), normalImage));
     EXPECT_FALSE(writes(scene.plan(), evaluationsImage));
-    scene.request.channels = {true, true};
+    EXPECT_FALSE(writes(scene.plan(), albedoImage));
+    scene.request.channels = {true, true, true};
     EXPECT_TRUE(writes(scene.plan(), normalImage));
+    EXPECT_TRUE(writes(scene.plan(), albedoImage));
     EXPECT_EQ(reasonFor(scene.plan(), "sdf_morph/count"), "it ran");
 }
 

@@ -28,7 +28,7 @@ const std::map<std::string, render::FramePlan>& plansOfPresets(bool everything =
     auto scenes = scenesOfPresets();
     for (auto& [name, scene] : scenes) {
         scene.request.runEverything = everything;
-        scene.request.channels = {.normal = everything, .evaluations = everything};
+        scene.request.channels = {.normal = everything, .evaluations = everything, .albedo = everything};
         plans.emplace(name, scene.plan());
     }
     return plans;

@@ -144,7 +144,7 @@ TEST(WritePicture, RefusesWhatDoesNotFit)
     EXPECT_FAILURE(writePicture(folder / "a.png", noise(2, 2, 5), PictureFormat::png8), "choose OpenEXR");
     EXPECT_FAILURE(writePicture(folder / "a.exr", noise(2, 2, 5), PictureFormat::exr), "have no names");
     EXPECT_FAILURE(writePicture(folder / "a.jpg", noise(2, 2, 3), PictureFormat::png8), "does not fit the format PNG");
-    EXPECT_FAILURE(writePicture(folder / "a.exr", noise(2, 2, 17), PictureFormat::exr), "17 channels");
+    EXPECT_FAILURE(writePicture(folder / "a.exr", noise(2, 2, 33), PictureFormat::exr), "33 channels");
     EXPECT_TRUE(folder.files().empty());
 }
 

@@ -131,7 +131,7 @@ class ServedTest(unittest.TestCase):
     def test_arrays_are_the_values_in_the_files_of_the_command(self):
         shot = ["--alone", "--size", "16x9", "--samples", "2", "--set", "morph=0.3"]
         exr, png = self.folder / "a.exr", self.folder / "a.png"
-        channels = "color,depth,normal,evaluations"
+        channels = "color,depth,normal,evaluations,albedo"
         self.command("render", "sdf_morph", *shot, "--channels", channels, "--out", exr)
         self.command("render", "sdf_morph", *shot, "--out", png)
         options = {"alone": True, "size": (16, 9), "samples": 2, "set": {"morph": 0.3}}
