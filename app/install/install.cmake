@@ -1,11 +1,12 @@
 # Files of `cmake --install` and their folders, and the Debian package that `cpack` makes from a finished build tree.
-# The program finds its assets in share/vitrine and its five modules in lib/vitrine/modules, relative to its own folder.
+# The program finds its assets in share/vitrine and its modules in lib/vitrine/modules, relative to its own folder.
 
 set(vitrine_generated ${PROJECT_BINARY_DIR}/app/install)
 set(vitrine_install ${PROJECT_SOURCE_DIR}/app/install)
 
 install(TARGETS vitrine RUNTIME DESTINATION bin)
-install(TARGETS vitrine_oiio vitrine_video vitrine_draco vitrine_gamepad vitrine_editor LIBRARY DESTINATION lib/vitrine/modules)
+install(TARGETS vitrine_oiio vitrine_video vitrine_draco vitrine_gamepad vitrine_controllers
+                vitrine_editor LIBRARY DESTINATION lib/vitrine/modules)
 install(TARGETS vitrine_shader_compiler RUNTIME DESTINATION lib/vitrine)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/ DESTINATION share/vitrine
         PATTERN "*.py" EXCLUDE PATTERN "*.sh" EXCLUDE PATTERN "*.blend*" EXCLUDE PATTERN "__pycache__" EXCLUDE

@@ -427,6 +427,11 @@ Zeiten werden gemessen, sobald alle gezeichnet sind.</translation>
         <translation>%1 Bildschirmfotos gespeichert, das letzte als %2.</translation>
     </message>
     <message>
+        <location filename="ui/controllers/controllers.cpp"/>
+        <source>%1 stands at %2. Move it to the present value, %3; from there on it moves the parameter.</source>
+        <translation>%1 steht bei %2. Bewegen Sie den Regler zum jetzigen Wert, %3; von da an stellt er den Parameter.</translation>
+    </message>
+    <message>
         <location filename="ui/lessons/lesson_bar.cpp"/>
         <source>%1 steps</source>
         <translation>%1 Schritte</translation>
@@ -532,6 +537,11 @@ Zeiten werden gemessen, sobald alle gezeichnet sind.</translation>
         <translation>%1, %2, aus %3</translation>
     </message>
     <message>
+        <location filename="ui/controllers/controllers.cpp"/>
+        <source>%1, at %2</source>
+        <translation>%1, steht bei %2</translation>
+    </message>
+    <message>
         <location filename="ui/parameters/direction_editor.cpp"/>
         <source>%1, azimuth</source>
         <translation>%1, Azimut</translation>
@@ -565,6 +575,11 @@ Zeiten werden gemessen, sobald alle gezeichnet sind.</translation>
         <location filename="ui/editor/shader_panel.cpp"/>
         <source>%1, fragment shader</source>
         <translation>%1, Fragment-Shader</translation>
+    </message>
+    <message>
+        <location filename="ui/controllers/controllers.cpp"/>
+        <source>%1, number %2</source>
+        <translation>%1, Zahl %2</translation>
     </message>
     <message>
         <location filename="ui/parameters/number_editor.cpp"/>
@@ -4789,6 +4804,11 @@ Zeiten nach: %2.</translation>
         <translation>Die Ansichten lassen sich nicht in {=1} aufbewahren: {2} ist misslungen ({=3}); geben Sie dort Platz frei, oder lassen Sie TMPDIR einen Ordner mit mehr davon nennen.</translation>
     </message>
     <message>
+        <location filename="ui/controllers/module/controllers_module.cpp"/>
+        <source>Cannot listen to OSC at port {1}: {2}. Choose another port in Edit &gt; Preferences &gt; Controllers.</source>
+        <translation>OSC kann am Port {1} nicht empfangen werden: {2}. Wählen Sie einen anderen Port in Bearbeiten &gt; Einstellungen &gt; Controller.</translation>
+    </message>
+    <message>
         <location filename="exhibits/printing/print_description.cpp"/>
         <source>Cannot look at {1}: it carries no description of its sheet, and there is no {2} beside it; choose a file that vitrine print wrote.</source>
         <translation>{=1} kann nicht betrachtet werden: Er enthält keine Beschreibung seiner Folie, und daneben gibt es kein {=2}; wählen Sie eine Datei, die vitrine print geschrieben hat.</translation>
@@ -5016,6 +5036,11 @@ Zeiten nach: %2.</translation>
         <translation>Katze</translation>
     </message>
     <message>
+        <location filename="ui/controllers/controllers.cpp"/>
+        <source>CC %1, channel %2</source>
+        <translation>CC %1, Kanal %2</translation>
+    </message>
+    <message>
         <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
         <source>Cells near the surface</source>
         <translation>Zellen nahe der Oberfläche</translation>
@@ -5052,6 +5077,11 @@ Zeiten nach: %2.</translation>
         <location filename="ui/tree/tree_rows.cpp"/>
         <source>Change %1</source>
         <translation>%1 ändern</translation>
+    </message>
+    <message>
+        <location filename="ui/controllers/controllers.cpp"/>
+        <source>Change %1 by a controller</source>
+        <translation>%1 durch einen Controller ändern</translation>
     </message>
     <message>
         <location filename="ui/model/outside_changes.cpp"/>
@@ -6064,6 +6094,26 @@ Zeiten nach: %2.</translation>
         <source>Contrast</source>
         <extracomment>tables</extracomment>
         <translation>Kontrast</translation>
+    </message>
+    <message>
+        <location filename="ui/parameters/parameter_row.cpp"/>
+        <source>Controller of %1: %2</source>
+        <translation>Controller von %1: %2</translation>
+    </message>
+    <message>
+        <location filename="ui/preferences/preferences_dialog.cpp"/>
+        <source>Controllers</source>
+        <translation>Controller</translation>
+    </message>
+    <message>
+        <location filename="ui/window/main_window.cpp"/>
+        <source>Controllers that can move parameters (Edit &gt; Preferences &gt; Controllers).</source>
+        <translation>Controller, die Parameter stellen können (Bearbeiten &gt; Einstellungen &gt; Controller).</translation>
+    </message>
+    <message>
+        <location filename="ui/window/main_window.cpp"/>
+        <source>Controllers: %1</source>
+        <translation>Controller: %1</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/quilt/quilt_table.h"/>
@@ -8527,6 +8577,21 @@ Optics, printed dots, and ink that spreads as far as is set.</source>
 Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translation>
     </message>
     <message>
+        <location filename="ui/preferences/preferences_dialog.cpp"/>
+        <source>Forget all controllers</source>
+        <translation>Alle Controller vergessen</translation>
+    </message>
+    <message>
+        <location filename="ui/parameters/parameter_menus.cpp"/>
+        <source>Forget controller</source>
+        <translation>Controller vergessen</translation>
+    </message>
+    <message>
+        <location filename="ui/preferences/preferences_dialog.cpp"/>
+        <source>Forgets which control moves which parameter.</source>
+        <translation>Vergisst, welcher Regler welchen Parameter stellt.</translation>
+    </message>
+    <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
         <location filename="exhibits/jobs/shader/shader_job.cpp"/>
         <source>Form</source>
@@ -10835,6 +10900,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Aufbewahrte Studien</translation>
     </message>
     <message>
+        <location filename="ui/controllers/controllers.cpp"/>
+        <source>Key %1, channel %2</source>
+        <translation>Taste %1, Kanal %2</translation>
+    </message>
+    <message>
         <location filename="exhibits/sdf_scenes/field_reader.cpp"/>
         <location filename="exhibits/sdf_scenes/source_scene.cpp"/>
         <source>key of {1}</source>
@@ -11098,6 +11168,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>Layer blend</source>
         <extracomment>tables</extracomment>
         <translation>Schichtübergang</translation>
+    </message>
+    <message>
+        <location filename="ui/parameters/parameter_menus.cpp"/>
+        <source>Learn controller</source>
+        <translation>Controller anlernen</translation>
     </message>
     <message>
         <location filename="ui/preferences/keys_page.cpp"/>
@@ -11378,6 +11453,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Level of detail</source>
         <extracomment>tables</extracomment>
         <translation>Detailstufe</translation>
+    </message>
+    <message>
+        <location filename="ui/controllers/control_input.cpp"/>
+        <source>libvitrine_controllers.so belongs to another version of Vitrine; build both together.</source>
+        <translation>libvitrine_controllers.so gehört zu einer anderen Version von Vitrine; bauen Sie beide zusammen.</translation>
     </message>
     <message>
         <location filename="ui/editor/code_view.cpp"/>
@@ -12256,6 +12336,21 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Maß, in dem Fehler gemessen werden.</translation>
     </message>
     <message>
+        <location filename="ui/controllers/controllers.cpp"/>
+        <source>MIDI %1</source>
+        <translation>MIDI %1</translation>
+    </message>
+    <message>
+        <location filename="ui/preferences/preferences_dialog.cpp"/>
+        <source>MIDI devices</source>
+        <translation>MIDI-Geräte</translation>
+    </message>
+    <message>
+        <location filename="ui/controllers/module/controllers_module.cpp"/>
+        <source>MIDI devices cannot be read: {1}. Load the ALSA sequencer (modprobe snd-seq), or switch MIDI off in Edit &gt; Preferences &gt; Controllers.</source>
+        <translation>MIDI-Geräte können nicht gelesen werden: {1}. Laden Sie den ALSA-Sequenzer (modprobe snd-seq), oder schalten Sie MIDI in Bearbeiten &gt; Einstellungen &gt; Controller aus.</translation>
+    </message>
+    <message>
         <location filename="ui/study/study_view.cpp"/>
         <source>Milliseconds</source>
         <translation>Millisekunden</translation>
@@ -12538,6 +12633,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>%1 verschieben</translation>
     </message>
     <message>
+        <location filename="ui/controllers/controllers.cpp"/>
+        <source>Move a control of your controller…</source>
+        <translation>Bewegen Sie einen Regler Ihres Controllers …</translation>
+    </message>
+    <message>
         <location filename="ui/explore/pad_control.cpp"/>
         <source>Move between four settings</source>
         <translation>Zwischen vier Einstellungen bewegen</translation>
@@ -12561,6 +12661,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Move the wipe</source>
         <translation>Die Wischblende bewegen</translation>
+    </message>
+    <message>
+        <location filename="ui/controllers/controllers.cpp"/>
+        <source>Moved by %1. The menu of the parameter forgets it.</source>
+        <translation>Wird von %1 gestellt. Das Menü des Parameters löst die Zuordnung.</translation>
     </message>
     <message>
         <location filename="ui/print/print_numbers.cpp"/>
@@ -12769,6 +12874,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="render/image/profile_conversion.cpp"/>
         <source>No colors can be converted into this ICC profile; give one of a printer, a display or a color space, with red, green and blue or with four inks.</source>
         <translation>In dieses ICC-Profil können keine Farben umgerechnet werden; geben Sie das eines Druckers, eines Bildschirms oder eines Farbraums an, mit Rot, Grün und Blau oder mit vier Druckfarben.</translation>
+    </message>
+    <message>
+        <location filename="ui/window/main_window.cpp"/>
+        <source>No controller is listened to. Set an OSC port or switch on MIDI in Edit &gt; Preferences &gt; Controllers, then choose “Learn controller” again.</source>
+        <translation>Kein Controller wird empfangen. Setzen Sie einen OSC-Port oder schalten Sie MIDI ein, unter Bearbeiten &gt; Einstellungen &gt; Controller, und wählen Sie dann erneut „Controller anlernen“.</translation>
     </message>
     <message>
         <location filename="ui/study/study_chart.cpp"/>
@@ -13859,6 +13969,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>von %1</translation>
     </message>
     <message>
+        <location filename="ui/preferences/preferences_dialog.cpp"/>
+        <source>Off</source>
+        <translation>Aus</translation>
+    </message>
+    <message>
         <location filename="ui/parameters/shown_text.cpp"/>
         <location filename="ui/presets/preset_facts.cpp"/>
         <location filename="exhibits/fur/fur_table.h"/>
@@ -14259,6 +14374,16 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>orthographic</source>
         <extracomment>tables</extracomment>
         <translation>orthografisch</translation>
+    </message>
+    <message>
+        <location filename="ui/controllers/controllers.cpp"/>
+        <source>OSC %1</source>
+        <translation>OSC %1</translation>
+    </message>
+    <message>
+        <location filename="ui/preferences/preferences_dialog.cpp"/>
+        <source>OSC port</source>
+        <translation>OSC-Port</translation>
     </message>
     <message>
         <location filename="app/serve/window_service.cpp"/>
@@ -14944,6 +15069,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/printing/print_table.h"/>
         <source>pitch</source>
         <translation>Pitch</translation>
+    </message>
+    <message>
+        <location filename="ui/controllers/controllers.cpp"/>
+        <source>Pitch bend, channel %1</source>
+        <translation>Tonhöhenrad, Kanal %1</translation>
     </message>
     <message>
         <location filename="exhibits/lenticular/lenticular_table.h"/>
@@ -16097,6 +16227,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Wird gelesen, %1 %</translation>
     </message>
     <message>
+        <location filename="ui/preferences/preferences_dialog.cpp"/>
+        <source>Reads all MIDI devices of this machine, also those plugged in later.</source>
+        <translation>Liest alle MIDI-Geräte dieses Rechners, auch später angeschlossene.</translation>
+    </message>
+    <message>
         <location filename="render/image/oiio_codec.cpp"/>
         <source>reads and writes pictures</source>
         <translation>liest und schreibt Bilder</translation>
@@ -16110,6 +16245,9 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="render/scene/draco_codec.cpp"/>
         <source>reads meshes that Draco compressed</source>
         <translation>liest Netze, die Draco komprimiert hat</translation>
+        <location filename="ui/controllers/control_input.cpp"/>
+        <source>reads OSC and MIDI controllers</source>
+        <translation>liest OSC- und MIDI-Controller</translation>
     </message>
     <message>
         <location filename="ui/preferences/keys_page.cpp"/>
@@ -19395,6 +19533,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Hier beenden</translation>
     </message>
     <message>
+        <location filename="ui/parameters/parameter_menus.cpp"/>
+        <source>Stop learning</source>
+        <translation>Anlernen abbrechen</translation>
+    </message>
+    <message>
         <location filename="ui/window/clock_bar.cpp"/>
         <source>Stop or start the clock</source>
         <translation>Uhr anhalten oder starten</translation>
@@ -20884,6 +21027,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="render/files/atomic_write.cpp"/>
         <source>the new content is in place, but the disk did not confirm it ({1}); save once more.</source>
         <translation>der neue Inhalt steht an seinem Platz, aber der Datenträger hat ihn nicht bestätigt ({=1}); speichern Sie noch einmal.</translation>
+    </message>
+    <message>
+        <location filename="ui/controllers/controllers.cpp"/>
+        <source>The next control that moves will move this parameter. Its menu ends the learning.</source>
+        <translation>Der nächste bewegte Regler stellt künftig diesen Parameter. Sein Menü bricht das Anlernen ab.</translation>
     </message>
     <message>
         <location filename="exhibits/hall/hall_antialiasing.cpp"/>
@@ -23210,6 +23358,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Bis</translation>
     </message>
     <message>
+        <location filename="ui/preferences/preferences_dialog.cpp"/>
+        <source>To give a control to a parameter, choose “Learn controller” in the menu of the parameter (right click or Shift+F10), then move the control.</source>
+        <translation>Um einem Parameter einen Regler zu geben, wählen Sie „Controller anlernen“ im Menü des Parameters (Rechtsklick oder Umschalt+F10) und bewegen dann den Regler.</translation>
+    </message>
+    <message>
         <location filename="ui/window/dock_title.cpp"/>
         <source>To the &amp;bottom</source>
         <translation>Nach &amp;unten</translation>
@@ -23564,6 +23717,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="ui/window/shortcut_sheet.cpp"/>
         <source>Type: 1/3, 2*pi, 30deg</source>
         <translation>Tippen: 1/3, 2*pi, 30deg</translation>
+    </message>
+    <message>
+        <location filename="ui/preferences/preferences_dialog.cpp"/>
+        <source>UDP port at which OSC controllers, such as an app on a tablet, are listened to; usual is 9000. Every program on your network can then move the parameters that have learned a controller.</source>
+        <translation>UDP-Port, an dem OSC-Controller empfangen werden, etwa eine App auf einem Tablet; üblich ist 9000. Jedes Programm in Ihrem Netz kann dann die Parameter stellen, die einen Controller angelernt haben.</translation>
     </message>
     <message>
         <location filename="render/plan/frame_plan.cpp"/>

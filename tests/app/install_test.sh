@@ -24,7 +24,7 @@ has() {
 
 cmake --install "$build" --prefix "$root/usr" >"$root/log" || { cat "$root/log"; fail "cmake --install failed"; }
 share=$root/usr/share
-for file in bin/vitrine lib/vitrine/modules/libvitrine_oiio.so lib/vitrine/modules/libvitrine_video.so lib/vitrine/modules/libvitrine_draco.so lib/vitrine/modules/libvitrine_gamepad.so lib/vitrine/modules/libvitrine_editor.so share/vitrine/presets/fur/cat.json \
+for file in bin/vitrine lib/vitrine/modules/libvitrine_oiio.so lib/vitrine/modules/libvitrine_video.so lib/vitrine/modules/libvitrine_draco.so lib/vitrine/modules/libvitrine_gamepad.so lib/vitrine/modules/libvitrine_controllers.so lib/vitrine/modules/libvitrine_editor.so share/vitrine/presets/fur/cat.json \
     share/vitrine/lessons/fur.md share/vitrine/lessons/de/fur.md share/vitrine/pages/de/fur.html share/vitrine/pages/figures/fur-march.png share/vitrine/pages/page.css share/vitrine/pages/figures/penumbra.svg \
     lib/python3/dist-packages/vitrine/__init__.py share/applications/org.vitrine.Vitrine.desktop share/icons/hicolor/48x48/apps/org.vitrine.Vitrine.png share/man/man1/vitrine.1.gz; do
     [ -e "$root/usr/$file" ] || fail "$file was not installed"

@@ -147,6 +147,7 @@ const std::map<std::string, std::vector<std::string>> roomsOfUi{
     {"tree", {"kit", "model", "viewport", "parameters", "editor"}},
     {"study", {"kit", "model", "viewport", "parameters", "jobs"}},
     {"gamepad", {"kit", "model", "viewport"}},
+    {"controllers", {"kit", "model", "viewport", "parameters"}},
     {"lessons", {"kit", "model", "viewport", "parameters"}},
     {"print", {"kit", "model", "viewport", "parameters", "presets"}},
     {"jobs", {"kit", "model", "viewport", "parameters"}},
@@ -154,9 +155,9 @@ const std::map<std::string, std::vector<std::string>> roomsOfUi{
     {"preferences", {"kit", "model", "viewport", "parameters"}},
     {"export", {"kit", "model", "viewport"}},
     {"report", {"kit"}},
-    {"window",
-     {"kit", "model", "viewport", "parameters", "presets", "charts", "compare", "explore", "editor", "tree", "lessons",
-      "study", "print", "jobs", "record", "preferences", "gamepad", "export", "report"}},
+    {"window", {"kit",     "model",       "viewport", "parameters",  "presets", "charts", "compare",
+                "explore", "editor",      "tree",     "lessons",     "study",   "print",  "jobs",
+                "record",  "preferences", "gamepad",  "controllers", "export",  "report"}},
 };
 
 /// Returns the folder below the first one; empty if there is none.

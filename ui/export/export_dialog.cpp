@@ -19,8 +19,8 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr int kindsWidth = 150;   // Pixels.
-constexpr int mostOfScreen = 18;  // Percent.
+constexpr int kindsWidth = 150;         // Pixels.
+constexpr int kindsShareOfScreen = 18;  // Percent.
 constexpr int idRole = Qt::UserRole;
 
 QSettings exportPlaces()
@@ -68,7 +68,7 @@ ExportDialog::ExportDialog(std::vector<ExportKind> kinds, QWidget* parent)
 QWidget* ExportDialog::buildColumn()
 {
     auto* column = new QWidget(this);
-    growWidth(*column, kindsWidth, mostOfScreen);
+    growWidth(*column, kindsWidth, kindsShareOfScreen);
     auto* layout = new QVBoxLayout(column);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);

@@ -39,8 +39,8 @@ namespace vitrine::ui {
 namespace {
 
 constexpr int jobPanelWidth = 376;
-constexpr int mostOfScreen = 38;     // Percent of the screen that the panel takes at most.
-constexpr double leastExpected = 3;  // Seconds from which the expected time is a number.
+constexpr int planShareOfScreen = 38;  // Percent of the screen that the panel takes at most.
+constexpr double leastExpected = 3;    // Seconds from which the expected time is a number.
 
 // Cause of a problem in the message list. Problems of different causes are removed separately.
 QString jobExportCause()
@@ -102,7 +102,7 @@ void JobDialog::build()
     panel_ = new ParameterPanel(setup_.history(), this);
     panel_->showExhibit(0, text(job_.name()));
     if (preview_)
-        growWidth(*panel_, jobPanelWidth, mostOfScreen);
+        growWidth(*panel_, jobPanelWidth, planShareOfScreen);
     else
         growMinimumWidth(*panel_, jobPanelWidth);
     // Without a preview, the settings use its space.

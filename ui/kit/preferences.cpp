@@ -21,6 +21,8 @@ constexpr qint64 largestFile = 1 << 20;  // Bytes; a valid file has a few hundre
 constexpr int mostKeys = 1000;           // Number of actions with shortcuts of the visitor's own.
 constexpr int mostShortcuts = 4;         // Shortcuts of one action.
 constexpr int longestShortcut = 60;      // Characters.
+constexpr int mostControllers = 1000;    // Parameters with a control of their own.
+constexpr int longestController = 200;   // Characters of a parameter's key, and of its control.
 
 constexpr std::array themeNames{"desktop", "light", "dark", "highContrast"};
 constexpr std::array motionNames{"desktop", "reduced", "full"};
@@ -30,13 +32,23 @@ struct NumberKey {
     int PreferenceValues::*value;
     PreferenceRange range;
 };
-constexpr std::array<NumberKey, 6> numberKeys{
+constexpr std::array<NumberKey, 7> numberKeys{
     {{"typeSize", &PreferenceValues::typeSize, PreferenceValues::typeSizes},
      {"lookSpeed", &PreferenceValues::lookSpeed, PreferenceValues::lookSpeeds},
      {"wheelSpeed", &PreferenceValues::wheelSpeed, PreferenceValues::wheelSpeeds},
      {"mostSamples", &PreferenceValues::mostSamples, PreferenceValues::sampleLimits},
      {"leastScale", &PreferenceValues::leastScale, PreferenceValues::movingScales},
-     {"recentCount", &PreferenceValues::recentFiles, PreferenceValues::recentCounts}}};
+     {"recentCount", &PreferenceValues::recentFiles, PreferenceValues::recentCounts},
+     {"oscPort", &PreferenceValues::oscPort, PreferenceValues::oscPorts}}};
+
+struct SwitchKey {
+    const char* name;
+    bool PreferenceValues::*value;
+};
+constexpr std::array<SwitchKey, 2> switchKeys{
+    {{"invertedLook", &PreferenceValues::invertedLook}, {"midi", &PreferenceValues::midi}}};
+
+const QString controllersGroup = QStringLiteral("controllers");
 
 QString filePath()
 {
@@ -87,6 +99,14 @@ void readNumber(const QSettings& settings, const NumberKey& key, PreferenceValue
         wrong << QLatin1String(key.name);
 }
 
+void readSwitch(const QSettings& settings, const SwitchKey& key, PreferenceValues& values, QStringList& wrong)
+{
+    if (!settings.contains(QLatin1String(key.name))) return;
+    const QString saved = settings.value(QLatin1String(key.name)).toString();
+    values.*key.value = saved == QLatin1String("true");
+    if (saved != QLatin1String("true") && saved != QLatin1String("false")) wrong << QLatin1String(key.name);
+}
+
 bool isShortcut(const QString& text)
 {
     if (text.size() > longestShortcut) return false;
@@ -112,6 +132,19 @@ void readKeys(QSettings& settings, PreferenceValues& values, QStringList& wrong)
     settings.endGroup();
 }
 
+void readControllers(QSettings& settings, PreferenceValues& values, QStringList& wrong)
+{
+    settings.beginGroup(controllersGroup);
+    for (const QString& key : settings.allKeys().mid(0, mostControllers)) {
+        const QString control = settings.value(key).toString();
+        if (key.size() <= longestController && !control.isEmpty() && control.size() <= longestController)
+            values.controllers.insert(key, control);
+        else
+            wrong << controllersGroup + QLatin1Char('/') + key.left(longestController);
+    }
+    settings.endGroup();
+}
+
 PreferenceValues readFrom(const QString& path, QStringList& wrong)
 {
     PreferenceValues values;
@@ -119,13 +152,21 @@ PreferenceValues readFrom(const QString& path, QStringList& wrong)
     readChoice(settings, "theme", themeNames, values.theme, wrong);
     readChoice(settings, "motion", motionNames, values.motion, wrong);
     for (const NumberKey& key : numberKeys) readNumber(settings, key, values, wrong);
-    if (settings.contains(QStringLiteral("invertedLook"))) {
-        const QString saved = settings.value(QStringLiteral("invertedLook")).toString();
-        values.invertedLook = saved == QLatin1String("true");
-        if (saved != QLatin1String("true") && saved != QLatin1String("false")) wrong << QStringLiteral("invertedLook");
-    }
+    for (const SwitchKey& key : switchKeys) readSwitch(settings, key, values, wrong);
     readKeys(settings, values, wrong);
+    readControllers(settings, values, wrong);
     return values;
+}
+
+/// Writes the controllers that differ from those before, and no others.
+void writeControllers(QSettings& settings, const QMap<QString, QString>& before, const QMap<QString, QString>& now)
+{
+    settings.beginGroup(controllersGroup);
+    for (auto entry = before.begin(); entry != before.end(); ++entry)
+        if (!now.contains(entry.key())) settings.remove(entry.key());
+    for (auto entry = now.begin(); entry != now.end(); ++entry)
+        if (before.value(entry.key()) != entry.value()) settings.setValue(entry.key(), entry.value());
+    settings.endGroup();
 }
 
 PreferenceValues within(PreferenceValues values)
@@ -207,11 +248,12 @@ void Preferences::write(const PreferenceValues& before)
     for (const NumberKey& key : numberKeys)
         keep(QLatin1String(key.name), values_.*key.value, values_.*key.value != before.*key.value,
              values_.*key.value != initial.*key.value);
-    keep(QStringLiteral("invertedLook"), values_.invertedLook, values_.invertedLook != before.invertedLook,
-         values_.invertedLook);
+    for (const SwitchKey& key : switchKeys)
+        keep(QLatin1String(key.name), values_.*key.value, values_.*key.value != before.*key.value, values_.*key.value);
     const QString group = QStringLiteral("keys/");
     for (const QString& wrong : std::as_const(wrong_))
-        if (wrong.startsWith(group)) settings.remove(wrong);
+        if (wrong.contains(QLatin1Char('/'))) settings.remove(wrong);
+    writeControllers(settings, before.controllers, values_.controllers);
     for (auto key = before.keys.begin(); key != before.keys.end(); ++key)
         if (!values_.keys.contains(key.key())) settings.remove(group + key.key());
     for (auto key = values_.keys.begin(); key != values_.keys.end(); ++key)

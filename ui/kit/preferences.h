@@ -24,6 +24,7 @@ struct PreferenceValues {
     static constexpr PreferenceRange sampleLimits{1, 256, 256};
     static constexpr PreferenceRange movingScales{25, 100, 25};
     static constexpr PreferenceRange recentCounts{0, 50, 10};
+    static constexpr PreferenceRange oscPorts{0, 65535, 0};
 
     ThemeChoice theme = ThemeChoice::desktop;
     MotionChoice motion = MotionChoice::desktop;
@@ -35,8 +36,12 @@ struct PreferenceValues {
     int mostSamples = sampleLimits.initial;
     int leastScale = movingScales.initial;   ///< Lowest resolution of a picture in motion, in percent.
     int recentFiles = recentCounts.initial;  ///< Number of recent files that are kept.
+    int oscPort = oscPorts.initial;          ///< UDP port for OSC controllers; 0: none is opened.
+    bool midi = false;                       ///< MIDI devices are read.
     /// Shortcuts by action id, in Qt's portable text. Only actions with changed shortcuts have an entry.
     QMap<QString, QStringList> keys;
+    /// Controls that move parameters, as text (`controlText`), by "exhibit/parameter".
+    QMap<QString, QString> controllers;
 
     bool operator==(const PreferenceValues&) const = default;
 };

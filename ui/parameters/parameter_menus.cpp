@@ -4,6 +4,7 @@
 #include "ui/kit/language.h"
 #include "ui/kit/menu_text.h"
 #include "ui/model/settings_b.h"
+#include "ui/parameters/controlled_parameters.h"
 #include "ui/parameters/group_edits.h"
 #include "ui/parameters/motion_dialog.h"
 #include "ui/parameters/panel_choices.h"
@@ -67,6 +68,7 @@ void ParameterMenus::openRow(std::size_t row, const QPoint& at)
     menu->addAction(tr("Copy all as JSON"), this, [this] { copyAll(); });
     menu->addAction(tr("Paste all"), this, [this, row] { pasteAll(row); });
     addMotionTo(*menu, row);
+    addControllerTo(*menu, row);
     addOtherTo(*menu, row);
     addChoicesTo(*menu, row);
     menu->popup(at);
@@ -131,6 +133,18 @@ void ParameterMenus::setMotion(std::size_t row, const QString& words, const std:
                                const Value& base)
 {
     edits().setMotion(row, words, motion, base);
+}
+
+void ParameterMenus::addControllerTo(QMenu& menu, std::size_t row)
+{
+    const QString key = panel_.keyOf(row);
+    if (!controllers_ || !controllers_->mayLearn(key)) return;
+    menu.addSeparator();
+    const bool learning = controllers_->isLearning(key);
+    menu.addAction(learning ? tr("Stop learning") : tr("Learn controller"), this,
+                   [this, key, learning] { controllers_->learn(learning ? QString() : key); });
+    if (controllers_->isControlled(key))
+        menu.addAction(tr("Forget controller"), this, [this, key] { controllers_->forget(key); });
 }
 
 void ParameterMenus::addChoicesTo(QMenu& menu, std::size_t row)

@@ -16,6 +16,7 @@ class QMenu;
 
 namespace vitrine::ui {
 
+class ControlledParameters;
 class GroupEdits;
 class SettingsB;
 class PanelChoices;
@@ -46,6 +47,10 @@ public:
     [[nodiscard]] bool hasPush(std::size_t row) const { return push_ && push_(row); }
     /// Makes the changes of a parameter's button, as one undo step.
     void push(std::size_t row);
+
+    /// Sets the controllers that parameters can learn; null: none.
+    void setControllers(ControlledParameters* controllers) { controllers_ = controllers; }
+    [[nodiscard]] ControlledParameters* controllers() const { return controllers_; }
 
     /// Opens the menu of a parameter at a position on the screen.
     void openRow(std::size_t row, const QPoint& at);
@@ -79,6 +84,8 @@ private:
     void addOtherTo(QMenu&, std::size_t row);
     /// Adds the entries that pin the parameter and lock it and its group.
     void addChoicesTo(QMenu&, std::size_t row);
+    /// Adds the entries that give the parameter to a controller and take it back.
+    void addControllerTo(QMenu&, std::size_t row);
     /// Adds the entries of a group that is one of an array.
     void addArrayTo(QMenu&, const ParameterInfo& first);
     void lock(const std::vector<std::size_t>& rows, bool locked);
@@ -93,6 +100,7 @@ private:
     ParameterPanel& panel_;
     PanelChoices& choices_;
     SettingsB* other_ = nullptr;
+    ControlledParameters* controllers_ = nullptr;
     AnimationTime moment_;
     bool gauges_ = false;
     Push push_;

@@ -7,6 +7,7 @@
 #include "ui/kit/text.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/type_size.h"
+#include "ui/parameters/controlled_parameters.h"
 #include "ui/parameters/group_edits.h"
 #include "ui/parameters/number_field.h"
 #include "ui/parameters/panel_choices.h"
@@ -70,6 +71,19 @@ ParameterPanel::ParameterPanel(History& history, QWidget* parent)
     connect(menus_, &ParameterMenus::groupsChanged, this, &ParameterPanel::showGroups);
     connect(menus_, &ParameterMenus::foldingAsked, this, &ParameterPanel::foldAll);
     watch();
+}
+
+void ParameterPanel::showController(const QString& key)
+{
+    const QString exhibit = name_ + QLatin1Char('/');
+    const ControlledParameters* controllers = menus_->controllers();
+    if (!controllers || !table_ || !key.startsWith(exhibit)) return;
+    if (ParameterRow* shown = row(key.mid(exhibit.size()).toStdString())) shown->setController(controllers->note(key));
+}
+
+void ParameterPanel::showControllers()
+{
+    for (std::size_t i = 0; i < rows_.size(); ++i) showController(keyOf(i));
 }
 
 void ParameterPanel::setHeading(QWidget* heading)
@@ -197,6 +211,7 @@ void ParameterPanel::rebuild()
     makeRoom();
     orderTabs();
     showValues();
+    showControllers();
     showOnlyWanted();
 }
 

@@ -57,6 +57,9 @@ public:
     /// Sets the time of the last picture, for animated parameters: their rows show the values at that time.
     void showMoment(const AnimationTime&);
 
+    /// Shows the note of a parameter's controller again; `key` as of `keyOf`.
+    void showController(const QString& key);
+
     /// Puts a widget beside the button "Changed", in the first line of the panel, which then owns it.
     void setHeading(QWidget*);
     // The following functions take the index or the name of a parameter of the shown table.
@@ -103,6 +106,7 @@ private:
     void showValues();
     void showValue(std::size_t row);
     void showWhatActs();
+    void showControllers();
     void showChoice(PanelChoice);
     void foldAll(bool folded);
     /// Shows the wanted parameters, and of these only the changed ones if the visitor asked for that.

@@ -350,6 +350,7 @@ void ParameterRow::describe()
 {
     QStringList now;
     if (idle()) now << whyIdle();
+    if (!controlledBy_.isEmpty()) now << controlledBy_;
     if (!motion_.isEmpty()) now << tr("Animated: %1. Setting it by hand stops the animation.").arg(motion_);
     setAccessibleDescription(now.join(QLatin1Char(' ')));
     now << tooltipText(info());
@@ -361,6 +362,36 @@ void ParameterRow::resizeEvent(QResizeEvent* event)
     QWidget::resizeEvent(event);
     alignEditors();
     fitLabel();
+}
+
+void ParameterRow::setController(const ParameterNote& note)
+{
+    if (note.explanation == controlledBy_) return;
+    controlledBy_ = note.explanation;
+    if (!controller_) {
+        controller_ = new QLabel(this);
+        controller_->setTextFormat(Qt::PlainText);
+        controller_->setForegroundRole(QPalette::PlaceholderText);
+        followType(*controller_, [this] { placeController(); });
+    }
+    const bool shown = !note.text.isEmpty();
+    if (shown == controller_->isHidden()) {
+        controller_->setVisible(shown);
+        placeController();
+        if (isVisible()) fitLabel();
+    }
+    controller_->setText(note.text);
+    controller_->setAccessibleName(tr("Controller of %1: %2").arg(translatedText(label(info())), note.text));
+    describe();
+}
+
+void ParameterRow::placeController()
+{
+    const int height = controller_ && !controller_->isHidden() ? controller_->fontMetrics().height() : 0;
+    const QMargins margins = layout()->contentsMargins();
+    layout()->setContentsMargins(margins.left(), margins.top(), margins.right(), 2 + height);
+    if (height > 0)
+        controller_->setGeometry(margins.left(), this->height() - height - 1, width() - margins.left() - 2, height);
 }
 
 void ParameterRow::alignEditors()
@@ -376,7 +407,9 @@ void ParameterRow::fitLabel()
     int room = naming_->maximumWidth();
     for (const QWidget* mark : std::initializer_list<QWidget*>{why_, gauge_})
         if (mark && !mark->isHidden()) room -= mark->maximumWidth() + betweenParts;
-    setFixedHeight(std::max(grown(rowHeight, *this), label_->heightFor(room) + grown(4, *this)));
+    const int below = controller_ && !controller_->isHidden() ? controller_->fontMetrics().height() : 0;
+    setFixedHeight(std::max(grown(rowHeight, *this), label_->heightFor(room) + grown(4, *this)) + below);
+    placeController();
 }
 
 int ParameterRow::widthForLabel(const ParameterInfo& parameter, const QWidget& panel)

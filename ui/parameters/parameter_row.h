@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/parameters/controlled_parameters.h"
 #include "ui/parameters/value_editor.h"
 
 #include <QAbstractButton>
@@ -120,6 +121,8 @@ public:
     /// Marks an animated parameter. `how`: description for the tooltip; empty: not animated.
     void setMotion(const QString& how);
     [[nodiscard]] const QString& motion() const { return motion_; }
+    /// Shows below the parameter which control moves it; an empty text: none does.
+    void setController(const ParameterNote&);
     /// Shows or hides the gauge of a quality parameter. It is hidden until its click is handled.
     void setGaugeShown(bool);
     /// Adds a button before the editor, for a parameter that stands for a press.
@@ -142,12 +145,15 @@ private:
     ResetDot* dot_;
     void describe();
     void alignEditors();
+    void placeController();
     /// Makes the row as high as its label.
     void fitLabel();
 
     QString idleUntil_, motion_;
     GaugeMark* gauge_ = nullptr;
     IdleMark* why_;
+    QLabel* controller_ = nullptr;  ///< Made when it is first needed.
+    QString controlledBy_;
     bool differs_ = false;
     bool wanted_ = true;
 };

@@ -33,6 +33,7 @@ PreferencesDialog::PreferencesDialog(Preferences& preferences, KeyBindings& keys
     addWindowPage();
     addPicturePage();
     tabs_->addTab(new KeysPage(keys, this), tr("Keys"));
+    addControllersPage();
     addFilesPage();
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     // Enter in a number field confirms the number only.
@@ -124,6 +125,33 @@ void PreferencesDialog::addPicturePage()
               tr(" %"), 5, PreferenceValues::wheelSpeeds, &PreferenceValues::wheelSpeed);
 }
 
+void PreferencesDialog::addControllersPage()
+{
+    QGridLayout& lines = *page(tr("Controllers"));
+    QSpinBox* port =
+        addNumber(lines,
+                  {tr("OSC port"), tr("UDP port at which OSC controllers, such as an app on a tablet, are listened to; "
+                                      "usual is 9000. Every program on your network can then move the parameters that "
+                                      "have learned a controller.")},
+                  {}, 1, PreferenceValues::oscPorts, &PreferenceValues::oscPort);
+    port->setSpecialValueText(tr("Off"));
+    addSwitch(lines, tr("MIDI devices"), tr("Reads all MIDI devices of this machine, also those plugged in later."),
+              &PreferenceValues::midi);
+    auto* words =
+        new QLabel(tr("To give a control to a parameter, choose “Learn controller” in the menu of the parameter "
+                      "(right click or Shift+F10), then move the control."),
+                   this);
+    words->setTextFormat(Qt::PlainText);
+    words->setWordWrap(true);
+    lines.addWidget(words, lines.rowCount(), 0, 1, 3);
+    auto* forget = new QPushButton(tr("Forget all controllers"), this);
+    forget->setToolTip(tr("Forgets which control moves which parameter."));
+    forget->setAutoDefault(false);
+    connect(forget, &QPushButton::clicked, this,
+            [this] { change([](PreferenceValues& values) { values.controllers.clear(); }); });
+    lines.addWidget(forget, lines.rowCount(), 1, Qt::AlignLeft);
+}
+
 void PreferencesDialog::addFilesPage()
 {
     QGridLayout& lines = *page(tr("Files"));
@@ -188,8 +216,8 @@ void PreferencesDialog::addChoice(QGridLayout& lines, const LineTexts& texts, co
         [set, initial](PreferenceValues& values) { set(values, initial); });
 }
 
-void PreferencesDialog::addNumber(QGridLayout& lines, const LineTexts& texts, const QString& unit, int step,
-                                  PreferenceRange range, int PreferenceValues::*member)
+QSpinBox* PreferencesDialog::addNumber(QGridLayout& lines, const LineTexts& texts, const QString& unit, int step,
+                                       PreferenceRange range, int PreferenceValues::*member)
 {
     auto* box = new QSpinBox(this);
     box->setRange(range.least, range.most);
@@ -202,6 +230,7 @@ void PreferencesDialog::addNumber(QGridLayout& lines, const LineTexts& texts, co
         lines, texts, *box, [box, member](const PreferenceValues& values) { box->setValue(values.*member); },
         [member, range](const PreferenceValues& values) { return values.*member != range.initial; },
         [member, range](PreferenceValues& values) { values.*member = range.initial; });
+    return box;
 }
 
 void PreferencesDialog::addSwitch(QGridLayout& lines, const QString& words, const QString& tip,

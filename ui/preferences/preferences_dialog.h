@@ -9,6 +9,7 @@
 #include <vector>
 
 class QGridLayout;
+class QSpinBox;
 class QTabWidget;
 
 namespace vitrine::ui {
@@ -33,6 +34,7 @@ private:
     QGridLayout* page(const QString& title);
     void addWindowPage();
     void addPicturePage();
+    void addControllersPage();
     void addFilesPage();
     struct LineTexts {
         QString label;  ///< Empty if the control has its own.
@@ -40,8 +42,8 @@ private:
     };
     void addChoice(QGridLayout&, const LineTexts&, const Choices&, std::function<int(const PreferenceValues&)> value,
                    std::function<void(PreferenceValues&, int)> set);
-    void addNumber(QGridLayout&, const LineTexts&, const QString& unit, int step, PreferenceRange,
-                   int PreferenceValues::*);
+    QSpinBox* addNumber(QGridLayout&, const LineTexts&, const QString& unit, int step, PreferenceRange,
+                        int PreferenceValues::*);
     void addSwitch(QGridLayout&, const QString& words, const QString& tip, bool PreferenceValues::*);
     /// Adds the choice of the language menu, which is stored separately.
     void addLanguage(QGridLayout&);

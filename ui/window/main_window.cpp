@@ -10,6 +10,7 @@
 #include "ui/compare/compare_actions.h"
 #include "ui/compare/compare_bar.h"
 #include "ui/compare/compare_controller.h"
+#include "ui/controllers/controllers.h"
 #include "ui/editor/document_file.h"
 #include "ui/explore/explore_dock.h"
 #include "ui/gamepad/gamepad_control.h"
@@ -56,6 +57,7 @@
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QDropEvent>
+#include <QLabel>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QScreen>
@@ -118,6 +120,7 @@ MainWindow::MainWindow(const Museum& museum, Renderers& renderers, const MakesCo
     connectParts();
     connectViewport();
     addGamepad();
+    addControllers();
     new TableReader(*this, this);
     new ExhibitThumbnails(*this, docks_->exhibits(), this);
     visitCard_ = new VisitCard(*viewport_, history_, [this](std::size_t exhibit) { return visitOffers(exhibit); });
@@ -173,6 +176,33 @@ void MainWindow::addGamepad()
         panel().stepRow(step);
     });
     connect(gamepad, &GamepadControl::changeAsked, this, [this](int step, bool again) { panel().nudge(step, again); });
+}
+
+void MainWindow::addControllers()
+{
+    auto* controllers = new Controllers(museum_, history_, preferences_->values(), this);
+    panel().menus().setControllers(controllers);
+    connect(controllers, &Controllers::noteChanged, this, [this](const QString& key) { panel().showController(key); });
+    connect(controllers, &Controllers::problemsChanged, this,
+            [this](const QStringList& texts) { setProblems(QStringLiteral("controllers"), texts); });
+    connect(controllers, &Controllers::nothingListens, this, [this] {
+        say(MessageStrip::Mood::notice, tr("No controller is listened to. Set an OSC port or switch on MIDI in Edit > "
+                                           "Preferences > Controllers, then choose “Learn controller” again."));
+    });
+    auto* line = new QLabel;
+    line->setTextFormat(Qt::PlainText);
+    line->setContentsMargins(4, 0, 8, 0);
+    line->hide();
+    statusBar()->addPermanentWidget(line);
+    connect(controllers, &Controllers::listeningChanged, this, [controllers, line] {
+        const QString text = controllers->listening().join(QStringLiteral(", "));
+        line->setText(text);
+        line->setVisible(!text.isEmpty());
+        line->setAccessibleName(tr("Controllers: %1").arg(text));
+        QStringList tip{tr("Controllers that can move parameters (Edit > Preferences > Controllers).")};
+        tip << controllers->devices();
+        line->setToolTip(tip.join(QLatin1Char('\n')));
+    });
 }
 
 MainWindow::~MainWindow()

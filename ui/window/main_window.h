@@ -15,6 +15,7 @@ namespace vitrine::ui {
 class Bookmarks;
 class CloseGuard;
 class CompareController;
+class Controllers;
 class ExportAgain;
 class FileOpener;
 class LessonController;
@@ -85,6 +86,7 @@ private:
     void connectViewport();
     void addLessons();
     void addGamepad();
+    void addControllers();
     void showRow(const QString& name);
     void showTitle();
     [[nodiscard]] std::vector<VisitOffer> visitOffers(std::size_t exhibit);

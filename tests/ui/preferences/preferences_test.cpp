@@ -53,7 +53,10 @@ class PreferencesTest : public QObject {
         values.mostSamples = 4;
         values.leastScale = 50;
         values.recentFiles = 3;
+        values.oscPort = 9000;
+        values.midi = true;
         values.keys = {{"screenshot", {"Ctrl+F12", "Alt+,"}}, {"quit", {}}};
+        values.controllers = {{"fur/shellCount", "osc 1 /fader/3"}, {"hall/sunElevation", "cc 1 21"}};
         return values;
     }
 
