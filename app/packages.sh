@@ -6,7 +6,7 @@
 build_packages="cmake ninja-build g++ pkg-config ccache qt6-base-dev libqt6opengl6-dev? qt6-svg-dev qt6-l10n-tools qt6-translations-l10n? libqcustomplot-dev libqscintilla2-qt6-dev libgl-dev libegl-dev
 libepoxy-dev libglm-dev libopenimageio-dev liblcms2-dev libqpdf-dev libtinygltf-dev libbullet-dev nlohmann-json3-dev libcli11-dev libpng-dev zlib1g-dev libisal-dev
 glslang-dev glslang-tools libspirv-cross-c-shared-dev
-libavcodec-dev libavfilter-dev libavformat-dev libavutil-dev libsdl2-dev liblo-dev librtmidi-dev libmeshoptimizer-dev libdraco-dev
+libavcodec-dev libavfilter-dev libavformat-dev libavutil-dev libsdl2-dev liblo-dev librtmidi-dev libmd4c-dev libmeshoptimizer-dev libdraco-dev
 libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev
 libegl1 libgl1 libgl1-mesa-dri libegl-mesa0 libglx-mesa0 fonts-dejavu-core"
 

@@ -30,7 +30,7 @@ UNSHOWN = {'framebuffers made', 'icc icm', 'mp4 webm mov mkv avi apng', 'lesson 
            '{1} (specialized)', 'expressionPower({1}, {2}', '(TIME + {1}', 'min({1}, min({2}, {3}))',
            '(gl_FragCoord.xy / iResolution.xy)', ' in {{1}, {2}', ', exact {1}', '{1} "self"\n', '{1}::MinFilter "{2}"\n',
            '{1}::WrapMode "{2}"\n', '    // The camera, around a point {1} m in front of it.\n', '2.0 * tangent / RENDERSIZE.y',
-           'around + camera[2] * ({1} * {2})', '{1}#define GUEST_ROUNDS {2}u\n{3}', 'wav flac',
+           'around + camera[2] * ({1} * {2})', '{1}#define GUEST_ROUNDS {2}u\n{3}', 'wav flac', 'mi mathvariant="bold"', 'mi mathvariant="normal"',
            '// Variables of the form in which the shader was written.\n{1}'}
 # Callees whose argument is no text for people.
 SILENT = {'shader', 'at', 'value', 'find', 'contains', 'define', 'getenv', 'uniform', 'is_member_of', 'compare', 'starts_with',
@@ -161,7 +161,8 @@ def table_texts(texts, known):
     """Labels, groups, help and choices of the rows; of the built program. Without it, those that are known stay."""
     if os.path.exists(PROGRAM):
         listed = json.loads(subprocess.run([PROGRAM, 'list', '--json'], check=True, capture_output=True).stdout)
-        for exhibit in listed:
+        # A program of before has the list alone.
+        for exhibit in listed['exhibits'] if isinstance(listed, dict) else listed:
             if not exhibit['complete']:
                 continue
             for row in exhibit['parameters']:

@@ -119,6 +119,11 @@
         <translation>„{=1}“ steht zweimal da; entfernen Sie eines davon.</translation>
     </message>
     <message>
+        <location filename="exhibits/framework/files/lesson_markup.cpp"/>
+        <source>&quot;{1}&quot; are no lines and no function of {2}, which has {3} lines; write 10-20, or the name of a function</source>
+        <translation>„{1}“ sind weder Zeilen noch eine Funktion von {2}, das {3} Zeilen hat; schreiben Sie 10-20 oder den Namen einer Funktion</translation>
+    </message>
+    <message>
         <location filename="exhibits/sdf_scenes/tree_reader.cpp"/>
         <source>&quot;{1}&quot; contains itself by way of this; take one of the two out</source>
         <translation>„{=1}“ enthält sich hierdurch selbst; nehmen Sie eines von beiden heraus</translation>
@@ -2638,6 +2643,11 @@ Zeiten nach: %2.</translation>
         <translation>Nach einer Änderung</translation>
     </message>
     <message>
+        <location filename="exhibits/framework/files/tex_formula.cpp"/>
+        <source>after {1} something is missing; write it in braces</source>
+        <translation>nach {1} fehlt etwas; schreiben Sie es in geschweifte Klammern</translation>
+    </message>
+    <message>
         <location filename="ui/compare/compare_actions.cpp"/>
         <source>After “%1”</source>
         <translation>Nach „%1“</translation>
@@ -3972,6 +3982,11 @@ Zeiten nach: %2.</translation>
         <source>Box size</source>
         <extracomment>tables</extracomment>
         <translation>Quadergröße</translation>
+    </message>
+    <message>
+        <location filename="exhibits/framework/files/tex_formula.cpp"/>
+        <source>braces are nested more than {1} deep; make the formula simpler</source>
+        <translation>Klammern sind mehr als {1}-fach geschachtelt; vereinfachen Sie die Formel</translation>
     </message>
     <message>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
@@ -12336,6 +12351,16 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Maß, in dem Fehler gemessen werden.</translation>
     </message>
     <message>
+        <location filename="exhibits/framework/files/tex_formula.cpp"/>
+        <source>mi mathvariant=&quot;bold&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="exhibits/framework/files/tex_formula.cpp"/>
+        <source>mi mathvariant=&quot;normal&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="ui/controllers/controllers.cpp"/>
         <source>MIDI %1</source>
         <translation>MIDI %1</translation>
@@ -14103,11 +14128,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="ui/report/frame_report_view.cpp"/>
         <source>only B: %1</source>
         <translation>nur B: %1</translation>
-    </message>
-    <message>
-        <location filename="exhibits/framework/files/lesson.cpp"/>
-        <source>only blocks of JSON are read; begin it with ```json.</source>
-        <translation>nur JSON-Blöcke werden gelesen; beginnen Sie ihn mit ```json.</translation>
     </message>
     <message>
         <location filename="ui/parameters/parameter_panel.cpp"/>
@@ -20420,6 +20440,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>die Wolken verwenden gebackenes Rauschen</translation>
     </message>
     <message>
+        <location filename="exhibits/framework/files/tex_formula.cpp"/>
+        <source>the command \{1} is not known in formulas; the manual lists those that are</source>
+        <translation>der Befehl \{1} ist in Formeln nicht bekannt; das Handbuch nennt die bekannten</translation>
+    </message>
+    <message>
         <location filename="exhibits/kit/sdf_passes.cpp"/>
         <source>the cone pre-pass is switched off</source>
         <translation>der Kegel-Vorlauf ist ausgeschaltet</translation>
@@ -20692,6 +20717,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Das frühere A</translation>
     </message>
     <message>
+        <location filename="exhibits/framework/files/tex_formula.cpp"/>
+        <source>the formula is empty; write it between the signs $</source>
+        <translation>die Formel ist leer; schreiben Sie sie zwischen die Zeichen $</translation>
+    </message>
+    <message>
         <location filename="render/plan/history.cpp"/>
         <source>the frame does not continue the last one</source>
         <translation>der Frame setzt den letzten nicht fort</translation>
@@ -20930,6 +20960,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>die Beleuchtung der Referenz hat keine</translation>
     </message>
     <message>
+        <location filename="exhibits/framework/files/lesson_markup.cpp"/>
+        <source>the link &quot;{1}&quot; is not to a page of the web; begin it with https://</source>
+        <translation>der Link „{1}“ führt zu keiner Seite im Web; beginnen Sie ihn mit https://</translation>
+    </message>
+    <message>
         <location filename="exhibits/sdf_scenes/scene_evaluator.cpp"/>
         <source>the lists of near shapes are still being computed</source>
         <translation>die Listen naher Formen werden noch berechnet</translation>
@@ -21102,6 +21137,16 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/printing/print_layout.cpp"/>
         <source>the phase is {1}; give a part of a lens, 0 to 1</source>
         <translation>die Phase ist {1}; geben Sie einen Teil einer Linse an, 0 bis 1</translation>
+    </message>
+    <message>
+        <location filename="exhibits/framework/files/lesson_markup.cpp"/>
+        <source>the picture &quot;{1}&quot; is neither a PNG nor a JPEG; convert it</source>
+        <translation>das Bild „{1}“ ist weder ein PNG noch ein JPEG; wandeln Sie es um</translation>
+    </message>
+    <message>
+        <location filename="exhibits/framework/files/lesson_markup.cpp"/>
+        <source>the picture &quot;{1}&quot; is not in the folder of the lesson; put it there, and write its name alone</source>
+        <translation>das Bild „{1}“ liegt nicht im Ordner der Lektion; legen Sie es dorthin, und schreiben Sie nur seinen Namen</translation>
     </message>
     <message>
         <location filename="render/image/image_write.cpp"/>
@@ -21611,6 +21656,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Das Tastenkürzel wird dem anderen Befehl genommen.</translation>
     </message>
     <message>
+        <location filename="exhibits/framework/files/tex_formula.cpp"/>
+        <source>the sign {1} is not known in formulas; the manual lists those that are</source>
+        <translation>das Zeichen {1} ist in Formeln nicht bekannt; das Handbuch nennt die bekannten</translation>
+    </message>
+    <message>
         <location filename="exhibits/sdf_scenes/scene_mesh.cpp"/>
         <source>The size of a cell must be above 0; give a larger one.</source>
         <translation>Eine Zelle muss größer als 0 sein; geben Sie eine größere an.</translation>
@@ -21785,6 +21835,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <source>The text in the editor while it has errors: the last good shader is shown. Resetting it discards the text.</source>
         <extracomment>tables</extracomment>
         <translation>Der Text im Editor, solange er Fehler hat: Gezeigt wird der letzte fehlerfreie Shader. Zurücksetzen verwirft den Text.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/framework/files/tex_formula.cpp"/>
+        <source>the text of this command is missing; write it in braces</source>
+        <translation>der Text dieses Befehls fehlt; schreiben Sie ihn in geschweifte Klammern</translation>
     </message>
     <message>
         <location filename="render/scene/gltf_materials.cpp"/>
@@ -22096,6 +22151,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Es gibt zwei Eingänge „{=1}“; benennen Sie einen um.</translation>
     </message>
     <message>
+        <location filename="exhibits/framework/files/tex_formula.cpp"/>
+        <source>there are two of {1} in a row; put the first part into braces</source>
+        <translation>hier stehen zwei {1} hintereinander; setzen Sie den ersten Teil in geschweifte Klammern</translation>
+    </message>
+    <message>
         <location filename="exhibits/printing/print_layout.cpp"/>
         <source>there are {1} views, and at most {2} are possible</source>
         <translation>es gibt {1} Ansichten, und höchstens {2} sind möglich</translation>
@@ -22109,6 +22169,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="render/scene/gltf_guard.cpp"/>
         <source>there are {1}, more than the {2} allowed; simplify the model.</source>
         <translation>es sind {1}, mehr als die erlaubten {2}; vereinfachen Sie das Modell.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/framework/files/tex_formula.cpp"/>
+        <source>there is a &quot;}&quot; without its &quot;{&quot;; remove it</source>
+        <translation>hier steht ein „}“ ohne sein „{“; entfernen Sie es</translation>
     </message>
     <message>
         <location filename="exhibits/framework/files/lesson.cpp"/>
@@ -22164,6 +22229,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="app/kit/picture_options.cpp"/>
         <source>There is no exhibit &quot;{1} `vitrine list` names them.</source>
         <translation>Kein Exponat heißt &quot;{1} `vitrine list` nennt alle.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/framework/files/lesson_markup.cpp"/>
+        <source>there is no exhibit &quot;{1}&quot;; `vitrine list` names them</source>
+        <translation>es gibt kein Exponat „{1}“; `vitrine list` nennt sie</translation>
     </message>
     <message>
         <location filename="app/preset_command.cpp"/>
@@ -22258,6 +22328,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>es gibt keinen Parameter; das ist keine Studie, die Vitrine geschrieben hat.</translation>
     </message>
     <message>
+        <location filename="exhibits/framework/files/lesson_markup.cpp"/>
+        <source>there is no picture &quot;{1}&quot; in the folder of the lesson; put it there, or correct its name</source>
+        <translation>im Ordner der Lektion gibt es kein Bild „{1}“; legen Sie es dorthin, oder berichtigen Sie den Namen</translation>
+    </message>
+    <message>
         <location filename="exhibits/study/kept_study.cpp"/>
         <source>there is no point; nothing was measured.</source>
         <translation>es gibt keinen Punkt; nichts wurde gemessen.</translation>
@@ -22276,6 +22351,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="ui/window/window_actions.cpp"/>
         <source>There is no red button in front of you.</source>
         <translation>Vor Ihnen ist kein roter Knopf.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/framework/files/lesson_markup.cpp"/>
+        <source>there is no shader &quot;{1}&quot;{2} write the name of a file of the exhibit</source>
+        <translation>es gibt keinen Shader „{1}“{2} schreiben Sie den Namen einer Datei des Exponats</translation>
     </message>
     <message>
         <location filename="exhibits/printing/sheet_list.cpp"/>
@@ -22367,6 +22447,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/study/kept_study.cpp"/>
         <source>these are too many; take some away.</source>
         <translation>das sind zu viele; entfernen Sie einige.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/framework/files/lesson_markup.cpp"/>
+        <source>these are {1} lines of a shader, and a lesson shows at most {2}; choose fewer</source>
+        <translation>dies sind {1} Zeilen eines Shaders, und eine Lektion zeigt höchstens {2}; wählen Sie weniger</translation>
     </message>
     <message>
         <location filename="render/scene/gltf_validate.cpp"/>
@@ -22538,6 +22623,16 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <source>Third object</source>
         <extracomment>tables</extracomment>
         <translation>Drittes Objekt</translation>
+    </message>
+    <message>
+        <location filename="exhibits/framework/files/tex_formula.cpp"/>
+        <source>this &quot;{&quot; is not closed; write a &quot;}&quot;</source>
+        <translation>dieses „{“ wird nicht geschlossen; schreiben Sie ein „}“</translation>
+    </message>
+    <message>
+        <location filename="exhibits/framework/files/tex_formula.cpp"/>
+        <source>this \ begins no command; the manual lists those that are known</source>
+        <translation>mit diesem \ beginnt kein Befehl; das Handbuch nennt die bekannten</translation>
     </message>
     <message>
         <location filename="exhibits/framework/files/lesson.cpp"/>
@@ -25934,8 +26029,9 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <location filename="render/files/strict_json.cpp"/>
+        <location filename="exhibits/framework/files/lesson.cpp"/>
         <source>{1}, line {2}, column {3}: {4}.</source>
-        <translation>{=1}, Zeile {2}, Spalte {3}: {4}.</translation>
+        <translation>{1}, Zeile {2}, Spalte {3}: {4}.</translation>
     </message>
     <message>
         <location filename="render/files/strict_json.cpp"/>

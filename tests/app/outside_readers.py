@@ -10,6 +10,9 @@ outside_readers.py document SCHEMA FILE
 outside_readers.py tiles WHOLE JSON   Pillow: the tiles that the JSON lists are parts of the whole, and neighbors share 3 mm.
 outside_readers.py text FILE KEY     Pillow: prints a text of a PNG.
 outside_readers.py 3mf FILE N      zipfile, ElementTree and, if it is here, lib3mf: N triangles, millimeters, colors.
+outside_readers.py handout FOLDER SHADER
+                                   html.parser, ElementTree and Pillow: both pages of a handout have well-formed formulas, the
+                                   pictures that they show, links to the web, a list, and code of this shader.
 
 Exit 77: the reader is not here."""
 
@@ -249,6 +252,64 @@ def document(name, file):
         assert not validator.is_valid({**read, key: {"no": ["value"]}}), key
 
 
+def handout(folder, shader):
+    from html.parser import HTMLParser
+
+    class Page(HTMLParser):
+        """Collects elements, and checks that each end tag closes the last element that is open."""
+
+        def __init__(self):
+            super().__init__()
+            self.open, self.found, self.formulas, self.code = [], [], [], ""
+
+        def handle_starttag(self, tag, attributes):
+            self.found.append((tag, dict(attributes)))
+            if tag == "math":
+                self.formulas.append("")
+            if "math" in self.open or tag == "math":
+                self.formulas[-1] += self.get_starttag_text()
+            if tag not in ("img", "meta", "br", "hr"):
+                self.open.append(tag)
+
+        def handle_endtag(self, tag):
+            assert self.open and self.open[-1] == tag, (tag, self.open, self.getpos())
+            if "math" in self.open:
+                self.formulas[-1] += f"</{tag}>"
+            self.open.pop()
+
+        def handle_data(self, data):
+            if "math" in self.open:
+                self.formulas[-1] += data.replace("&", "&amp;").replace("<", "&lt;")
+            if "pre" in self.open:
+                self.code += data
+
+    with open(shader) as each:
+        library = each.read()
+    for name in ("handout.html", "slides.html"):
+        page = Page()
+        with open(os.path.join(folder, name)) as each:
+            page.feed(each.read())
+        page.close()
+        assert not page.open, page.open
+        assert len(page.formulas) >= 5, page.formulas
+        for formula in page.formulas:
+            root = ElementTree.fromstring(formula)
+            known = {"math", "mrow", "mi", "mo", "mn", "mtext", "msub", "msup", "msubsup", "mfrac", "msqrt", "mspace"}
+            assert root.tag == "math" and {each.tag for each in root.iter()} <= known, formula
+            for each in root.iter():
+                children = {"mfrac": 2, "msub": 2, "msup": 2, "msubsup": 3}.get(each.tag, len(each))
+                assert len(each) == children, formula
+        shown = [attributes["src"] for tag, attributes in page.found if tag == "img"]
+        assert any("/lesson-" in each for each in shown), shown
+        for each in shown:
+            pillow().open(os.path.join(folder, each)).load()
+        links = [attributes["href"] for tag, attributes in page.found if tag == "a"]
+        assert links and all(each.startswith("https://") for each in links), links
+        assert any(tag == "li" for tag, _ in page.found)
+        assert page.code.strip() and page.code.strip() in library, page.code
+    print("both pages of the handout")
+
+
 if __name__ == "__main__":
     {"exr": exr, "equal": equal, "size": size, "3mf": three_mf, "schema": schema, "text": text,
-     "document": document, "tiles": tiles}[sys.argv[1]](*sys.argv[2:])
+     "document": document, "tiles": tiles, "handout": handout}[sys.argv[1]](*sys.argv[2:])

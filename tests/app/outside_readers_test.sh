@@ -172,6 +172,18 @@ done
 document study-differences compare-studies "$folder/study0.2/study.json" "$folder/study0.8/study.json" --cost work \
     --out "$folder/studies"
 
+# Handout and slides of a lesson with formulas, a picture, links, a list and code.
+"$vitrine" lesson export sdf_morph --size 32x18 --samples 1 --out "$folder/handout" >/dev/null || fail "lesson export"
+python handout "$folder/handout" "$here/../../shaders/lib/sdf.glsl"
+# libxml2 does not know the elements of HTML 5, and names each of them.
+if by xmllint; then
+    for page in handout slides; do
+        xmllint --html --noout "$folder/handout/$page.html" 2>&1 | grep error | grep -v ': Tag [a-z]* invalid$' &&
+            fail "xmllint cannot read $page.html"
+    done
+    read_by=$((read_by + 1))
+fi
+
 [ $failed -eq 0 ] || exit 1
 [ $read_by -gt 0 ] || exit 77
 echo "$read_by files were read"

@@ -104,7 +104,8 @@ Piece elementText(QXmlStreamReader& xml)  // NOLINT(misc-no-recursion): As deep 
     }
     if (name == QLatin1String("msub") || name == QLatin1String("munder"))
         return {part(0).text + subscript(part(1).text)};
-    if (name == QLatin1String("msup")) return {part(0).text + superscript(part(1).text)};
+    if (name == QLatin1String("msup") || name == QLatin1String("mover"))
+        return {part(0).text + superscript(part(1).text)};
     if (name == QLatin1String("msubsup") || name == QLatin1String("munderover"))
         return {part(0).text + subscript(part(1).text) + superscript(part(2).text)};
     return inOneRow(parts);

@@ -9,10 +9,12 @@
 #include "ui/lessons/lesson_controller.h"
 
 #include <QAction>
+#include <QDesktopServices>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
 #include <QToolButton>
+#include <QUrl>
 
 #include <utility>
 
@@ -93,6 +95,10 @@ void LessonBar::addText(QLabel& label, const QString& name)
     label.setAccessibleName(name);
     connect(&label, &QLabel::linkActivated, this, [this](const QString& link) {
         if (link.startsWith(QLatin1String("row:"))) emit controller_.parameterRequested(link.mid(4));
+        // Other links are pages of the web: reading the lesson has refused all others.
+        const QUrl page(link);
+        if (page.scheme() == QLatin1String("https") || page.scheme() == QLatin1String("http"))
+            QDesktopServices::openUrl(page);
     });
 }
 

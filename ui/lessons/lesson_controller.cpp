@@ -1,5 +1,6 @@
 #include "ui/lessons/lesson_controller.h"
 
+#include "exhibits/framework/files/lesson_markup.h"
 #include "exhibits/framework/files/table_change.h"
 #include "exhibits/museum/lesson_scene.h"
 #include "exhibits/museum/museum.h"
@@ -9,6 +10,7 @@
 #include "ui/kit/message_of.h"
 #include "ui/kit/numbers.h"
 #include "ui/kit/text.h"
+#include "ui/lessons/formula_text.h"
 #include "ui/lessons/lesson_bar.h"
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
@@ -17,6 +19,7 @@
 
 #include <QAction>
 #include <QFileDialog>
+#include <QImageReader>
 #include <QLocale>
 #include <QWidget>
 
@@ -30,34 +33,61 @@ QString words(const std::string& s)
     return QString::fromStdString(s);
 }
 
-/// Converts a lesson's text to rich text: paragraphs, **bold**, and links marked by `withLinks`.
-QString richText(const std::string& text)
+/// Largest picture of a lesson in the strip, in pixels.
+constexpr QSize largestPicture(480, 160);
+
+/// Returns a picture of the lesson as rich text, made smaller if it is too large for the strip.
+std::string pictureText(const std::filesystem::path& file, const std::string& alternative)
 {
-    QString rich = words(text).toHtmlEscaped();
-    rich.replace(QLatin1Char('\x01'), QStringLiteral("<a href=\"row:"));
-    rich.replace(QLatin1Char('\x02'), QStringLiteral("\"><b>"));
-    rich.replace(QLatin1Char('\x03'), QStringLiteral("</b></a>"));
-    const QStringList pieces = rich.split(QStringLiteral("**"));
-    rich = pieces.front();
-    for (qsizetype i = 1; i < pieces.size(); ++i)
-        rich += (i % 2 == 1 ? QStringLiteral("<b>") : QStringLiteral("</b>")) + pieces[i];
-    if (pieces.size() % 2 == 0) rich += QStringLiteral("</b>");
-    return rich.replace(QStringLiteral("\n\n"), QStringLiteral("<br/>"));
+    const QString path = QString::fromStdString(std::filesystem::absolute(file).string());
+    const QSize size = QImageReader(path).size();
+    if (!size.isValid()) return alternative;
+    const QSize shown = size.width() <= largestPicture.width() && size.height() <= largestPicture.height()
+                            ? size
+                            : size.scaled(largestPicture, Qt::KeepAspectRatio);
+    return QStringLiteral("<img src=\"%1\" width=\"%2\" height=\"%3\" alt=\"%4\">")
+        .arg(path.toHtmlEscaped())
+        .arg(shown.width())
+        .arg(shown.height())
+        .arg(words(alternative).toHtmlEscaped())
+        .toStdString();
 }
 
-/// Replaces each "[row:x]" by a link "\1x\2Label\3", whose control characters are not changed by escaping.
-std::string withLinks(const std::string& text, const std::string& exhibit, const NamedValues& tables)
+/// Replaces blocks of code (`<pre>`) by paragraphs with line breaks. QLabel would cut off the last lines of a block.
+QString withCodeAsLines(const QString& html)
 {
-    std::string linked;
-    std::size_t at = 0;
-    for (std::size_t mark = text.find("[row:"); mark != std::string::npos; mark = text.find("[row:", at)) {
-        const std::size_t end = text.find(']', mark);
-        if (end == std::string::npos) break;
-        linked += text.substr(at, mark - at) + '\x01' + text.substr(mark + 5, end - mark - 5);
-        linked += withLabels(text.substr(mark, end + 1 - mark), exhibit, tables, "\x02", "\x03");
-        at = end + 1;
+    const QString begin = QStringLiteral("<pre>"), end = QStringLiteral("</pre>");
+    QString result;
+    qsizetype from = 0;
+    for (qsizetype at = html.indexOf(begin); at >= 0; at = html.indexOf(begin, from)) {
+        const qsizetype close = html.indexOf(end, at);
+        if (close < 0) break;
+        QStringList lines = html.mid(at + begin.size(), close - at - begin.size()).trimmed().split(QLatin1Char('\n'));
+        for (QString& line : lines) {
+            qsizetype indent = 0;
+            while (indent < line.size() && line[indent] == QLatin1Char(' ')) ++indent;
+            line.replace(0, indent, QStringLiteral("&nbsp;").repeated(indent));
+        }
+        result += html.mid(from, at - from) + QStringLiteral("<p><code>") + lines.join(QStringLiteral("<br/>")) +
+                  QStringLiteral("</code></p>");
+        from = close + end.size();
     }
-    return linked + text.substr(at);
+    return result + html.mid(from);
+}
+
+/// Converts the HTML of a lesson's text to rich text of the strip, which is low: paragraphs without lists, code and the
+/// like are separated by line breaks, without space.
+QString stripText(const std::string& html)
+{
+    QString rich = withFormulasAsText(words(html)).trimmed();
+    rich.replace(QLatin1String("<strong>"), QLatin1String("<b>"))
+        .replace(QLatin1String("</strong>"), QLatin1String("</b>"));
+    rich = withCodeAsLines(rich);
+    rich.replace(QLatin1String("</p>\n<p>"), QLatin1String("<br/>"));
+    if (rich.startsWith(QLatin1String("<p>")) && rich.indexOf(QLatin1String("</p>")) == rich.size() - 4)
+        return rich.mid(3, rich.size() - 7);
+    rich.replace(QLatin1String("<p>"), QLatin1String("<p style=\"margin-top: 0; margin-bottom: 2px\">"));
+    return rich;
 }
 
 }  // namespace
@@ -314,7 +344,17 @@ const LessonStep* LessonController::presentStep() const
 
 QString LessonController::shown(const std::string& text) const
 {
-    return richText(withLinks(text, lesson()->exhibit, place_.opened->tables));
+    const Lesson& opened = *lesson();
+    const auto parameter = [&](std::string_view name) {
+        const std::string mark = "[row:" + std::string(name) + ']';
+        const std::string label = withLabels(mark, opened.exhibit, place_.opened->tables, "", "");
+        return "<a href=\"row:" + std::string(name) + "\"><b>" + words(label).toHtmlEscaped().toStdString() +
+               "</b></a>";
+    };
+    const auto picture = [&](const std::string& file, const std::string& alternative) {
+        return pictureText(opened.folder / file, alternative);
+    };
+    return stripText(lessonHtml(text, {parameter, picture, opened.folder}));
 }
 
 void LessonController::show()

@@ -1,5 +1,6 @@
 #include "exhibits/framework/files/lesson.h"
 
+#include "exhibits/framework/files/lesson_markup.h"
 #include "exhibits/framework/table/preset_values.h"
 #include "render/failure.h"
 #include "render/files/assets.h"
@@ -21,10 +22,22 @@ using render::JsonDocument;
 constexpr std::string_view parameterMark = "[row:";
 constexpr render::JsonLimits blockLimits{.bytes = 64U << 10U, .depth = 16, .nodes = 4'000, .stringBytes = 16U << 10U};
 
+/// Text as written, line by line.
+struct Prose {
+    std::string text;
+    std::vector<int> lines;  ///< Number in the file of each line of `text`.
+
+    void add(std::string_view line, int number)
+    {
+        (text += line) += '\n';
+        lines.push_back(number);
+    }
+};
+
 /// Part of a step under a heading of its own: "### Answer".
 struct Section {
     std::string name;
-    std::string text;
+    Prose prose;
     int line = 0;
 };
 
@@ -33,7 +46,7 @@ constexpr std::array<std::string_view, 3> sectionNames{"Try", "Question", "Answe
 /// A heading and the text up to the next heading.
 struct Part {
     std::string title;
-    std::string text;  ///< Text without the JSON block and without the sections.
+    Prose prose;  ///< Text without the JSON block and without the sections.
     std::vector<Section> sections;
     std::string block;  ///< JSON text, preceded by enough newlines to have the same line numbers as in the file.
     int line = 0;       ///< Line of the heading.
@@ -45,9 +58,20 @@ std::string_view trimmed(std::string_view s)
     return render::trimmed(s, " \t\r\n");
 }
 
+/// Returns the line without blanks at its end.
+std::string_view withoutEnd(std::string_view line)
+{
+    return line.substr(0, line.find_last_not_of(" \t\r") + 1);
+}
+
 Failure failureAt(const std::string& file, int line, const Message& problem)
 {
     return {ErrorKind::file, message("{1}, line {2}: {3}", file, line, problem)};
+}
+
+Failure failureAt(const std::string& file, int line, std::size_t column, const Message& problem)
+{
+    return {ErrorKind::file, message("{1}, line {2}, column {3}: {4}.", file, line, column, problem)};
 }
 
 /// Splits the file at its headings.
@@ -61,7 +85,8 @@ public:
             take(std::string_view(text).substr(at, end - at));
             at = end + 1;
         }
-        if (inBlock_) throw failureAt(file_, blockLine_, message("this block is not closed; end it with ```."));
+        if (inBlock_ || inCode_)
+            throw failureAt(file_, blockLine_, message("this block is not closed; end it with ```."));
         if (parts.empty()) throw failureAt(file_, 1, message("a lesson begins with its title; write \"# Title\"."));
     }
 
@@ -71,13 +96,18 @@ private:
     void take(std::string_view line)
     {
         const std::string_view plain = trimmed(line);
-        if (inBlock_) {
+        if (inCode_) {
+            inCode_ = plain != fence_;
+            prose().add(withoutEnd(line), line_);
+        } else if (inBlock_) {
             if (plain == "```")
                 inBlock_ = false;
             else
                 (parts.back().block += line) += '\n';
+        } else if (plain.starts_with("```") && plain != "```json") {
+            beginCode(line, plain);
         } else if (plain.starts_with("```")) {
-            begin(plain);
+            begin();
         } else if (plain.starts_with("# ") || plain.starts_with("## ")) {
             head(plain);
         } else if (plain.starts_with("### ")) {
@@ -86,9 +116,23 @@ private:
             if (!plain.empty())
                 throw failureAt(file_, line_, message("a lesson begins with its title; write \"# Title\"."));
         } else {
-            Part& part = parts.back();
-            ((part.sections.empty() ? part.text : part.sections.back().text) += trimmed(line)) += '\n';
+            prose().add(withoutEnd(line), line_);
         }
+    }
+    /// Returns the text that the present line belongs to.
+    [[nodiscard]] Prose& prose()
+    {
+        Part& part = parts.back();
+        return part.sections.empty() ? part.prose : part.sections.back().prose;
+    }
+    /// Begins a block of code, which belongs to the text.
+    void beginCode(std::string_view line, std::string_view plain)
+    {
+        if (parts.empty()) throw failureAt(file_, line_, message("a lesson begins with its title; write \"# Title\"."));
+        fence_ = plain.substr(0, std::min(plain.find_first_not_of('`'), plain.size()));
+        prose().add(withoutEnd(line), line_);
+        inCode_ = true;
+        blockLine_ = line_;
     }
     void section(std::string_view name)
     {
@@ -109,10 +153,8 @@ private:
                                     "\" already; put both into one, or make two steps.");
         sections.push_back({std::string(name), {}, line_});
     }
-    void begin(std::string_view fence)
+    void begin()
     {
-        if (fence != "```json")
-            throw failureAt(file_, line_, message("only blocks of JSON are read; begin it with ```json."));
         if (parts.empty()) throw failureAt(file_, line_, message("a lesson begins with its title; write \"# Title\"."));
         if (parts.back().hasBlock)
             throw failureAt(file_, line_, message("there is a block under this heading already; put both into one."));
@@ -132,7 +174,8 @@ private:
 
     const std::string& file_;
     int line_ = 0, blockLine_ = 0;
-    bool inBlock_ = false;
+    std::string fence_;  ///< Signs that end the present block of code.
+    bool inBlock_ = false, inCode_ = false;
 };
 
 const ParameterValues* tableOf(const NamedValues& tables, std::string_view name)
@@ -191,7 +234,7 @@ public:
             throw document.failure("exhibit", message("there is no exhibit of that name; `vitrine list` names them."));
         lesson_.exhibit = exhibit.get<std::string>();
         lesson_.title = part.title;
-        lesson_.intro = textOf(part.text, part.line, mostLessonLetters);
+        lesson_.intro = textOf(part.prose, part.line, mostLessonLetters);
     }
 
     void step(const Part& part)
@@ -202,7 +245,7 @@ public:
                 message("this step has no preset; write ```json, {\"values\": {}} and ``` below its text."));
         const JsonDocument document = object(part, {"values", "hall", "camera", "read"});
         LessonStep step{.title = part.title,
-                        .text = textOf(part.text, part.line, mostLessonLetters),
+                        .text = textOf(part.prose, part.line, mostLessonLetters),
                         .task = {},
                         .question = {},
                         .answer = {},
@@ -248,7 +291,7 @@ private:
         const Section *question = nullptr, *answer = nullptr;
         for (const Section& section : part.sections) {
             const bool isAnswer = section.name == "Answer", isQuestion = section.name == "Question";
-            std::string text = textOf(section.text, section.line, isAnswer ? mostLessonLetters : mostTaskLetters);
+            std::string text = textOf(section.prose, section.line, isAnswer ? mostLessonLetters : mostTaskLetters);
             if (text.empty())
                 throw failureAt(file_, section.line,
                                 "there is no text below this heading; write a sentence, or remove the heading.");
@@ -263,9 +306,9 @@ private:
     }
 
     /// Returns the text below the heading in this line, without space at its ends.
-    [[nodiscard]] std::string textOf(const std::string& written, int line, std::size_t most) const
+    [[nodiscard]] std::string textOf(const Prose& prose, int line, std::size_t most) const
     {
-        const std::string text(trimmed(written));
+        const std::string text(trimmed(prose.text));
         if (text.size() > most)
             throw failureAt(file_, line,
                             "the text below this heading has " + std::to_string(text.size()) +
@@ -278,6 +321,51 @@ private:
             if (end == std::string::npos || !parameterNamed(row, lesson_.exhibit, tables_))
                 throw failureAt(file_, line,
                                 message("in the text below this heading {1}", noSuchParameter(row, lesson_.exhibit)));
+        }
+        checkMarkup(text, prose);
+        return withShaders(text, prose);
+    }
+
+    /// Throws Failure with line and column of the first bad link, picture or formula.
+    void checkMarkup(const std::string& text, const Prose& prose) const
+    {
+        std::vector<LessonMarkupProblem> problems;
+        (void)lessonHtml(text,
+                         {.parameter = [](std::string_view) { return std::string(); },
+                          .picture = [](const std::string&, const std::string&) { return std::string(); },
+                          .folder = lesson_.folder},
+                         &problems);
+        if (problems.empty()) return;
+        const std::size_t first = std::min(prose.text.find(text) + problems.front().at, prose.text.size());
+        const std::size_t end = first == 0 ? std::string::npos : prose.text.rfind('\n', first - 1);
+        const std::size_t column = first - (end == std::string::npos ? 0 : end + 1) + 1;
+        throw failureAt(file_, lineAt(prose, first), column, problems.front().what);
+    }
+
+    /// Returns the line in the file of a place in a text.
+    static int lineAt(const Prose& prose, std::size_t at)
+    {
+        const auto before = std::count(prose.text.begin(), prose.text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+        return prose.lines[std::min(static_cast<std::size_t>(before), prose.lines.size() - 1)];
+    }
+
+    /// Fills empty blocks of code that name a part of a shader: "```glsl fur/shells.frag 10-20".
+    [[nodiscard]] std::string withShaders(std::string text, const Prose& prose) const
+    {
+        constexpr std::string_view fence = "```glsl ";
+        const std::size_t shift = prose.text.find(text);
+        std::vector<std::string> exhibits;
+        for (const auto& [name, values] : tables_) exhibits.push_back(name);
+        std::size_t added = 0;
+        for (std::size_t at = text.find(fence); at != std::string::npos; at = text.find(fence, at + 1)) {
+            if (at > 0 && text[at - 1] != '\n') continue;
+            const std::size_t end = text.find('\n', at);
+            if (end == std::string::npos || text.compare(end + 1, 3, "```") != 0) continue;  // It has code of its own.
+            const ShaderPart part =
+                shaderPart(std::string_view(text).substr(at + fence.size(), end - at - fence.size()), exhibits);
+            if (!part.problem.empty()) throw failureAt(file_, lineAt(prose, shift + at - added), 9, part.problem);
+            text.insert(end + 1, part.text);
+            added += part.text.size();
         }
         return text;
     }
@@ -356,6 +444,7 @@ Lesson parseLesson(const std::string& text, const std::string& fileName, const N
         throw failureAt(fileName, zero->line, message("{1}.", render::zeroByteProblem()));
     const Cutter cut(text, fileName);
     Lesson lesson;
+    lesson.folder = std::filesystem::path(fileName).parent_path();
     Reader reader(fileName, tables, lesson);
     reader.head(cut.parts.front());
     for (std::size_t i = 1; i < cut.parts.size(); ++i) reader.step(cut.parts[i]);

@@ -30,7 +30,7 @@ struct LessonNumber {
 /// One step: settings, and what they show.
 struct LessonStep {
     std::string title;
-    std::string text;        ///< Paragraphs separated by empty lines; contains `**` and `[row:...]` as written.
+    std::string text;        ///< Markdown as written, with `[row:...]`; blocks of shaders are filled.
     std::string task;        ///< Task of the reader in this step, in the format of `text`; may be empty.
     std::string question;    ///< Question to think about, in the format of `text`; empty if and only if `answer` is.
     std::string answer;      ///< Answer, hidden until the reader asks for it.
@@ -72,6 +72,10 @@ struct LessonStep {
 ///     {"values": {"work": "field"}, "hall": {}, "camera": "best", "read": "milliseconds"}
 ///     ```
 ///
+/// Texts are Markdown (`lessonHtml`): lists, links, pictures in the lesson's folder, blocks of code, and formulas
+/// between $ signs. An empty block "```glsl FILE LINES" shows a part of one of the program's shaders (`shaderPart`),
+/// and is filled when the lesson is read.
+///
 /// The `###` headings are the same in all languages, and may be left out; a question needs an answer.
 /// Each step is complete: parameters that its `values` do not name have initial values, regardless of the previous
 /// step. Values and cameras are written as in presets; the camera may also be "best". `read` is "milliseconds",
@@ -80,7 +84,8 @@ struct LessonStep {
 struct Lesson {
     std::string title;
     std::string exhibit;
-    std::string intro;  ///< Text in the format of a step's.
+    std::filesystem::path folder;  ///< Folder of the file, in which its pictures are.
+    std::string intro;             ///< Text in the format of a step's.
     std::vector<LessonStep> steps;
     /// Values that reading changed ("exposure 99 -> 16 (allowed -16 to 16)"), for people.
     std::vector<std::string> notes;
@@ -88,8 +93,8 @@ struct Lesson {
 
 /// Parses a lesson. `tables` gives the subjects' names and parameters. Throws Failure naming file, line, the error and
 /// what to do. Errors are: no title, an unknown exhibit or parameter, broken JSON, an unknown key or heading, no steps.
-/// A step without block or text, a question without an answer, a text that is too long, and a newer version are errors,
-/// too.
+/// A bad link, picture or formula, a step without block or text, a question without an answer, a text that is too long,
+/// and a newer version are errors, too.
 [[nodiscard]] Lesson parseLesson(const std::string& text, const std::string& fileName, const NamedValues& tables);
 
 /// The same for a file. Throws Failure as `render::readFile`, too.

@@ -8,6 +8,7 @@
 #include "exhibits/museum/picture_settings.h"
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
+#include "render/files/read_file.h"
 #include "render/image/image_io.h"
 
 #include <algorithm>
@@ -26,6 +27,7 @@ namespace handouts {
 namespace {
 
 constexpr int draftSide = 480;  // Pixels.
+constexpr std::uint64_t mostPictureBytes = 16U << 20U;
 constexpr const char* markFile = "handout.html";
 
 /// Returns the file of the lesson: as given, else that of the exhibit. It need not exist.
@@ -136,6 +138,9 @@ private:
         if (order_.out.empty()) return;
         render::atomicWrite(folder_->path() / markFile,
                             handoutPage(lesson_, tables_, order_.values[handoutTable().answers]));
+        for (const std::string& file : lessonPictures(lesson_))
+            render::atomicWrite(folder_->path() / lessonPicture(file),
+                                render::readFile(lesson_.folder / file, mostPictureBytes));
         render::atomicWrite(folder_->path() / "slides.html", slidesPage(lesson_, tables_));
         report_.files = {order_.out, documentFile(order_.out)};
     }

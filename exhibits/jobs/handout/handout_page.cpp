@@ -1,6 +1,8 @@
 #include "exhibits/jobs/handout/handout_page.h"
 
+#include "exhibits/framework/files/lesson_markup.h"
 #include "exhibits/jobs/kit/html_text.h"
+#include "render/text/escaped.h"
 #include "render/text/translation.h"
 
 #include <array>
@@ -19,6 +21,8 @@ section { break-inside: avoid; }
 img { display: block; width: 100%; margin: .6em 0; }
 .box { border-left: 3px solid #9a5f14; padding-left: .8em; margin: .6em 0; }
 .answers { break-before: page; }
+p img { width: auto; max-width: 100%; }
+pre { padding: .5em .8em; background: #f3efe8; font-size: 9pt; line-height: 1.35; white-space: pre-wrap; }
 )style";
 
 constexpr const char* slideStyle =
@@ -31,6 +35,9 @@ h2 { font-size: 4vh; line-height: 1.2; margin: 0 0 .5em; }
 img { width: 100%; max-height: 92vh; object-fit: contain; }
 .box { border-left: .4vh solid #e0a050; padding-left: 1em; }
 .answer { visibility: hidden; }
+p img { width: auto; max-width: 100%; max-height: 40vh; }
+pre { padding: .5em .8em; background: #222; font-size: 1.9vh; line-height: 1.3; white-space: pre-wrap; }
+a { color: #8ab8ff; }
 section.open .answer { visibility: visible; }
 @media print { section { display: grid; break-after: page; } .answer { visibility: visible; } }
 )style";
@@ -59,7 +66,7 @@ addEventListener("keydown", event => {
     else return;
     event.preventDefault();
 });
-addEventListener("click", () => go(1));
+addEventListener("click", event => { if (!event.target.closest("a")) go(1); });
 show();
 </script>
 )script";
@@ -69,25 +76,17 @@ class Texts {
 public:
     Texts(const Lesson& lesson, const NamedValues& tables) : lesson_(lesson), tables_(tables) {}
 
-    /// Returns paragraphs; `**` marks strong words, and so do names of parameters.
+    /// Returns a text as HTML. Names of parameters are strong, and pictures are copied beside the page.
     [[nodiscard]] std::string paragraphs(const std::string& text) const
     {
-        std::string marked = escaped(withLabels(text, lesson_.exhibit, tables_, "**", "**"));
-        bool isStrong = false;
-        for (std::size_t at = marked.find("**"); at != std::string::npos; at = marked.find("**", at)) {
-            marked.replace(at, 2, isStrong ? "</strong>" : "<strong>");
-            isStrong = !isStrong;
-        }
-        if (isStrong) marked += "</strong>";
-        std::string html = "<p>";
-        for (std::size_t at = 0; at < marked.size();) {
-            const std::size_t end = marked.find("\n\n", at);
-            html += marked.substr(at, end - at);
-            if (end == std::string::npos) break;
-            html += "</p>\n<p>";
-            at = end + 2;
-        }
-        return html + "</p>\n";
+        const auto parameter = [this](std::string_view name) {
+            const std::string mark = "[row:" + std::string(name) + ']';
+            return "<strong>" + escaped(withLabels(mark, lesson_.exhibit, tables_, "", "")) + "</strong>";
+        };
+        const auto picture = [](const std::string& file, const std::string& alternative) {
+            return "<img src=\"" + escaped(lessonPicture(file)) + "\" alt=\"" + escaped(alternative) + "\">";
+        };
+        return lessonHtml(text, {parameter, picture, lesson_.folder});
     }
     /// Returns a box with a heading: a task, a question or an answer. Empty without a text.
     [[nodiscard]] std::string box(const char* heading, const std::string& text, const char* kind) const
@@ -128,6 +127,27 @@ std::string stepPicture(std::size_t step)
     std::array<char, 40> name{};
     std::snprintf(name.data(), name.size(), "pictures/step-%02zu.png", step + 1);
     return name.data();
+}
+
+std::string lessonPicture(const std::string& file)
+{
+    return "pictures/lesson-" + file;
+}
+
+std::set<std::string> lessonPictures(const Lesson& lesson)
+{
+    std::set<std::string> files;
+    const LessonMarkup markup{[](std::string_view) { return std::string(); },
+                              [&files](const std::string& file, const std::string&) {
+                                  files.insert(file);
+                                  return std::string();
+                              },
+                              lesson.folder};
+    (void)lessonHtml(lesson.intro, markup);
+    for (const LessonStep& step : lesson.steps)
+        for (const std::string* text : {&step.text, &step.task, &step.question, &step.answer})
+            (void)lessonHtml(*text, markup);
+    return files;
 }
 
 std::string handoutPage(const Lesson& lesson, const NamedValues& tables, AnswerPlace answers)

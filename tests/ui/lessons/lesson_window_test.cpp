@@ -12,8 +12,10 @@
 #include "ui/window/file_opener.h"
 #include "ui/window/window_dialogs.h"
 
+#include <QDesktopServices>
 #include <QDir>
 #include <QFileInfo>
+#include <QImage>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -22,6 +24,7 @@
 #include <QTextBrowser>
 #include <QTextDocument>
 #include <QToolButton>
+#include <QUrl>
 #include <QXmlStreamReader>
 
 #include <atomic>
@@ -79,6 +82,12 @@ class LessonWindowTest : public test::OpenWindow {
         return std::get<double>(hall.row(*hall.table().find("exposure")));
     }
 
+    QList<QUrl> opened_;
+
+public slots:
+    /// Stands in for the web browser.
+    void noteUrl(const QUrl& url) { opened_ << url; }
+
 private slots:
     void initTestCase() { prepare(); }
     void init() { start(); }
@@ -86,6 +95,50 @@ private slots:
     {
         finish();
         setLanguage(QStringLiteral("en"));
+    }
+
+    void linksListsPicturesCodeAndFormulasAreShownWhole()
+    {
+        QImage picture(600, 300, QImage::Format_RGB32);
+        picture.fill(Qt::red);
+        QVERIFY(picture.save(home_->filePath("red.png")));
+        controller().open(write("forms.md", "## One\nA $t_{i+1}$ and a [paper](https://example.org/a).\n\n"
+                                            "```glsl lib/sdf.glsl sdfTorus\n```\n"
+                                            "### Try\n- one\n- [row:roughness]\n"
+                                            "### Question\nWhy?\n### Answer\n![A square](red.png)\n"
+                                            "```json\n{}\n```\n"));
+        controller().nextAction().trigger();
+        controller().answerAction().trigger();
+        settle();
+        for (const char* part :
+             {"<i>t</i><sub>", "href=\"https://example.org/a\"", "float sdfTorus(", "&nbsp;&nbsp;&nbsp;&nbsp;return",
+              "<li>one</li>", "href=\"row:roughness\"", "red.png\" width=\"320\" height=\"160\" alt=\"A square\""})
+            QVERIFY2(says(part), part);
+        for (const QLabel* label : controller().bar().findChildren<QLabel*>())
+            if (label->isVisible() && label->wordWrap())
+                QVERIFY2(label->height() >= label->heightForWidth(label->width()), qPrintable(label->text()));
+    }
+
+    void pagesOfTheWebAreOpenedAfterAClickAndNothingElseIs()
+    {
+        for (const char* scheme : {"https", "http", "file", "javascript"})
+            QDesktopServices::setUrlHandler(scheme, this, "noteUrl");
+        const auto unset = qScopeGuard([] {
+            for (const char* scheme : {"https", "http", "file", "javascript"})
+                QDesktopServices::unsetUrlHandler(scheme);
+        });
+        controller().open(write("web.md", "## One\nA [paper](https://example.org/a).\n```json\n{}\n```\n"));
+        controller().nextAction().trigger();
+        QVERIFY(opened_.isEmpty());
+        QLabel* text = nullptr;
+        for (QLabel* label : controller().bar().findChildren<QLabel*>())
+            if (label->text().contains("example.org")) text = label;
+        QVERIFY(text);
+        for (const char* other : {"file:///etc/passwd", "javascript:alert(1)", "vitrine:x"})
+            emit text->linkActivated(other);
+        QVERIFY(opened_.isEmpty());
+        emit text->linkActivated("https://example.org/a");
+        QCOMPARE(opened_, QList<QUrl>{QUrl("https://example.org/a")});
     }
 
     void withLargeTypeTheButtonsOfALessonAreBelowItsTitle()

@@ -110,7 +110,7 @@ TEST(Lesson, RefusalsNameFileLineKeyAndWhatToDo)
     EXPECT_FAILURE(lessonOf(oneStep("{}") + "```json\n{}\n```"),
                    "line 15: there is a block under this heading already");
     EXPECT_FAILURE(lessonOf(lessonHead + "## First\nText."), "line 9: this step has no preset");
-    EXPECT_FAILURE(lessonOf(lessonHead + "## First\nText.\n```yaml\n"), "line 11: only blocks of JSON are read");
+    EXPECT_FAILURE(lessonOf(lessonHead + "## First\nText.\n```yaml\n"), "line 11: this block is not closed");
     EXPECT_FAILURE(lessonOf(lessonHead + "## First\nText.\n```json\n{}"), "line 11: this block is not closed");
     EXPECT_FAILURE(lessonOf(lessonHead + "# Another\n"), "line 9: a lesson has one title");
     EXPECT_FAILURE(lessonOf(lessonHead), "line 1: there is no step in it");
@@ -122,6 +122,26 @@ TEST(Lesson, RefusalsNameFileLineKeyAndWhatToDo)
     std::string many = lessonHead;
     for (std::size_t i = 0; i <= mostLessonSteps; ++i) many += "## Step\nText.\n```json\n{}\n```\n";
     EXPECT_FAILURE(lessonOf(many), "a lesson has at most 24 steps");
+}
+
+TEST(Lesson, MayHoldListsCodeAndFormulas)
+{
+    const std::string text = "A $x^2$:\n\n- one\n  - inner\n\n```\n## no heading\n  ### none\n```\n\nEnd.";
+    EXPECT_EQ(lessonOf(oneStep("{}", text)).steps[0].text, text);
+    const std::string shader = lessonOf(oneStep("{}", "```glsl lib/sdf.glsl sdfTorus\n```\nAnd.")).steps[0].text;
+    EXPECT_TRUE(shader.starts_with("```glsl lib/sdf.glsl sdfTorus\nfloat sdfTorus(")) << shader;
+    EXPECT_TRUE(shader.ends_with("}\n```\nAnd.")) << shader;
+}
+
+TEST(Lesson, BadLinksPicturesFormulasAndShadersAreNamedWithLineAndColumn)
+{
+    EXPECT_FAILURE(lessonOf(oneStep("{}", "Text.\n\nSee [a](file:///etc/passwd).")),
+                   "a.md, line 13, column 9: the link \"file:///etc/passwd\"");
+    EXPECT_FAILURE(lessonOf(oneStep("{}", "![A](none.png)")),
+                   "a.md, line 11, column 6: there is no picture \"none.png\"");
+    EXPECT_FAILURE(lessonOf(oneStep("{}", "So:\n$a + \\foo$")), "a.md, line 12, column 6: the command \\foo");
+    EXPECT_FAILURE(lessonOf(oneStep("{}", "Text.\n```glsl lib/sdf.glsl sdfTorus\n```\n```glsl furr/a.glsl 1-2\n```")),
+                   "a.md, line 14, column 9: there is no exhibit \"furr\"");
 }
 
 /// Returns a lesson with one step, whose sections begin in line 11.
