@@ -13,6 +13,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
+#include <QTimer>
 #include <QToolButton>
 #include <QUrl>
 
@@ -24,7 +25,12 @@ namespace {
 /// Changes the text only if it differs, so that selecting or reading it aloud is not interrupted.
 void setWords(QLabel& label, const QString& words)
 {
-    if (label.text() != words) label.setText(words);
+    if (label.text() != words) {
+        label.setText(words);
+        // The height of a text with code or pictures is known only after it was laid out once. Without a second layout,
+        // the strip kept the height of the first one, and the last lines were cut off.
+        QTimer::singleShot(0, &label, [&label] { label.updateGeometry(); });
+    }
     label.setVisible(!words.isEmpty());
 }
 
