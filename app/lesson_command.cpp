@@ -57,12 +57,9 @@ int checkLesson(const std::string& file, const NamedValues& tables, FindingsRepo
 int checkLessons(const std::vector<std::string>& files, bool asJson)
 {
     const SubjectTables tables;
-    FindingsReport report("lesson check");
-    int worst = 0;
-    for (const std::string& file : files)
-        worst = std::max(worst, checkLesson(file, tables.values, asJson ? &report : nullptr));
-    if (asJson) report.print();
-    return worst;
+    return checkEach(files, "lesson check", asJson, [&](const std::string& file, FindingsReport* report) {
+        return checkLesson(file, tables.values, report);
+    });
 }
 
 /// Prints the lesson of each exhibit that has one: exhibit, number of steps, title; as JSON with its file, too

@@ -80,12 +80,9 @@ int check(const std::string& file, const NamedValues& tables, FindingsReport* re
 int checkAll(const std::vector<std::string>& files, bool asJson)
 {
     const SubjectTables tables;
-    FindingsReport report("preset check");
-    int worst = 0;
-    for (const std::string& file : files)
-        worst = std::max(worst, check(file, tables.values, asJson ? &report : nullptr));
-    if (asJson) report.print();
-    return worst;
+    return checkEach(files, "preset check", asJson, [&](const std::string& file, FindingsReport* report) {
+        return check(file, tables.values, report);
+    });
 }
 
 /// Prints the schema of the presets of an exhibit, or that of settings of the whole museum.

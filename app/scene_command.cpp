@@ -7,7 +7,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -59,11 +58,7 @@ int checkScene(const std::string& file, FindingsReport* report)
 
 int checkScenes(const std::vector<std::string>& files, bool asJson)
 {
-    FindingsReport report("scene check");
-    int worst = 0;
-    for (const std::string& file : files) worst = std::max(worst, checkScene(file, asJson ? &report : nullptr));
-    if (asJson) report.print();
-    return worst;
+    return checkEach(files, "scene check", asJson, checkScene);
 }
 
 void addCheck(CLI::App& command, Action& chosen)

@@ -9,7 +9,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -84,12 +83,9 @@ int checkShader(const std::string& file, guest::ShaderCompiler& compiler, Findin
 int checkShaders(const std::vector<std::string>& files, bool asJson)
 {
     guest::ShaderCompiler compiler;
-    FindingsReport report("shader check");
-    int worst = 0;
-    for (const std::string& file : files)
-        worst = std::max(worst, checkShader(file, compiler, asJson ? &report : nullptr));
-    if (asJson) report.print();
-    return worst;
+    return checkEach(files, "shader check", asJson, [&](const std::string& file, FindingsReport* report) {
+        return checkShader(file, compiler, report);
+    });
 }
 
 }  // namespace

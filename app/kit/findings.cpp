@@ -3,6 +3,7 @@
 #include "render/failure.h"
 #include "render/version.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <optional>
@@ -67,6 +68,16 @@ Json& FindingsReport::add(const std::string& file, bool good, const std::vector<
     }
     json_["files"].push_back(Json{{"file", file}, {"good", good}, {"findings", std::move(all)}});
     return json_["files"].back();
+}
+
+int checkEach(const std::vector<std::string>& files, std::string_view command, bool asJson,
+              const std::function<int(const std::string& file, FindingsReport*)>& check)
+{
+    FindingsReport report(command);
+    int worst = 0;
+    for (const std::string& file : files) worst = std::max(worst, check(file, asJson ? &report : nullptr));
+    if (asJson) report.print();
+    return worst;
 }
 
 void FindingsReport::print() const

@@ -3,6 +3,7 @@
 #include "render/files/strict_json.h"
 #include "render/text/message.h"
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,6 +45,11 @@ public:
 private:
     render::Json json_;
 };
+
+/// Checks each file, with a report if `asJson`, which is then printed, else with null. `check` returns 0 for a good
+/// file, else an exit code. Returns the largest one.
+[[nodiscard]] int checkEach(const std::vector<std::string>& files, std::string_view command, bool asJson,
+                            const std::function<int(const std::string& file, FindingsReport*)>& check);
 
 /// Returns a document with the keys "format", "version" (1) and "app", which begin each document that a command prints.
 [[nodiscard]] render::Json newDocument(std::string_view format);
