@@ -1,4 +1,5 @@
 #include "app/kit/command.h"
+#include "app/kit/findings.h"
 #include "app/kit/number_option.h"
 #include "app/kit/useless_option.h"
 #include "app/stability_report.h"
@@ -12,7 +13,6 @@
 #include "render/image/oiio_codec.h"
 #include "render/image/video_codec.h"
 #include "render/library_versions.h"
-#include "render/version.h"
 
 #include <CLI/CLI.hpp>
 #include <qcustomplot.h>
@@ -38,7 +38,7 @@ Json libraries()
 
 Json examine()
 {
-    Json report{{"version", render::programVersion()}};
+    Json report = newDocument("vitrine-doctor");
     try {
         const render::gl::HeadlessContext context;
         const render::gl::ContextInfo& gl = context.info();
@@ -65,6 +65,7 @@ Json examine()
         report["manual"] = render::manualFile().string();
     } catch (const Failure& failure) {
         report["assets"] = failure.what();
+        report["manual"] = "";
     }
     return report;
 }
@@ -85,10 +86,14 @@ void printText(const Json& value, const std::string& indent)
 int doctor(bool asJson)
 {
     const Json report = examine();
-    if (asJson)
+    if (asJson) {
         std::fputs(render::writeJson(report).c_str(), stdout);
-    else
-        printText(report, "");
+    } else {
+        Json shown = report;
+        for (const char* key : {"format", "app"}) shown.erase(key);
+        shown["version"] = report["app"];
+        printText(shown, "");
+    }
     return report["opengl"]["usable"].get<bool>() ? 0 : static_cast<int>(ErrorKind::openGl);
 }
 

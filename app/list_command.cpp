@@ -1,4 +1,5 @@
 #include "app/kit/command.h"
+#include "app/kit/findings.h"
 #include "app/kit/picture_options.h"
 #include "app/kit/say.h"
 #include "app/kit/table_json.h"
@@ -79,6 +80,14 @@ std::string takenBy(const ParameterInfo& parameter)
     return {};
 }
 
+/// Prints exhibits as a document (assets/schemas/exhibits.schema.json).
+void printExhibits(const Json& exhibits)
+{
+    Json document = newDocument("vitrine-exhibits");
+    document["exhibits"] = exhibits;
+    std::fputs(render::writeJson(document).c_str(), stdout);
+}
+
 /// Prints one line for each parameter of an exhibit: name, initial value, values that it takes, help.
 int listOne(const std::string& name, bool asJson, const std::vector<std::string>& sets)
 {
@@ -91,7 +100,7 @@ int listOne(const std::string& name, bool asJson, const std::vector<std::string>
     }
     const ListedTables tables(sets, *subject);
     if (asJson) {
-        std::fputs(render::writeJson(exhibitsJson(tables.museum, tables.sceneState).at(*subject)).c_str(), stdout);
+        printExhibits(Json::array({exhibitsJson(tables.museum, tables.sceneState).at(*subject)}));
         return 0;
     }
     const std::span<const ParameterInfo> rows = tables.sceneState.values[*subject].rows();
@@ -118,7 +127,7 @@ int list(bool asJson, const std::vector<std::string>& sets)
     const ListedTables tables(sets);
     const Json all = exhibitsJson(tables.museum, tables.sceneState);
     if (asJson) {
-        std::fputs(render::writeJson(all).c_str(), stdout);
+        printExhibits(all);
         return 0;
     }
     for (const Json& exhibit : all)

@@ -66,7 +66,10 @@ TEST(List, AsJsonHasExactlyTheFieldsThatArePromised)
     const Ended ended = test::vitrine({"list", "--json"});
     ASSERT_EQ(ended.code, 0);
     EXPECT_EQ(ended.err, "");
-    const Json all = render::parseJson(ended.out, "list").root();
+    const Json document = render::parseJson(ended.out, "list").root();
+    EXPECT_EQ(document["format"], "vitrine-exhibits");
+    EXPECT_EQ(document["version"], 1);
+    const Json& all = document["exhibits"];
     ASSERT_TRUE(all.is_array());
     const std::set<std::string> kinds{"real", "count", "toggle", "choice", "color", "direction", "file", "text"};
     int rows = 0, qualities = 0, conditions = 0, offers = 0;
@@ -122,7 +125,9 @@ TEST(List, PrintsTheParametersOfAnExhibitAsATable)
 {
     const Ended ended = test::vitrine({"list", "sdf_morph"});
     ASSERT_EQ(ended.code, 0) << ended.err;
-    const Json exhibit = render::parseJson(test::vitrine({"list", "sdf_morph", "--json"}).out, "list").root();
+    const Json document = render::parseJson(test::vitrine({"list", "sdf_morph", "--json"}).out, "list").root();
+    ASSERT_EQ(document["exhibits"].size(), 1U);
+    const Json& exhibit = document["exhibits"][0];
     EXPECT_EQ(exhibit["name"], "sdf_morph");
     const std::size_t lines = static_cast<std::size_t>(std::count(ended.out.begin(), ended.out.end(), '\n'));
     std::set<std::string> groups;
@@ -151,6 +156,8 @@ TEST(Doctor, SaysWhatThisMachineCanDo)
     ASSERT_EQ(ended.code, 0) << ended.err;
     EXPECT_EQ(ended.err, "");
     const Json report = render::parseJson(ended.out, "doctor").root();
+    EXPECT_EQ(report["format"], "vitrine-doctor");
+    EXPECT_EQ(report["version"], 1);
     EXPECT_TRUE(report["opengl"]["usable"].get<bool>());
     EXPECT_GE(report["limits"]["textureSize"].get<int>(), 4096);
     EXPECT_FALSE(report["clock"]["method"].get<std::string>().empty());

@@ -163,6 +163,9 @@ document findings lesson check "$here/../../assets/lessons/fur.md" "$folder/bad.
 document findings scene check "$folder/balls.json" "$folder/scene.json"
 document findings shader check "$here/../../assets/shaders/"*.fs "$folder/bad.frag"
 document lessons lesson list
+document exhibits list
+document exhibits list fur
+document doctor doctor
 document distances compare "$folder/d.png" "$folder/d.jpg" --max 0.001
 document distances compare "$folder/c.png" "$folder/c.png" --metric psnr
 for morph in 0.2 0.8; do

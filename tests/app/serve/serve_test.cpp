@@ -45,7 +45,7 @@ std::unique_ptr<ServedProgram> Serve::server_;
 
 TEST_F(Serve, ListsWhatTheCommandLineLists)
 {
-    const Json all = render::parseJson(test::vitrine({"list", "--json"}).out, "list").root();
+    const Json all = render::parseJson(test::vitrine({"list", "--json"}).out, "list").root()["exhibits"];
     EXPECT_EQ(client_.result("list"), all);
     const Json one = client_.result("list", {{"exhibit", "fur"}});
     ASSERT_EQ(one.size(), 1U);
