@@ -2,6 +2,7 @@
 
 #include "exhibits/museum/scene_state.h"
 
+#include <cstddef>
 #include <utility>
 
 namespace vitrine::app {
@@ -14,6 +15,8 @@ public:
     [[nodiscard]] virtual SceneState current() = 0;
     /// Makes the difference between the two states in the present one. Camera and parameters that do not differ stay.
     virtual void change(const SceneState& before, const SceneState& after) = 0;
+    /// Lets the visitor go to an exhibit, or to the hall. `camera`: its best view.
+    virtual void visit(std::size_t subject, const render::Camera& camera) = 0;
     /// Returns a descriptor to poll, readable once something else than the service changed the state; -1: nothing else
     /// does.
     [[nodiscard]] virtual int changedDescriptor() const { return -1; }
@@ -27,6 +30,7 @@ public:
     explicit OwnState(SceneState start) : state_(std::move(start)) {}
     [[nodiscard]] SceneState current() override { return state_; }
     void change(const SceneState&, const SceneState& after) override { state_ = after; }
+    void visit(std::size_t, const render::Camera& camera) override { state_.camera = camera; }
 
 private:
     SceneState state_;

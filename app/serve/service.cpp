@@ -82,10 +82,12 @@ const std::vector<Service::Entry>& Service::methods()
 {
     static const std::vector<Entry> all{
         {"rpc.discover", &Service::discover, "every method with a JSON Schema of its params"},
-        {"list", &Service::listExhibits, "every exhibit and its rows, as `vitrine list --json`; {exhibit}: that one"},
+        {"list", &Service::listExhibits,
+         "every exhibit and its rows, as in `exhibits` of `vitrine list --json`; {exhibit}: that one"},
         {"get", &Service::getValues, "{exhibit, names}: values and motions of its rows, or of the named ones"},
         {"set", &Service::setValues, "{exhibit, values: {row: value}, animate: {row: motion}}: what the rows are then"},
         {"reset", &Service::resetValues, "{exhibit}: its rows are initial again; without it, all are"},
+        {"visit", &Service::visitExhibit, "{exhibit}: the visitor goes to its best view; the answer has that camera"},
         {"presets", &Service::listPresets, "{exhibit}: its presets"},
         {"load", &Service::loadPreset, "{exhibit, preset}: a shipped preset by its name, or a file"},
         {"plan", &Service::planPicture,
@@ -272,6 +274,20 @@ Json Service::resetValues(const Json& params, const Watch&)
     }
     become(std::move(next));
     return Json::object();
+}
+
+Json Service::visitExhibit(const Json& params, const Watch&)
+{
+    std::string exhibit;
+    CLI::App options;
+    options.add_option("exhibit", exhibit)->required();
+    readParams(options, "visit", params);
+    const std::size_t subject = subjectNamed(exhibit);
+    const render::Camera camera = museum_.bestView(subject, sceneState_.values[subject]);
+    cameras_.erase(subject);
+    state_.visit(subject, camera);
+    sceneState_.camera = camera;
+    return Json{{"exhibit", exhibit}, {"camera", jsonFromCamera(camera, Json::object())}};
 }
 
 Json Service::listPresets(const Json& params, const Watch&)

@@ -74,6 +74,7 @@ private:
     render::Json getValues(const render::Json&, const Watch&);
     render::Json setValues(const render::Json&, const Watch&);
     render::Json resetValues(const render::Json&, const Watch&);
+    render::Json visitExhibit(const render::Json&, const Watch&);
     render::Json listPresets(const render::Json&, const Watch&);
     render::Json loadPreset(const render::Json&, const Watch&);
     render::Json planPicture(const render::Json&, const Watch&);

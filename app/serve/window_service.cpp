@@ -57,7 +57,7 @@ WindowService::~WindowService()
 void WindowService::serve(ui::MainWindow& window)
 {
     const QString path = QString::fromStdString(listener_->path());
-    state_ = std::make_unique<WindowState>(window.history());
+    state_ = std::make_unique<WindowState>(window.history(), [&window](std::size_t subject) { window.visit(subject); });
     bar_ = new ui::ServingBar(path);
     window.statusBar()->addPermanentWidget(bar_);
     QObject::connect(bar_, &ui::ServingBar::stopAsked, &window, [this, &window] {

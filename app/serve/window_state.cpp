@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <exception>
 #include <mutex>
+#include <utility>
 
 namespace vitrine::app {
 namespace {
@@ -25,8 +26,8 @@ struct WindowState::Gate {
     bool ended = false;
 };
 
-WindowState::WindowState(ui::History& history)
-    : history_(history), changes_(history), gate_(std::make_shared<Gate>()),
+WindowState::WindowState(ui::History& history, std::function<void(std::size_t)> visit)
+    : history_(history), changes_(history), visit_(std::move(visit)), gate_(std::make_shared<Gate>()),
       changed_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK))
 {
     soon_.setSingleShot(true);
@@ -92,6 +93,11 @@ SceneState WindowState::current()
 void WindowState::change(const SceneState& before, const SceneState& after)
 {
     call([&] { changes_.make(before, after); });
+}
+
+void WindowState::visit(std::size_t subject, const render::Camera&)
+{
+    call([&] { visit_(subject); });
 }
 
 void WindowState::takeChanged()

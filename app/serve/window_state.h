@@ -20,12 +20,13 @@ namespace vitrine::app {
 /// every call is carried out; the service's thread waits for it. After `end`, calls throw RpcFailure.
 class WindowState final : public ServedState {
 public:
-    /// The history must outlive it.
-    explicit WindowState(ui::History&);
+    /// The history must outlive it. `visit` lets the visitor go to a subject, on the window's thread.
+    WindowState(ui::History&, std::function<void(std::size_t subject)> visit);
     ~WindowState() override;
 
     [[nodiscard]] SceneState current() override;
     void change(const SceneState& before, const SceneState& after) override;
+    void visit(std::size_t subject, const render::Camera& camera) override;
     [[nodiscard]] int changedDescriptor() const override { return changed_.get(); }
     void takeChanged() override;
 
@@ -39,6 +40,7 @@ private:
 
     ui::History& history_;
     ui::OutsideChanges changes_;
+    std::function<void(std::size_t)> visit_;
     std::shared_ptr<Gate> gate_;  ///< Shared with the calls that are under way.
     render::Descriptor changed_;
     QTimer soon_;   ///< Limits how often the service is told of changes.

@@ -64,6 +64,26 @@ TEST_F(Serve, EveryValueOfEveryExhibitCanBeGivenBack)
     }
 }
 
+TEST_F(Serve, VisitsTheBestViewOfAnExhibit)
+{
+    const std::string picture = folder_ / "seen.png", best = folder_ / "best.png";
+    const Json small{{"exhibit", "sdf_morph"}, {"size", "32x18"}, {"samples", 1}, {"alone", true}};
+    const auto drawn = [&](const std::string& out) {
+        Json params = small;
+        params["out"] = out;
+        (void)client_.result("render", params);
+        return test::bytesOf(out);
+    };
+    const std::string before = drawn(best);
+    const Json camera = client_.result("visit", {{"exhibit", "sdf_morph"}})["camera"];
+    ASSERT_EQ(camera["eye"].size(), 3U);
+    EXPECT_NE(camera["eye"], camera["target"]);
+    EXPECT_EQ(drawn(picture), before) << "a picture without a camera is of the best view";
+    EXPECT_NE(client_.result("visit", {{"exhibit", "hall"}})["camera"]["eye"], camera["eye"]);
+    const Json refused = client_.call("visit", {{"exhibit", "nobody"}});
+    EXPECT_EQ(refused["error"]["code"], -32602) << refused;
+}
+
 TEST_F(Serve, SetsAndSaysWhatTheValuesAreThen)
 {
     const Json values{{"morph", 0.25}, {"material", "glass"}, {"hall.sunElevation", "12deg"}};

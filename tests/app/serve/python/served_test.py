@@ -67,6 +67,7 @@ class ServedTest(unittest.TestCase):
             "get": {"exhibit": "fur"},
             "set": {"exhibit": "sdf_morph", "values": {"morph": 0.3}},
             "reset": {"exhibit": "fur"},
+            "visit": {"exhibit": "fur"},
             "presets": {"exhibit": "fur"},
             "load": {"exhibit": "sdf_morph", "preset": self.v.presets("sdf_morph")[0]["preset"]},
             "plan": {"exhibit": "fur", **SMALL},

@@ -94,6 +94,15 @@ class WindowTest(unittest.TestCase):
             xdotool("key", "--window", self.window, "ctrl+shift+z")
             until(lambda: self.morph() == 0.2, "it can be done again")
 
+    def test_a_visitor_goes_to_an_exhibit(self):
+        camera = self.v.visit("fur")["camera"]
+        self.assertEqual(len(camera["eye"]), 3)
+        until(lambda: "Fur with Physics" in xdotool("getwindowname", self.window), "the window shows the exhibit")
+        self.assertIn("hall", self.v.visit("hall")["exhibit"])
+        until(lambda: "Fur" not in xdotool("getwindowname", self.window), "the window shows the hall")
+        with self.assertRaises(vitrine.Error):
+            self.v.visit("nobody")
+
     def test_pictures_are_drawn_beside_it(self):
         self.v.set("sdf_morph", values={"morph": 0.25})
         picture = self.v.picture("sdf_morph", display=True, **SMALL)
