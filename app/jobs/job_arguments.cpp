@@ -96,6 +96,7 @@ jobs::JobScene sceneOf(const CLI::App& command, const jobs::Job& job, const JobA
         scene.usual.depth = picture.taken->depth;
         scene.usual.position = picture.taken->position;
         scene.usual.objects = picture.taken->objects;
+        scene.usual.before = picture.taken->before;
         // Plaques are in the language of the picture.
         if (picture.taken->language != language() && !ui::languageAsked())
             ui::setLanguage(QString::fromStdString(picture.taken->language));

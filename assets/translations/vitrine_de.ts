@@ -1101,6 +1101,21 @@ Zeiten nach: %2.</translation>
         <translation>--channels: „{=1}“ ist kein Kanal{2} geben Sie color, {3} an, durch Kommas getrennt.</translation>
     </message>
     <message>
+        <location filename="exhibits/jobs/record/record_job.cpp"/>
+        <source>--channels: motion blur has only a color; leave --shutter out.</source>
+        <translation>--channels: Bewegungsunschärfe hat nur eine Farbe; lassen Sie --shutter weg.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/picture/picture_job.cpp"/>
+        <source>--channels: motion is that of a camera between two frames, and this picture has no frame before; record frames with the channel motion.</source>
+        <translation>--channels: motion ist die Bewegung einer Kamera zwischen zwei Einzelbildern, und dieses Bild hat keines davor; nehmen Sie Einzelbilder mit dem Kanal motion auf.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/record/record_job.cpp"/>
+        <source>--channels: only frames of OpenEXR carry more than color; give --out a name like frames/%04d.exr.</source>
+        <translation>--channels: nur Einzelbilder in OpenEXR enthalten mehr als die Farbe; geben Sie --out einen Namen wie frames/%04d.exr.</translation>
+    </message>
+    <message>
         <location filename="exhibits/jobs/picture/picture_job.cpp"/>
         <source>--channels: only OpenEXR carries more than color; give --out a name that ends in .exr.</source>
         <translation>--channels: Nur OpenEXR trägt mehr als Farbe; geben Sie --out einen Namen, der auf .exr endet.</translation>
@@ -5185,13 +5200,19 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/picture/picture_table.h"/>
+        <location filename="exhibits/jobs/record/record_table.h"/>
         <source>Channels</source>
         <translation>Kanäle</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/picture/picture_table.h"/>
-        <source>Channels of an OpenEXR file, separated by commas: color, depth, normal, evaluations, albedo (base color before light), position, object (which exhibit, as Cryptomatte). Empty: those of the picture whose settings are used, else color only.</source>
-        <translation>Kanäle einer OpenEXR-Datei, durch Kommas getrennt: color, depth, normal, evaluations, albedo (Grundfarbe vor dem Licht), position, object (welches Exponat, als Cryptomatte). Leer: die des Bildes, dessen Einstellungen verwendet werden, sonst nur die Farbe.</translation>
+        <source>Channels of an OpenEXR file, separated by commas: color, depth, normal, evaluations, albedo (base color before light), position, object (which exhibit, as Cryptomatte), motion (of the camera since the frame before). Empty: those of the picture whose settings are used, else color only.</source>
+        <translation>Kanäle einer OpenEXR-Datei, durch Kommas getrennt: color, depth, normal, evaluations, albedo (Grundfarbe vor dem Licht), position, object (welches Exponat, als Cryptomatte), motion (der Kamera seit dem Einzelbild davor). Leer: die des Bildes, dessen Einstellungen verwendet werden, sonst nur die Farbe.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/jobs/record/record_table.h"/>
+        <source>Channels of OpenEXR frames, separated by commas: color, depth, normal, evaluations, albedo (base color before light), position, object (which exhibit, as Cryptomatte), motion (of the camera since the frame before). Empty: color only.</source>
+        <translation>Kanäle von OpenEXR-Einzelbildern, durch Kommas getrennt: color, depth, normal, evaluations, albedo (Grundfarbe vor dem Licht), position, object (welches Exponat, als Cryptomatte), motion (der Kamera seit dem Einzelbild davor). Leer: nur die Farbe.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/table/measurements_table.h"/>
@@ -10158,9 +10179,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>es lässt sich nicht herausfinden, ob dort ein Server antwortet ({1}); wählen Sie einen anderen Pfad.</translation>
     </message>
     <message>
+        <location filename="render/image/oiio/pdf_reader.cpp"/>
         <location filename="render/video/carried_settings.cpp"/>
         <source>it cannot be opened</source>
-        <translation>sie lässt sich nicht öffnen</translation>
+        <translation>es kann nicht geöffnet werden</translation>
     </message>
     <message>
         <location filename="render/image/image_limits.cpp"/>
@@ -22902,6 +22924,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <location filename="exhibits/framework/files/picture_record.cpp"/>
+        <source>this must be a number of seconds above 0; correct it there.</source>
+        <translation>dies muss eine Anzahl von Sekunden über 0 sein; berichtigen Sie es dort.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/framework/files/picture_record.cpp"/>
         <source>this must be a number of seconds; correct it there.</source>
         <translation>dies muss eine Zahl von Sekunden sein; korrigieren Sie es dort.</translation>
     </message>
@@ -22987,6 +23014,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="render/scene/gltf_animation.cpp"/>
         <source>this must be an array; export the file again.</source>
         <translation>hier muss ein Array stehen; exportieren Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/framework/files/picture_record.cpp"/>
+        <source>this must be an object with seconds and camera; correct it there.</source>
+        <translation>dies muss ein Objekt mit seconds und camera sein; berichtigen Sie es dort.</translation>
     </message>
     <message>
         <location filename="exhibits/framework/files/lesson.cpp"/>

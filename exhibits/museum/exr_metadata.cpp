@@ -1,5 +1,6 @@
 #include "exhibits/museum/exr_metadata.h"
 
+#include "render/files/number_text.h"
 #include "render/files/strict_json.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -103,6 +104,13 @@ render::PictureMetadata exrMetadata(const Museum& museum, const PictureRequest& 
         "base color of the surface at the pixel's center before any light, linear with the primaries of Rec. 709; 0 "
         "for volumes, pictures on screens, views into worlds of light, and where there is no surface");
     say(request.position, "position", "meters in world space at the pixel's center; 0 where there is no surface");
+    if (request.before)
+        metadata.texts.emplace_back(
+            "vitrine:backward",
+            "pixels, u to the right and v up, from the pixel's center to where its surface was in the frame " +
+                render::shortestNumber(request.before->seconds) +
+                " s before; the motion since then is its negative. Of the camera alone: surfaces are taken to stand "
+                "still, so it does not hold for what moves by itself; 0 where the surface was behind the camera");
     if (request.objects) addCryptomatte(museum, metadata);
     return metadata;
 }

@@ -54,6 +54,7 @@ PictureMaker::PictureMaker(const Museum& museum, render::RenderBackend& backend,
     if (request_.frame.channels.evaluations) names.emplace_back("evaluations");
     if (request_.frame.channels.albedo) names.insert(names.end(), {"albedo.R", "albedo.G", "albedo.B"});
     if (request_.position) names.insert(names.end(), {"position.X", "position.Y", "position.Z"});
+    if (request_.before) names.insert(names.end(), {"backward.u", "backward.v"});
     request_.objects = request_.objects && request_.motion.empty();
     for (const char* channel : {"R", "G", "B", "A"})
         if (request_.objects) names.push_back(cryptomatteLayer + std::string("00.") + channel);
@@ -174,7 +175,7 @@ void PictureMaker::takeChannels(const Tile& tile)
 {
     int next = 4;
     render::Image depth;
-    if (request_.depth || request_.position) {
+    if (request_.depth || request_.position || request_.before) {
         depth = backend_.read(depthImage);
         const double nearPlane = render::View{}.nearPlane;
         for (float& d : depth.pixels)
@@ -190,7 +191,11 @@ void PictureMaker::takeChannels(const Tile& tile)
         copyChannels(backend_.read(albedoImage), tile, 0, 3, next);
         next += 3;
     }
-    if (request_.position) takePosition(tile, depth, next);
+    if (request_.position) {
+        takePosition(tile, depth, next);
+        next += 3;
+    }
+    if (request_.before) takeMotion(tile, depth, next);
 }
 
 void PictureMaker::takePosition(const Tile& tile, const render::Image& depth, int to)
@@ -207,6 +212,27 @@ void PictureMaker::takePosition(const Tile& tile, const render::Image& depth, in
             for (int c = 0; c < 3; ++c) positions.at(x, y, c) = static_cast<float>(at[c]);
         }
     copyChannels(positions, tile, 0, 3, to);
+}
+
+void PictureMaker::takeMotion(const Tile& tile, const render::Image& depth, int to)
+{
+    const glm::dvec2 size = request_.frame.raster.size;
+    const render::View now = render::makeView(request_.frame.camera, {request_.frame.raster.size});
+    const render::View before = render::makeView(request_.before->camera, {request_.frame.raster.size});
+    render::Image motion(depth.width, depth.height, 2);
+    for (int y = 0; y < depth.height; ++y)
+        for (int x = 0; x < depth.width; ++x) {
+            const glm::dvec2 pixel(tile.drawnOffset.x + x + 0.5, tile.drawnOffset.y + tile.drawnSize.y - y - 0.5);
+            const glm::dvec3 ray = now.direction(2.0 * pixel / size - 1.0);
+            const double far = depth.at(x, y);
+            // The sky is infinitely far, so only turns of the camera move it.
+            const glm::dvec4 seen = std::isfinite(far) ? glm::dvec4(now.eye + far * ray, 1) : glm::dvec4(ray, 0);
+            const glm::dvec4 clip = before.clipFromWorld * seen;
+            if (!(clip.w > 0)) continue;
+            const glm::dvec2 was = (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * size;
+            for (int c = 0; c < 2; ++c) motion.at(x, y, c) = static_cast<float>(was[c] - pixel[c]);
+        }
+    copyChannels(motion, tile, 0, 2, to);
 }
 
 /// Draws the tile, then each exhibit without anything else. An exhibit is seen where it is as near as what was drawn.

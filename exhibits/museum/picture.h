@@ -1,5 +1,6 @@
 #pragma once
 
+#include "exhibits/framework/files/picture_record.h"
 #include "exhibits/museum/museum.h"
 #include "render/image/image.h"
 #include "render/plan/render_backend.h"
@@ -33,6 +34,10 @@ struct PictureRequest {
     /// center
     /// (`exrMetadata`). Not for a picture in motion.
     bool objects = false;
+    /// Adds the channels "backward.u" and "backward.v": where the surface at the pixel's center was in this frame's
+    /// picture, minus the pixel. Pixels, to the right and up. Only the camera's motion counts: surfaces are taken to
+    /// stand still. 0 where a surface was behind the camera. Unset: no such channels.
+    std::optional<FrameBefore> before = {};
     /// Largest side of a tile in pixels, rounded down to a multiple of 8 and limited to RenderBackend::largestSide().
     int largestTile = 2048;
 };
@@ -55,7 +60,7 @@ public:
     /// The finished picture: R, G, B, A, row 0 at the top, alpha not premultiplied. Color is display-referred linear
     /// light or radiance, by `frame.averageIn`. Further channels, if requested: "depth.Z" (meters along the view axis,
     /// infinity where nothing was hit), "normal.X" "normal.Y" "normal.Z" (world space), "evaluations", "albedo",
-    /// "position" and "CryptoObject00" (as in the request).
+    /// "backward", "position" and "CryptoObject00" (as in the request).
     [[nodiscard]] const render::Image& picture() const { return picture_; }
     /// Report of the first sample of the first tile; of a picture in motion, that of its last frame.
     [[nodiscard]] const render::FrameReport& report() const { return report_; }
@@ -75,6 +80,7 @@ private:
     void drawStep();
     void takeChannels(const Tile&);
     void takePosition(const Tile&, const render::Image& depth, int to);
+    void takeMotion(const Tile&, const render::Image& depth, int to);
     void takeObjects(const Tile&);
     void takeColor(const Tile&);
     void copyChannels(const render::Image&, const Tile&, int from, int count, int to);

@@ -21,6 +21,8 @@ PictureRecord pictureRecord(const PictureRequest& request, const render::Camera&
     record.depth = request.depth;
     record.position = request.position;
     record.objects = request.objects;
+    record.motion = request.before.has_value();
+    record.before = request.before;
     record.channels = frame.channels;
     record.exhibitTransform = frame.exhibitTransform;
     if (!(frame.camera == ofExhibition)) record.camera = frame.camera;

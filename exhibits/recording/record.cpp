@@ -108,18 +108,9 @@ Recording::Recording(const Museum& museum, render::RenderBackend& backend, Recor
 
 Recording::~Recording() = default;
 
-PictureRequest Recording::pictureAt(int k) const
-{
-    const MotionSample first = motionSamplesOf(request_, k).front();
-    PictureRequest picture = request_.picture;
-    picture.frame.camera = first.camera;
-    picture.frame.time = first.time;
-    return picture;
-}
-
 std::string Recording::presetAt(int k) const
 {
-    return pictureSettings(museum_, subject_, sceneState_, pictureAt(k),
+    return pictureSettings(museum_, subject_, sceneState_, pictureAt(request_, k),
                            "Recording of " + std::string(museum_.subject(subject_).name()));
 }
 
@@ -136,7 +127,7 @@ void Recording::beginFrame()
 
 void Recording::writeFrame()
 {
-    render::PictureMetadata metadata = exrMetadata(museum_, pictureAt(next_));
+    render::PictureMetadata metadata = exrMetadata(museum_, pictureAt(request_, next_));
     metadata.preset = presetAt(next_);
     metadata.description = frameLine(request_, next_);
     const render::PictureFormat format = isLinear(out_) ? render::PictureFormat::exr : render::PictureFormat::png8;

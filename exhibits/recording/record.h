@@ -64,7 +64,6 @@ public:
     [[nodiscard]] int kept() const { return kept_; }    ///< Frames that existed already.
 
 private:
-    [[nodiscard]] PictureRequest pictureAt(int k) const;
     [[nodiscard]] std::string presetAt(int k) const;
     void writeFrame();
     void beginFrame();

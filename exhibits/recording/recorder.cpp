@@ -50,6 +50,17 @@ std::vector<MotionSample> motionSamplesOf(const RecordingRequest& request, int k
     return moments;
 }
 
+PictureRequest pictureAt(const RecordingRequest& request, int k)
+{
+    PictureRequest picture = request.picture;
+    const MotionSample first = motionSamplesOf(request, k).front();
+    picture.frame.camera = first.camera;
+    picture.frame.time = first.time;
+    const bool hasBefore = k > 0 || request.closed;
+    if (picture.before) picture.before->camera = motionSamplesOf(request, hasBefore ? k - 1 : k).front().camera;
+    return picture;
+}
+
 std::string frameLine(const RecordingRequest& request, int k)
 {
     const FrameRequest& frame = request.picture.frame;
@@ -71,7 +82,7 @@ std::string frameLine(const RecordingRequest& request, int k)
 
 FrameMaker::FrameMaker(const Museum& museum, render::RenderBackend& backend, SceneState sceneState,
                        const RecordingRequest& request, int k)
-    : museum_(museum), backend_(backend), sceneState_(std::move(sceneState)), request_(request.picture),
+    : museum_(museum), backend_(backend), sceneState_(std::move(sceneState)), request_(pictureAt(request, k)),
       moments_(motionSamplesOf(request, k))
 {
     begin();

@@ -27,6 +27,10 @@ struct RecordingRequest {
 /// framesPerSecond.
 [[nodiscard]] std::vector<MotionSample> motionSamplesOf(const RecordingRequest&, int k);
 
+/// Returns the request of frame `k` with its first camera and time, and with the camera of the frame before if it has
+/// motion vectors. Before the first frame of a recording that is no loop, the camera stood still.
+[[nodiscard]] PictureRequest pictureAt(const RecordingRequest&, int k);
+
 /// Returns one line on how the frame is made, besides the settings. Two frames with the same settings and the same line
 /// are the same picture.
 [[nodiscard]] std::string frameLine(const RecordingRequest&, int k);

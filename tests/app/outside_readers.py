@@ -108,6 +108,40 @@ def exr(name):
     assert {"hall", "sdf_morph"} <= seen, seen
 
 
+def motion(before, now):
+    """The motion vectors of a frame, by the matrices and positions that the two files hold."""
+    try:
+        import OpenImageIO
+        import numpy
+    except ImportError:
+        skip("python3-openimageio")
+    frames = []
+    for name in (before, now):
+        file = OpenImageIO.ImageInput.open(name)
+        spec = file.spec()
+        ndc = [each.value for each in spec.extra_attribs if each.name.lower() in ("worldtondc", "worldtoscreen")]
+        frames.append((spec, numpy.array(ndc[0], dtype=float).reshape(4, 4), file.read_image("float")))
+    spec, _, pixels = frames[1]
+    channel = {name: i for i, name in enumerate(spec.channelnames)}
+    stated = spec.getattribute("vitrine:backward")
+    assert "0.25 s" in stated and "v up" in stated, stated
+    size = numpy.array([spec.width, spec.height])
+    largest = 0
+    for y in range(spec.height):
+        for x in range(spec.width):
+            pixel = pixels[y][x]
+            if not numpy.isfinite(pixel[channel["depth.Z"]]):
+                continue
+            world = numpy.array([pixel[channel["position." + axis]] for axis in "XYZ"] + [1.0], dtype=float)
+            was = world @ frames[0][1]
+            moved = was[:2] / was[3] * size - [x + 0.5, y + 0.5]
+            vector = numpy.array([pixel[channel["backward.u"]], -pixel[channel["backward.v"]]])
+            assert numpy.abs(vector - moved).max() < 0.02, (x, y, vector, moved)
+            largest = max(largest, numpy.abs(moved).max())
+    print("motion of up to", round(largest, 1), "pixels")
+    assert largest > 1
+
+
 def pillow():
     try:
         from PIL import Image
@@ -311,5 +345,5 @@ def handout(folder, shader):
 
 
 if __name__ == "__main__":
-    {"exr": exr, "equal": equal, "size": size, "3mf": three_mf, "schema": schema, "text": text,
-     "document": document, "tiles": tiles, "handout": handout}[sys.argv[1]](*sys.argv[2:])
+    {"exr": exr, "motion": motion, "equal": equal, "size": size, "3mf": three_mf, "schema": schema,
+     "text": text, "document": document, "tiles": tiles, "handout": handout}[sys.argv[1]](*sys.argv[2:])

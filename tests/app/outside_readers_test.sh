@@ -77,6 +77,10 @@ fi
     exit 1
 if by exrheader; then exrheader "$folder/f02.exr" >/dev/null || fail "exrheader cannot read a frame"; fi
 
+"$vitrine" record sdf_morph --size 48x27 --samples 1 --fps 4 --seconds 0.5 --path turntable --turn 20deg \
+    --channels color,depth,position,motion --out "$folder/m%d.exr" >/dev/null || exit 1
+python motion "$folder/m1.exr" "$folder/m2.exr"
+
 # Meshes.
 cat >"$folder/balls.json" <<'SCENE'
 {"format": "vitrine-scene", "version": 1, "name": "Balls <2> & more",

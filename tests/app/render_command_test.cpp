@@ -254,7 +254,7 @@ TEST(RenderCommand, ChannelsComeBackFromThePicture)
     EXPECT_EQ(test::withoutProgress(again.err), "");
     EXPECT_TRUE(sameBytes(folder / "a.exr", folder / "b.exr"));
     test::expectOneSentence(test::vitrine(rendering("sdf_morph", folder / "c.exr", {"--channels", "luminance"})),
-                            {"\"luminance\"", "depth, normal, evaluations, albedo, position or object"});
+                            {"\"luminance\"", "depth, normal, evaluations, albedo, position, object or motion"});
 }
 
 TEST(RenderCommand, APictureOfEveryExhibitAloneBringsItselfBackWithNothingElseSaid)

@@ -12,8 +12,8 @@ namespace {
 
 using render::Json;
 
-constexpr std::array<std::string_view, 10> keysOfRecord{"size",        "samples",  "time",      "seed",   "alone",
-                                                        "transparent", "channels", "transform", "camera", "language"};
+constexpr std::array<std::string_view, 11> keysOfRecord{
+    "size", "samples", "time", "seed", "alone", "transparent", "channels", "transform", "camera", "before", "language"};
 constexpr double mostPixelsOnASide = 1e6;
 constexpr double mostSamplesPerPixel = 4096;
 
@@ -22,13 +22,14 @@ struct NamedChannel {
     std::string_view name;
     bool& (*of)(PictureRecord&);
 };
-constexpr std::array<NamedChannel, 6> namedChannels{
+constexpr std::array<NamedChannel, 7> namedChannels{
     {{"depth", [](PictureRecord& r) -> bool& { return r.depth; }},
      {"normal", [](PictureRecord& r) -> bool& { return r.channels.normal; }},
      {"evaluations", [](PictureRecord& r) -> bool& { return r.channels.evaluations; }},
      {"albedo", [](PictureRecord& r) -> bool& { return r.channels.albedo; }},
      {"position", [](PictureRecord& r) -> bool& { return r.position; }},
-     {"object", [](PictureRecord& r) -> bool& { return r.objects; }}}};
+     {"object", [](PictureRecord& r) -> bool& { return r.objects; }},
+     {"motion", [](PictureRecord& r) -> bool& { return r.motion; }}}};
 
 double wholeNumber(const Json& json, const JsonPlace& place, double low, double high)
 {
@@ -90,6 +91,16 @@ void readChannels(const Json& json, const JsonPlace& place, PictureRecord& recor
     }
 }
 
+FrameBefore frameBeforeFrom(const Json& json, const JsonPlace& place, std::vector<std::string>& notes)
+{
+    if (!json.is_object() || !json.contains("seconds") || !json.contains("camera"))
+        throw place.failure(message("this must be an object with seconds and camera; correct it there."));
+    const Json& seconds = json["seconds"];
+    if (!seconds.is_number() || !(seconds.get<double>() > 0))
+        throw place.inside("seconds").failure(message("this must be a number of seconds above 0; correct it there."));
+    return {seconds.get<double>(), cameraFromJson(json["camera"], place.inside("camera"), notes)};
+}
+
 }  // namespace
 
 std::vector<std::string_view> channelNames()
@@ -127,6 +138,9 @@ Json jsonFromPictureRecord(const PictureRecord& record)
     if (!channels.empty()) json["channels"] = std::move(channels);
     if (record.exhibitTransform != glm::dmat4(1)) json["transform"] = matrixRows(record.exhibitTransform);
     if (record.camera) json["camera"] = jsonFromCamera(*record.camera, Json::object());
+    if (record.before)
+        json["before"] = {{"seconds", record.before->seconds},
+                          {"camera", jsonFromCamera(record.before->camera, Json::object())}};
     if (record.language != "en") json["language"] = record.language;
     return json;
 }
@@ -154,6 +168,7 @@ PictureRecord pictureRecordFromJson(const Json& json, const JsonPlace& place, st
     read("channels", [&](const Json& x, At at) { readChannels(x, at, record); });
     read("transform", [&](const Json& x, At at) { record.exhibitTransform = transformFrom(x, at); });
     read("camera", [&](const Json& x, At at) { record.camera = cameraFromJson(x, at, notes); });
+    read("before", [&](const Json& x, At at) { record.before = frameBeforeFrom(x, at, notes); });
     read("language", [&](const Json& x, At at) {
         if (!x.is_string()) throw at.failure(message("this must be the code of a language; correct it there."));
         record.language = x.get<std::string>();

@@ -10,14 +10,20 @@
 
 namespace vitrine {
 
+/// Frame before a picture, from which its motion vectors start.
+struct FrameBefore {
+    double seconds = 0;       ///< Time from that frame to the picture; above 0.
+    render::Camera camera{};  ///< In the space of the picture's camera.
+};
+
 /// Circumstances of a picture besides all settings. Both together reproduce the picture bit by bit. Inside the
 /// exhibition that a picture file contains, it is stored under "picture":
 ///
 ///     {"size": [640, 360], "samples": 4, "time": 0.0, "seed": 1}
 ///
 /// Optional keys: "alone": true, "transparent": true, "channels" beyond color (["depth", "normal", "evaluations",
-/// ...]), "transform" (rows of the 3 x 3 matrix of scale and rotation), "camera" if it was not the exhibition's, and
-/// "language" of the plaques if it was not English.
+/// ...]), "transform" (rows of the 3 x 3 matrix of scale and rotation), "camera" if it was not the exhibition's,
+/// "before" ({"seconds", "camera"}: `FrameBefore`), and "language" of the plaques if it was not English.
 struct PictureRecord {
     glm::ivec2 size{640, 360};  ///< Pixels.
     int samples = 4;            ///< Per pixel.
@@ -28,6 +34,8 @@ struct PictureRecord {
     bool depth = false;        ///< The channel "depth.Z" was added.
     bool position = false;     ///< The channels "position.X" to "position.Z" were added.
     bool objects = false;      ///< The channels of Cryptomatte were added.
+    bool motion = false;       ///< The channels "backward.u" and "backward.v" were added. They need `before`.
+    std::optional<FrameBefore> before{};
     Channels channels{};
     glm::dmat4 exhibitTransform{1};  ///< Scale and rotation of the selected exhibit around its own origin.
     std::optional<render::Camera> camera{};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "exhibits/framework/files/picture_record.h"
 #include "exhibits/framework/scene/frame_request.h"
 #include "exhibits/framework/table/parameters.h"
 #include "exhibits/museum/museum.h"
@@ -38,6 +39,7 @@ struct UsualPicture {
     glm::ivec2 size{0};   ///< Pixels of that picture, or of the view in the window; 0: unknown.
     Channels channels{};  ///< Further channels of that picture.
     bool depth = false, position = false, objects = false;  ///< Whether it had these channels.
+    std::optional<FrameBefore> before = {};  ///< Frame before that picture, if it had the channel motion.
     /// Whether the field of view grows for a narrow picture, as in the window (`widened`).
     bool widens = false;
     double secondsPerSample = 0;  ///< Time in which the window drew a sample of a pixel; 0: unknown.

@@ -1,6 +1,7 @@
 #include "exhibits/jobs/picture/picture_job.h"
 
 #include "exhibits/jobs/kit/expected_size.h"
+#include "exhibits/jobs/kit/picture_channels.h"
 #include "exhibits/jobs/picture/picture_table.h"
 #include "exhibits/museum/exr_metadata.h"
 #include "exhibits/museum/picture_settings.h"
@@ -8,13 +9,10 @@
 #include "render/files/atomic_write.h"
 #include "render/files/number_text.h"
 #include "render/plan/diagnostics.h"
-#include "render/text/joined.h"
-#include "render/text/nearest_word.h"
 #include "render/video/video_file.h"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace vitrine {
 
@@ -46,27 +44,6 @@ int samplesOf(const ParameterValues& values, const JobScene& scene)
     if (const int given = values[pictureTable().samples]; given > 0) return given;
     if (scene.usual.samples > 0) return scene.usual.samples;
     return scene.museum ? usualSamples(scene.state.hall()) : 1;
-}
-
-/// Channels that a text names, beyond color. Throws Failure (ErrorKind::usage).
-PictureRecord channelsNamed(const std::string& text)
-{
-    PictureRecord named;
-    std::istringstream parts(text);
-    for (std::string name; std::getline(parts, name, ',');) {
-        std::erase(name, ' ');
-        if (name == "color") continue;
-        bool* channel = channelOf(named, name);
-        if (!channel) {
-            const std::vector<std::string_view> names = channelNames();
-            std::vector<std::string> near = {"color"};
-            near.insert(near.end(), names.begin(), names.end());
-            throw Failure(ErrorKind::usage, "--channels: \"" + name + "\" is not a channel" + didYouMean(name, near) +
-                                                " give color, " + alternatives(names) + ", separated by commas.");
-        }
-        *channel = true;
-    }
-    return named;
 }
 
 bool isBeyondColor(const PictureRecord& named)
@@ -141,15 +118,13 @@ PictureRequest pictureRequest(const ParameterValues& values, const JobScene& sce
     request.frame.averageIn = linear ? AverageIn::radiance : AverageIn::display;
     const PictureRecord named = channelsNamed(values[t.channels]);
     if (!values[t.channels].empty()) {
-        request.frame.channels = named.channels;
-        request.depth = named.depth;
-        request.position = named.position;
-        request.objects = named.objects;
+        addChannels(named, scene.usual.before, request);
     } else if (linear) {
         request.frame.channels = scene.usual.channels;
         request.depth = scene.usual.depth;
         request.position = scene.usual.position;
         request.objects = scene.usual.objects;
+        request.before = scene.usual.before;
     }
     if (isBeyondColor(named) && !linear && !out.empty())
         throw Failure(ErrorKind::usage,

@@ -29,8 +29,9 @@ struct PictureTable final : Parameters {
                labeled("16 bits per channel"));
     Text channels =
         text("channels", "Channels of an OpenEXR file, separated by commas: color, depth, normal, evaluations, "
-                         "albedo (base color before light), position, object (which exhibit, as Cryptomatte). Empty: "
-                         "those of the picture whose settings are used, else color only.");
+                         "albedo (base color before light), position, object (which exhibit, as Cryptomatte), motion "
+                         "(of the camera since the frame before). Empty: those of the picture whose settings are used, "
+                         "else color only.");
 
 private:
     Count side(std::string_view name)

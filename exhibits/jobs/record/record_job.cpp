@@ -2,6 +2,7 @@
 
 #include "exhibits/jobs/kit/expected_size.h"
 #include "exhibits/jobs/kit/job_document.h"
+#include "exhibits/jobs/kit/picture_channels.h"
 #include "exhibits/jobs/record/record_preview.h"
 #include "exhibits/jobs/record/record_table.h"
 #include "exhibits/museum/picture_settings.h"
@@ -9,6 +10,7 @@
 #include "exhibits/recording/tour.h"
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
+#include "render/files/extension.h"
 #include "render/files/number_text.h"
 #include "render/video/video_file.h"
 
@@ -91,6 +93,22 @@ void turnAround(const ParameterValues& values, const JobScene& scene, RecordingR
                                         "show the exhibit alone.");
 }
 
+/// Returns why the frames cannot carry the channels, as a full sentence; empty if they can.
+std::string whyNotChannels(const ParameterValues& values, const std::filesystem::path& out)
+{
+    const RecordTable& t = recordTable();
+    if (values[t.channels].empty()) return {};
+    try {
+        static_cast<void>(channelsNamed(values[t.channels]));
+    } catch (const Failure& failure) {
+        return failure.what();
+    }
+    if (render::lowerExtension(out) != ".exr")
+        return "--channels: only frames of OpenEXR carry more than color; give --out a name like frames/%04d.exr.";
+    if (values[t.shutter] > 0) return "--channels: motion blur has only a color; leave --shutter out.";
+    return {};
+}
+
 std::string refusalOf(const ParameterValues& values, const JobScene& scene, const RecordInputs& inputs)
 {
     const RecordPath path = pathOf(values, scene);
@@ -108,6 +126,11 @@ RecordingRequest wholeRequest(const JobOrder& order)
 {
     const auto& inputs = static_cast<const RecordInputs&>(*order.inputs);
     RecordingRequest request = requestOf(order.values, order.scene);
+    if (const std::string why = whyNotChannels(order.values, order.out); !order.out.empty() && !why.empty())
+        throw Failure(ErrorKind::usage, why);
+    // The camera of the frame before is known for each frame: `pictureAt`.
+    addChannels(channelsNamed(order.values[recordTable().channels]), FrameBefore{1 / request.framesPerSecond, {}},
+                request.picture);
     request.picture.largestTile = order.largestTile;
     const RecordPath path = pathOf(order.values, order.scene);
     if (path == RecordPath::turntable) {
@@ -231,11 +254,14 @@ JobPlan RecordJob::plan(const ParameterValues& values, const JobScene& scene, co
     const RecordingRequest request = requestOf(values, scene);
     JobPlan plan;
     plan.refusal = refusalOf(values, scene, read);
+    plan.offers["channels"] = {"color", "color,depth,motion", "color,albedo,normal",
+                               "color,depth,normal,position,object"};
     if (read.tour && pathOf(values, scene) == RecordPath::tour) plan.warnings = read.tour->notes;
     plan.facts = factsOf(request);
     if (out.empty()) return plan;
     if (plan.refusal.empty()) plan.refusal = refusedExtension(*this, out);
     if (plan.refusal.empty()) plan.refusal = whyNotRecordable(request, out);
+    if (plan.refusal.empty()) plan.refusal = whyNotChannels(values, out);
     const bool isFrames = isFramePattern(out);
     plan.ifStopped = isFrames ? "Stopped; the frames so far are whole, and the same settings go on with the next one."
                               : "Stopped; nothing was written.";
@@ -265,6 +291,7 @@ ParameterValues RecordJob::draft(const ParameterValues& values, const JobInputs&
     small.set(t.height, smaller(values[t.height]));
     small.set(t.samples, 1);
     small.set(t.shutter, 0.0);
+    small.set(t.channels, std::string());
     return small;
 }
 

@@ -47,6 +47,10 @@ struct RecordTable final : Parameters {
                           "Samples per pixel: 1 leaves jagged edges, 16 gives smooth ones. Auto: as in the picture "
                           "whose settings are used, else the hall's supersamples if they are set, else 4.",
                           reads(0, "auto"));
+    Text channels =
+        text("channels", "Channels of OpenEXR frames, separated by commas: color, depth, normal, evaluations, albedo "
+                         "(base color before light), position, object (which exhibit, as Cryptomatte), motion (of the "
+                         "camera since the frame before). Empty: color only.");
 };
 
 [[nodiscard]] const RecordTable& recordTable();
