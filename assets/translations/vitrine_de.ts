@@ -2028,6 +2028,11 @@ Zeiten nach: %2.</translation>
         <translation>der Name eines Parameters hat Buchstaben und Ziffern, zuerst einen Buchstaben</translation>
     </message>
     <message>
+        <location filename="render/image/oiio/pdf_reader.cpp"/>
+        <source>a part of it is too large</source>
+        <translation>ein Teil davon ist zu groß</translation>
+    </message>
+    <message>
         <location filename="exhibits/your_shader/shadertoy_reader.cpp"/>
         <source>A pass has the unknown type “{1}”; there are common, buffer, image, cubemap and sound.</source>
         <translation>Ein Pass hat den unbekannten Typ „{=1}“; es gibt common, buffer, image, cubemap und sound.</translation>
@@ -4895,8 +4900,8 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="render/image/picture_rows.cpp"/>
-        <source>Cannot read {1}: it is neither a TIFF nor a PNG.</source>
-        <translation>{=1} kann nicht gelesen werden: weder ein TIFF noch ein PNG.</translation>
+        <source>Cannot read {1}: it is neither a TIFF nor a PNG nor a PDF.</source>
+        <translation>{1} kann nicht gelesen werden: Es ist weder TIFF noch PNG noch PDF.</translation>
     </message>
     <message>
         <location filename="render/scene/gltf.cpp"/>
@@ -10185,6 +10190,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>es kann nicht geöffnet werden</translation>
     </message>
     <message>
+        <location filename="render/image/oiio/pdf_reader.cpp"/>
+        <source>it cannot be read</source>
+        <translation>es kann nicht gelesen werden</translation>
+    </message>
+    <message>
         <location filename="render/image/image_limits.cpp"/>
         <source>it claims to unpack to {1} times its size, more than the format can pack</source>
         <translation>es will sich zum {1}-fachen seiner Größe entpacken, mehr, als das Format packen kann</translation>
@@ -10275,6 +10285,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="exhibits/jobs/print/view_folder.cpp"/>
         <source>it holds {1}, which is none of the {2} views to be written; choose an empty folder</source>
         <translation>er enthält {=1}, keine der {2} Ansichten, die geschrieben werden; wählen Sie einen leeren Ordner</translation>
+    </message>
+    <message>
+        <location filename="render/image/oiio/pdf_reader.cpp"/>
+        <source>it is a broken PDF; print it anew</source>
+        <translation>es ist ein beschädigtes PDF; drucken Sie es neu</translation>
     </message>
     <message>
         <location filename="render/image/oiio/read.cpp"/>
@@ -10390,6 +10405,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="ui/kit/preferences.cpp"/>
         <source>it is no text</source>
         <translation>sie ist kein Text</translation>
+    </message>
+    <message>
+        <location filename="render/image/oiio/pdf_reader.cpp"/>
+        <source>it is not a PDF that vitrine print wrote, and pictures of others are not read; print it anew, or as a TIFF or PNG</source>
+        <translation>es ist kein PDF, das vitrine print geschrieben hat, und Bilder anderer werden nicht gelesen; drucken Sie es neu, oder als TIFF oder PNG</translation>
     </message>
     <message>
         <location filename="render/files/read_file.cpp"/>
@@ -10736,6 +10756,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>its own</source>
         <extracomment>tables</extracomment>
         <translation>eigene</translation>
+    </message>
+    <message>
+        <location filename="render/image/oiio/pdf_reader.cpp"/>
+        <source>its picture is broken</source>
+        <translation>das Bild darin ist beschädigt</translation>
     </message>
     <message>
         <location filename="ui/study/study_view.cpp"/>

@@ -49,7 +49,7 @@ public:
     [[nodiscard]] virtual std::string close() noexcept = 0;
 };
 
-/// An open TIFF that is read by rows, 8 or 16 bits.
+/// An open TIFF or PDF that is read by rows, 8 or 16 bits.
 class OiioRowReader {
 public:
     virtual ~OiioRowReader() = default;
@@ -120,6 +120,11 @@ public:
     [[nodiscard]] virtual std::string openRowReader(const std::string& path,
                                                     std::unique_ptr<OiioRowReader>& out) noexcept = 0;
 
+    /// Opens a PDF of any size that `openPdfRows` wrote, to read it by rows. The description is that of the attached
+    /// file. Other PDFs are refused.
+    [[nodiscard]] virtual std::string openPdfReader(const std::string& path,
+                                                    std::unique_ptr<OiioRowReader>& out) noexcept = 0;
+
     /// Version of the loaded OpenImageIO: "2.4.7.1".
     [[nodiscard]] virtual const char* libraryVersion() const noexcept = 0;
 };
@@ -134,5 +139,5 @@ public:
 }  // namespace vitrine::render
 
 /// The module's only exported symbol. Returns null unless `version` is `vitrineOiioVersion`.
-inline constexpr int vitrineOiioVersion = 6;
+inline constexpr int vitrineOiioVersion = 7;
 extern "C" vitrine::render::OiioCodec* vitrineOiio(int version);

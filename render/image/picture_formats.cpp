@@ -98,6 +98,11 @@ std::optional<ImageFormat> sniffImage(std::string_view bytes)
     return std::nullopt;
 }
 
+bool isPdf(std::string_view bytes)
+{
+    return bytes.substr(0, 5) == "%PDF-";
+}
+
 bool extensionAllows(const std::filesystem::path& path, ImageFormat format)
 {
     if (path.extension().empty()) return true;
@@ -140,13 +145,6 @@ std::string streamedExtensions()
 std::string_view streamedEndings()
 {
     static const std::string endings = allEndings([](const PictureFileFormat& format) { return format.isStreamed; });
-    return endings;
-}
-
-std::string_view readStreamEndings()
-{
-    static const std::string endings =
-        allEndings([](const PictureFileFormat& format) { return format.isStreamed && format.isRead; });
     return endings;
 }
 

@@ -49,6 +49,9 @@ struct PictureFileFormat {
 /// Detects the format from the first bytes of a file.
 [[nodiscard]] std::optional<ImageFormat> sniffImage(std::string_view bytes);
 
+/// Returns whether a file begins as a PDF, which is read as a print only (`PictureRows`).
+[[nodiscard]] bool isPdf(std::string_view bytes);
+
 /// Returns whether a file of this name may hold `format` (".jpg" and ".jpeg", any case). A name without extension may.
 [[nodiscard]] bool extensionAllows(const std::filesystem::path&, ImageFormat);
 
@@ -68,8 +71,6 @@ struct PictureFileFormat {
 [[nodiscard]] std::string streamedExtensions();
 /// Returns all extensions of streamed formats in the form of `ParameterInfo::extensions`: "png tif tiff pdf".
 [[nodiscard]] std::string_view streamedEndings();
-/// Returns those of them that are read, too: "png tif tiff".
-[[nodiscard]] std::string_view readStreamEndings();
 /// Returns all extensions of written formats, which carry settings, in the form of `ParameterInfo::extensions`.
 [[nodiscard]] std::string_view settingsEndings();
 /// Returns all extensions of readable formats in the form of `ParameterInfo::extensions`: "png jpg jpeg tif".

@@ -1,7 +1,7 @@
 #include "render/image/picture_rows.h"
 
 #include "render/failure.h"
-#include "render/image/image_limits.h"
+#include "render/image/picture_formats.h"
 #include "render/image/picture_stream.h"
 
 #include <array>
@@ -18,7 +18,8 @@ PictureRows::PictureRows(const std::filesystem::path& path) : path_(path)
         throw Failure(ErrorKind::file, "Cannot read " + path.string() + ": there is no such file.");
     std::ifstream file(path, std::ios::binary);
     file.read(bytes.data(), bytes.size());
-    const auto format = sniffImage({bytes.data(), static_cast<std::size_t>(file.gcount())});
+    const std::string_view begin(bytes.data(), static_cast<std::size_t>(file.gcount()));
+    const auto format = sniffImage(begin);
     if (format == ImageFormat::png) {
         png_ = std::make_unique<PngRowReader>(path);
         check(png_->begin());
@@ -26,8 +27,9 @@ PictureRows::PictureRows(const std::filesystem::path& path) : path_(path)
         height_ = png_->height();
         bits_ = png_->bits();
         json_ = png_->text(printKey);
-    } else if (format == ImageFormat::tiff) {
-        check(oiioCodec().openRowReader(path.string(), tiff_));
+    } else if (format == ImageFormat::tiff || isPdf(begin)) {
+        check(isPdf(begin) ? oiioCodec().openPdfReader(path.string(), tiff_)
+                           : oiioCodec().openRowReader(path.string(), tiff_));
         width_ = tiff_->width;
         height_ = tiff_->height;
         bits_ = tiff_->bits;
@@ -35,7 +37,7 @@ PictureRows::PictureRows(const std::filesystem::path& path) : path_(path)
         json_ = tiff_->description;
         if (tiff_->isInks) beginInks();
     } else {
-        throw Failure(ErrorKind::file, "Cannot read " + path.string() + ": it is neither a TIFF nor a PNG.");
+        throw Failure(ErrorKind::file, "Cannot read " + path.string() + ": it is neither a TIFF nor a PNG nor a PDF.");
     }
     if (width_ < 1 || height_ < 1) check("it is empty");
     if ((tiff_ ? tiff_->orientation : png_->orientation()) > 1)

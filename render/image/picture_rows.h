@@ -13,10 +13,11 @@
 
 namespace vitrine::render {
 
-/// Reader of a PNG or TIFF of any size, a few rows at a time; memory does not grow with the picture.
+/// Reader of a PNG or TIFF, or of a PDF that `PictureStream` wrote, of any size, a few rows at a time; memory does not
+/// grow with the picture.
 class PictureRows {
 public:
-    /// Throws Failure naming the file if it cannot be opened, or is neither PNG nor TIFF.
+    /// Throws Failure naming the file if it cannot be opened, or is none of these.
     explicit PictureRows(const std::filesystem::path&);
 
     [[nodiscard]] std::int64_t width() const { return width_; }
@@ -42,7 +43,7 @@ private:
 
     std::filesystem::path path_;
     std::unique_ptr<PngRowReader> png_;
-    std::unique_ptr<OiioRowReader> tiff_;
+    std::unique_ptr<OiioRowReader> tiff_;    ///< TIFF or PDF.
     std::optional<ProfileConversion> inks_;  ///< From the inks of a TIFF to sRGB.
     std::vector<char> converted_;            ///< One row of it.
     std::int64_t width_ = 0;

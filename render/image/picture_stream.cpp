@@ -155,6 +155,7 @@ std::optional<std::string> embeddedPrint(const std::filesystem::path& path)
         text = PictureRows(path).json();
     } else {
         const std::string bytes = readFile(path, ImageLimits{}.fileBytes);
+        if (isPdf(bytes)) return PictureRows(path).json();
         const ImageFormat format = formatOf(bytes, path.string());
         if (format == ImageFormat::png) return textInPng(bytes, printKey, path.string());
         if (format != ImageFormat::tiff) return std::nullopt;

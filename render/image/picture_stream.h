@@ -83,7 +83,7 @@ private:
 /// lengths instead.
 [[nodiscard]] double storedDpi(const std::filesystem::path&, double dpi);
 
-/// Returns the JSON that a stream wrote into a TIFF or PNG of any size, or nothing. The text is untrusted.
+/// Returns the JSON that a stream wrote into a file of any size, or nothing. The text is untrusted.
 [[nodiscard]] std::optional<std::string> embeddedPrint(const std::filesystem::path&);
 
 /// Returns the ICC profile of a picture file; empty if there is none.

@@ -142,6 +142,11 @@ def motion(before, now):
     assert largest > 1
 
 
+def pdf(picture, name):
+    """Writes a picture as a PDF of another program."""
+    pillow().open(picture).convert("RGB").save(name)
+
+
 def pillow():
     try:
         from PIL import Image
@@ -345,5 +350,5 @@ def handout(folder, shader):
 
 
 if __name__ == "__main__":
-    {"exr": exr, "motion": motion, "equal": equal, "size": size, "3mf": three_mf, "schema": schema,
+    {"exr": exr, "motion": motion, "pdf": pdf, "equal": equal, "size": size, "3mf": three_mf, "schema": schema,
      "text": text, "document": document, "tiles": tiles, "handout": handout}[sys.argv[1]](*sys.argv[2:])

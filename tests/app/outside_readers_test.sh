@@ -127,6 +127,17 @@ if by pdfinfo; then
     read_by=$((read_by + 1))
 fi
 
+# The proof of the PDF is that of the PNG. A PDF of another program is refused.
+for end in png pdf; do
+    "$vitrine" proof "$folder/p.$end" --angle 5 --out "$folder/proof_$end.png" >/dev/null || fail "proof of a .$end"
+done
+python equal "$folder/proof_png.png" "$folder/proof_pdf.png"
+python pdf "$folder/p.png" "$folder/other.pdf"
+if [ -f "$folder/other.pdf" ]; then
+    "$vitrine" proof "$folder/other.pdf" --angle 5 --out "$folder/o.png" 2>"$folder/said" && fail "another PDF is read"
+    grep -q "it is not a PDF that vitrine print wrote" "$folder/said" || fail "another PDF is refused otherwise"
+fi
+
 # The same in tiles that overlap. Read again, they are the print in one piece.
 for tile in "" "--tile-mm 25 --tile-overlap-mm 3"; do
     "$vitrine" print --exhibit sdf_morph --samples 1 --view-size 60x40 --count 4 --lpi 40 --dpi 300 --width-mm 70 \

@@ -76,7 +76,7 @@ void PrintExportBar::askSettings(bool save)
     auto* dialog = new QFileDialog(
         this, save ? tr("Save settings") : tr("Load settings"), QFileInfo(path()).absolutePath(),
         save ? tr("Settings (*.json)")
-             : tr("Settings and prints (%1)").arg(filePatterns("json " + std::string(render::readStreamEndings()))));
+             : tr("Settings and prints (%1)").arg(filePatterns("json " + std::string(render::streamedEndings()))));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(save ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
     dialog->setDefaultSuffix(save ? QStringLiteral("vitrine-print.json") : QString());

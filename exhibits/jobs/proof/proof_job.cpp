@@ -15,7 +15,7 @@ namespace {
 struct ProofTable final : Parameters {
     Group printGroup = group("Print");
     File print = file("print", "Print that `vitrine print` wrote; of a print in tiles, any of them.",
-                      extensions(render::readStreamEndings()), positional(), mustBeGiven());
+                      extensions(render::streamedEndings()), positional(), mustBeGiven());
 
     Group eyeGroup = group("Eye");
     Real angle = real("angle", 0, degree, {degrees(-85), degrees(85)},

@@ -1,4 +1,5 @@
 #include "render/image/oiio/guarded.h"
+#include "render/image/oiio/pdf_reader.h"
 #include "render/image/oiio/pdf_rows.h"
 #include "render/image/oiio/read.h"
 #include "render/image/oiio/row_reader.h"
@@ -68,6 +69,10 @@ public:
     std::string openRowReader(const std::string& path, std::unique_ptr<OiioRowReader>& out) noexcept override
     {
         return guarded([&] { return openRowReaderWithOiio(path, out); });
+    }
+    std::string openPdfReader(const std::string& path, std::unique_ptr<OiioRowReader>& out) noexcept override
+    {
+        return guarded([&] { return openPdfReaderWithQpdf(path, out); });
     }
     const char* libraryVersion() const noexcept override { return OIIO_VERSION_STRING; }
 };

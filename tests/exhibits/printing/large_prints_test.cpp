@@ -202,7 +202,7 @@ TEST(LargePrints, BeyondFourGigabytesATiffIsABigOneAndBelowItIsNot)
     }
 }
 
-TEST(PrintRaster, GivesTheRowsOfATiffAPngAndOfTilesInAnyOrder)
+TEST(PrintRaster, GivesTheRowsOfEveryFormatAndOfTilesInAnyOrder)
 {
     const TemporaryFolder folder;
     const ViewSet views = noisyViews(3, 40, 30);
@@ -212,9 +212,11 @@ TEST(PrintRaster, GivesTheRowsOfATiffAPngAndOfTilesInAnyOrder)
     (void)writePrint(layout, views,
                      {.path = folder / "a.tif", .compression = render::StreamCompression::deflate, .json = json});
     (void)writePrint(layout, views, {.path = folder / "b.png", .json = json});
+    (void)writePrint(layout, views, {.path = folder / "c.pdf", .json = json});
     ASSERT_EQ(writePrint(layout, views, {.path = folder / "t.tif", .tileWidth = 10, .json = json}).size(), 3U);
-    std::filesystem::remove(folder / "b.png.json");  // Settings are then read from inside the file.
-    for (const char* name : {"a.tif", "b.png", "t.tif", "t-1.tif", "t-2.tif"}) {
+    // Settings are then read from inside the file.
+    for (const char* name : {"b.png.json", "c.pdf.json"}) std::filesystem::remove(folder / name);
+    for (const char* name : {"a.tif", "b.png", "c.pdf", "t.tif", "t-1.tif", "t-2.tif"}) {
         PrintRaster print = readPrint(folder / name);
         EXPECT_EQ(print.layout().lensesPerPixelX(), layout.lensesPerPixelX()) << name;
         for (const std::int64_t y : {0, 5, 332, 100, 101, 3, 331}) {
@@ -238,7 +240,7 @@ TEST(PrintRaster, ADescriptionBesideItOfAnotherPrintIsNoticedAndNotUsed)
     const ViewSet views = noisyViews(3, 40, 30);
     const PrintLayout layout(settingsFor(60, 600, 3, 300, 200));
     const PrintLayout older(settingsFor(40, 600, 3, 300, 200));
-    for (const char* name : {"a.tif", "a.png"}) {
+    for (const char* name : {"a.tif", "a.png", "a.pdf"}) {
         const std::string beside = (folder / name).string() + ".json";
         (void)writePrint(layout, views, {.path = folder / name, .json = test::descriptionOf(layout)});
         EXPECT_EQ(readPrint(folder / name).doubt(), "");
@@ -278,7 +280,7 @@ TEST(PrintRaster, WhatIsCutOffOrOfAnotherSizeIsRefusedByName)
     const TemporaryFolder folder;
     const ViewSet views = noisyViews(3, 40, 30);
     const PrintLayout layout(settingsFor(40.15, 600, 3, 300, 200));
-    for (const char* name : {"a.tif", "a.png"}) {
+    for (const char* name : {"a.tif", "a.png", "a.pdf"}) {
         (void)writePrint(layout, views, {.path = folder / name, .json = test::descriptionOf(layout)});
         const std::string whole = bytesOf(folder / name);
         for (const std::size_t size : {std::size_t{0}, std::size_t{3}, std::size_t{60}, whole.size() / 2}) {
@@ -286,6 +288,24 @@ TEST(PrintRaster, WhatIsCutOffOrOfAnotherSizeIsRefusedByName)
             EXPECT_FAILURE(readPrint(folder / name).image(), name);
         }
     }
+    // The picture of a PDF is found by its name and form.
+    (void)writePrint(layout, views, {.path = folder / "a.pdf", .json = test::descriptionOf(layout)});
+    const std::string pdf = bytesOf(folder / "a.pdf");
+    const auto changed = [&](const std::string& from, const std::string& to) {
+        std::string bytes = pdf;
+        const std::size_t at = bytes.find(from);
+        if (at == std::string::npos || from.size() != to.size()) return std::string("%PDF-1.6");
+        vitrine::test::writeBytes(folder / "a.pdf", bytes.replace(at, from.size(), to));
+        return vitrine::test::failureOf([&] { (void)readPrint(folder / "a.pdf").image(); });
+    };
+    for (const auto& [from, to] : {std::pair{"/Im0 ", "/Im9 "}, std::pair{"vitrine-print.json", "vitrine_print.json"},
+                                   std::pair{"/ICCBased", "/ICCbased"}, std::pair{"/Width 300", "/Width -30"}})
+        EXPECT_PRED_FORMAT2(testing::IsSubstring, "a.pdf: it is not a PDF that vitrine print wrote", changed(from, to));
+    EXPECT_PRED_FORMAT2(testing::IsSubstring, "30 x 200", changed("/Width 300", "/Width 30 "));
+    EXPECT_PRED_FORMAT2(testing::IsSubstring, "300 x 999", changed("/Height 200", "/Height 999"));
+    // The first bytes of deflated data say how it is deflated.
+    const std::size_t data = pdf.find("stream\n", pdf.find("/Width 300")) + 7;
+    EXPECT_PRED_FORMAT2(testing::IsSubstring, "its picture is broken", changed(pdf.substr(data, 8), "notzlib!"));
     render::writePicture(folder / "a.png", render::Image(30, 20, 3, 0.5F), render::PictureFormat::png8);
     EXPECT_FAILURE(readPrint(folder / "a.png"), "30 x 20");
 }
