@@ -44,9 +44,6 @@ ParameterValues valuesOf(const render::JsonDocument& document, std::vector<std::
     return values;
 }
 
-/// Parameter that prints of earlier versions lack. They were made with its initial value.
-constexpr std::string_view addedLater = "tileOverlap";
-
 /// Returns the document without what only a print has.
 Json documentOf(const ParameterValues& values)
 {
@@ -92,8 +89,7 @@ PrintSettings settingsFromJson(const render::JsonDocument& document)
     requirePrint(document);
     const Json& root = document.root();
     for (const ParameterInfo& parameter : printTable().rows())
-        if (parameter.group != "Views" && !parameter.isWritten() && parameter.name != addedLater &&
-            !root["values"].contains(parameter.name))
+        if (parameter.group != "Views" && !parameter.isWritten() && !root["values"].contains(parameter.name))
             throw document.failure("values", "\"" + std::string(parameter.name) +
                                                  "\" is missing: this does not describe a lenticular "
                                                  "print; give a print, or the JSON beside it.");

@@ -251,9 +251,11 @@ TEST(PrintFile, ADescriptionThatIsNoneIsRefusedWithItsKey)
     expectBroken("/values/lensesPerInch", 1e6, "lensesPerInch");
     expectBroken("/values/velvet", 1, "velvet");
     expectBroken("/views", 257, "views: this must be 1 to 256");
-    render::Json without = good;
-    without["values"].erase("width");
-    expectRefused(render::writeJson(without), "\"width\" is missing");
+    for (const std::string key : {"width", "tileOverlap"}) {
+        render::Json without = good;
+        without["values"].erase(key);
+        expectRefused(render::writeJson(without), ("\"" + key + "\" is missing").c_str());
+    }
 }
 
 /// Runs the program. Returns its exit code.
