@@ -3,6 +3,8 @@
 #include "exhibits/framework/table/studied_parameters.h"
 #include "exhibits/kit/sdf_parameters.h"
 
+#include <numbers>
+
 namespace vitrine {
 
 /// Parameters of the melting torus-mug. Lengths are in meters, in its own space.
@@ -34,6 +36,11 @@ struct TorusMugParameters : virtual Parameters {
                       when(animate));
 };
 
+/// Position of the hall's sun, in radians, from which it shines nearly straight through the window at the exhibit in
+/// the middle.
+inline constexpr double straightSunElevation = 19 * std::numbers::pi / 180;
+inline constexpr double straightSunAzimuth = -3 * std::numbers::pi / 180;
+
 /// All parameters of the exhibit.
 struct SdfMorphTable final : TorusMugParameters, SdfMaterialParameters, SdfParameters {
     // Bare metal shows no shadow of its own, and a small sun hardly any penumbra. The sun of the hall as it opens
@@ -41,11 +48,11 @@ struct SdfMorphTable final : TorusMugParameters, SdfMaterialParameters, SdfParam
     StudiedParameters studied{*this,
                               {{.name = "shadowMethod",
                                 .with = {{"metalness", 0}},
-                                .hall = {{"sunElevation", degrees(19)}, {"sunAzimuth", degrees(-3)}},
+                                .hall = {{"sunElevation", straightSunElevation}, {"sunAzimuth", straightSunAzimuth}},
                                 .views = {"best view", "into the mug, along its wall"}},
                                {.name = "shadowRays",
                                 .with = {{"metalness", 0}, {"sunWidth", degrees(10)}},
-                                .hall = {{"sunElevation", degrees(19)}, {"sunAzimuth", degrees(-3)}},
+                                .hall = {{"sunElevation", straightSunElevation}, {"sunAzimuth", straightSunAzimuth}},
                                 .views = {"best view", "into the mug, along its wall"}}}};
 };
 

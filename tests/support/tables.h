@@ -13,8 +13,6 @@ inline const HallTable& hallTable()
     static const HallTable table;
     return table;
 }
-/// Position of the sun after `letTheSunIn`, in radians.
-inline constexpr double straightSunElevation = 19 * degree, straightSunAzimuth = -3 * degree;
 /// Puts the sun nearly straight in front of the window, where it shines on the exhibit in the middle of the hall.
 inline void letTheSunIn(ParameterValues& hall)
 {
