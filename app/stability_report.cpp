@@ -39,21 +39,19 @@ const char* resultText(const StabilityResult& r)
 /// Called for each result as soon as it is known.
 using Tell = std::function<void(const StabilityResult&)>;
 
-/// The longest text of `what` in English, as wide as the column.
-constexpr int whatWidth = 66;
-
 void printHead(const render::gl::ContextInfo& gl)
 {
     std::printf("vitrine   %s\nrenderer  %s\nversion   %s\n\n", render::programVersion().c_str(), gl.renderer.c_str(),
                 gl.version.c_str());
-    std::printf("%-5s %-*s %-7s %10s %10s\n", "case", whatWidth, "what", "result", "value", "limit");
+    // The texts are the last column, so that none is too long.
+    std::printf("%-5s %-7s %10s %10s  %s\n", "case", "result", "value", "limit", "what");
 }
 
 /// Prints a line at once, so that a run that is ended early still tells what it tried.
 void printLine(const StabilityResult& r)
 {
-    std::printf("%-5s %-*s %-7s %10s %10s\n", r.number.c_str(), whatWidth, r.what.c_str(), resultText(r),
-                measured(r.value).c_str(), measured(r.limit).c_str());
+    std::printf("%-5s %-7s %10s %10s  %s\n", r.number.c_str(), resultText(r), measured(r.value).c_str(),
+                measured(r.limit).c_str(), r.what.c_str());
     if (!r.detail.empty()) std::printf("      %s\n", r.detail.c_str());
     std::fflush(stdout);
 }

@@ -195,7 +195,7 @@ TEST(DoctorStability, TriesTheHardCasesOnTheDriver)
                              "your_shader: ", "The time of 0.05 minutes was over before 1000000 settings"})
         EXPECT_NE(table.find(part), std::string::npos) << part << '\n' << table;
     EXPECT_TRUE(std::regex_search(table, std::regex("\nEverything( that was tried)? holds\\.\n"))) << table;
-    EXPECT_FALSE(std::regex_search(table, std::regex(" in 0 pictures +holds"))) << table;
+    EXPECT_FALSE(std::regex_search(table, std::regex("holds .* in 0 pictures"))) << table;
     EXPECT_EQ(test::vitrine({"doctor", "--stability", "--presets", "0"}).code, 2);
 }
 
