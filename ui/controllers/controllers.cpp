@@ -64,6 +64,7 @@ void Controllers::readMapping()
         const std::optional<Control> control = controlFrom(entry.value().toStdString());
         if (!control) continue;
         const auto before = mapped_.find(entry.key());
+        if (limits_ && !limits_->contains(entry.key())) continue;
         const bool same = before != mapped_.end() && before->second.control == *control;
         mapped.emplace(entry.key(), same ? before->second : Mapped{*control, {}});
     }
@@ -150,7 +151,7 @@ const Value& Controllers::valueOf(const Place& place) const
 bool Controllers::mayLearn(const QString& key) const
 {
     const std::optional<Place> place = placeOf(key);
-    return place && isMovable(infoAt(*place));
+    return place && isMovable(infoAt(*place)) && !limits_;
 }
 
 ParameterNote Controllers::note(const QString& key) const
@@ -181,6 +182,13 @@ void Controllers::learn(const QString& key)
     const QString before = std::exchange(learning_, key);
     if (!before.isEmpty()) emit noteChanged(before);
     if (!key.isEmpty()) emit noteChanged(key);
+}
+
+void Controllers::limitTo(const QStringList& keys)
+{
+    limits_ = keys;
+    learn({});
+    readMapping();
 }
 
 void Controllers::forget(const QString& key)

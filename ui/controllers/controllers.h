@@ -44,6 +44,8 @@ public:
     void learn(const QString& key) override;
     void forget(const QString& key) override;
 
+    /// Lets controls move these parameters only, and learns none: for exhibitions.
+    void limitTo(const QStringList& keys);
     /// Takes messages as if an input had delivered them.
     void take(const std::vector<ControlMessage>&);
     /// Returns the open inputs for the status line: "OSC 9000", "MIDI 2"; empty: none.
@@ -97,6 +99,7 @@ private:
     QTimer search_;  ///< Looks for MIDI devices.
     QStringList devices_;
     std::map<QString, Mapped> mapped_;  ///< By the parameter's key.
+    std::optional<QStringList> limits_;
     QString learning_;
     std::map<Control, double> known_;  ///< Positions since learning began.
     Gesture gesture_ = 0;

@@ -2,6 +2,7 @@
 
 #include "render/failure.h"
 #include "render/text/nearest_word.h"
+#include "ui/controllers/controllers.h"
 #include "ui/gamepad/gamepad_control.h"
 #include "ui/viewport/parameter_drag.h"
 #include "ui/viewport/viewport.h"
@@ -76,6 +77,10 @@ Kiosk::Kiosk(MainWindow& window, const KioskOptions& options) : window_(window),
     window_.setWindowState(window_.windowState() | Qt::WindowFullScreen);
     if (!places.empty()) panel_ = new KioskPanel(window_.viewport(), window_.museum(), window_.history(), places);
     ignoreOtherInput();
+    QStringList allowed;
+    for (const std::string& name : options.parameters)
+        allowed << QString::fromStdString(name).replace(QLatin1Char('.'), QLatin1Char('/'));
+    if (auto* controllers = window_.findChild<Controllers*>()) controllers->limitTo(allowed);
     idle_.setSingleShot(true);
     idle_.setInterval(static_cast<int>(std::lround(options.minutes * 60'000)));
     connect(&idle_, &QTimer::timeout, this, &Kiosk::beginAnew);

@@ -2,9 +2,11 @@
 #include "tests/ui/ui_main.h"
 
 #include "render/failure.h"
+#include "ui/controllers/controllers.h"
 #include "ui/gamepad/gamepad_control.h"
 #include "ui/window/kiosk.h"
 #include "ui/window/kiosk_panel.h"
+#include "ui/window/window_preferences.h"
 
 #include <QDockWidget>
 #include <QMenuBar>
@@ -60,6 +62,28 @@ private slots:
         QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint(slider->width() / 2, slider->height() / 2));
         QTRY_VERIFY(std::abs(roughness() - 0.5) < 0.1);
         for (const QDockWidget* dock : window_->findChildren<QDockWidget*>()) QVERIFY(!dock->isVisible());
+    }
+
+    void controllersMoveTheAllowedParametersAlone()
+    {
+        PreferenceValues wanted = window_->preferences().values().values();
+        wanted.controllers = {{"sdf_morph/roughness", "cc 1 21"}, {"sdf_morph/metalness", "cc 1 22"}};
+        window_->preferences().values().set(wanted);
+        auto* controllers = window_->findChild<Controllers*>();
+        QVERIFY(controllers && controllers->isControlled("sdf_morph/metalness"));
+        QVERIFY(controllers->mayLearn("sdf_morph/metalness"));
+        begin({.parameters = {"sdf_morph.roughness"}});
+        QVERIFY(!controllers->mayLearn("sdf_morph/roughness"));
+        const SceneState before = window_->history().sceneState();
+        const auto sweep = [&](unsigned char control) {
+            for (const int value : {0, 32, 64, 96, 127})
+                controllers->take({{{}, {}, {0xb0, control, static_cast<unsigned char>(value)}}});
+        };
+        sweep(22);
+        QVERIFY(window_->history().sceneState() == before);
+        sweep(21);
+        QVERIFY(!(window_->history().sceneState() == before));
+        QCOMPARE(roughness(), 1.0);
     }
 
     void commandsShortcutsAndMenusDoNothing()
