@@ -152,7 +152,10 @@ ShaderCompiler::Result ShaderCompiler::compile(const CompilerRequest& request, C
     }
     if (received == Received::late) {
         stop();
-        return {.answer = {}, .problem = tooLong()};
+        return {.answer = {},
+                .problem =
+                    message("The shader could not be read: the GLSL compiler did not answer in time; save the file "
+                            "again when the computer is less busy.")};
     }
     if (received == Received::ended) return {.answer = {}, .problem = endOfProcess()};
     auto unpacked = unpackedAnswer(answer);

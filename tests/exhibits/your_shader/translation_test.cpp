@@ -211,5 +211,15 @@ TEST(ShaderCompiler, GoesOnAfterItsProcessEnded)
     EXPECT_FALSE(next.answer.fragment.empty());
 }
 
+TEST(ShaderCompiler, TellsALateAnswerFromALongShader)
+{
+    guest::ShaderCompiler compiler;
+    const guest::CompilerRequest request{"#version 450\nvoid main() { gl_Position = vec4(0.0); }\n",
+                                         "#version 450\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n"};
+    const auto late = compiler.compile(request, std::chrono::steady_clock::now());
+    EXPECT_NE(late.problem.english().find("did not answer in time"), std::string::npos) << late.problem;
+    EXPECT_TRUE(compiler.compile(request).problem.empty());
+}
+
 }  // namespace
 }  // namespace vitrine
