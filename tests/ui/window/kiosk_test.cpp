@@ -67,11 +67,11 @@ private slots:
     void controllersMoveTheAllowedParametersAlone()
     {
         PreferenceValues wanted = window_->preferences().values().values();
-        wanted.controllers = {{"sdf_morph/roughness", "cc 1 21"}, {"sdf_morph/metalness", "cc 1 22"}};
+        wanted.controllers = {{"sdf_morph/roughness", "cc 1 21"}, {"sdf_morph/morph", "cc 1 22"}};
         window_->preferences().values().set(wanted);
         auto* controllers = window_->findChild<Controllers*>();
-        QVERIFY(controllers && controllers->isControlled("sdf_morph/metalness"));
-        QVERIFY(controllers->mayLearn("sdf_morph/metalness"));
+        QVERIFY(controllers && controllers->isControlled("sdf_morph/morph"));
+        QVERIFY(controllers->mayLearn("sdf_morph/morph"));
         begin({.parameters = {"sdf_morph.roughness"}});
         QVERIFY(!controllers->mayLearn("sdf_morph/roughness"));
         const SceneState before = window_->history().sceneState();
