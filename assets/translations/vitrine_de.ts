@@ -1096,7 +1096,7 @@ Zeiten nach: %2.</translation>
         <translation>--border-mm: Testtafeln haben einen eigenen Rand.</translation>
     </message>
     <message>
-        <location filename="exhibits/jobs/picture/picture_job.cpp"/>
+        <location filename="exhibits/jobs/kit/picture_channels.cpp"/>
         <source>--channels: &quot;{1}&quot; is not a channel{2} give color, {3}, separated by commas.</source>
         <translation>--channels: „{=1}“ ist kein Kanal{2} geben Sie color, {3} an, durch Kommas getrennt.</translation>
     </message>
@@ -1106,7 +1106,7 @@ Zeiten nach: %2.</translation>
         <translation>--channels: Bewegungsunschärfe hat nur eine Farbe; lassen Sie --shutter weg.</translation>
     </message>
     <message>
-        <location filename="exhibits/jobs/picture/picture_job.cpp"/>
+        <location filename="exhibits/jobs/kit/picture_channels.cpp"/>
         <source>--channels: motion is that of a camera between two frames, and this picture has no frame before; record frames with the channel motion.</source>
         <translation>--channels: motion ist die Bewegung einer Kamera zwischen zwei Einzelbildern, und dieses Bild hat keines davor; nehmen Sie Einzelbilder mit dem Kanal motion auf.</translation>
     </message>
@@ -12398,16 +12398,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Maß, in dem Fehler gemessen werden.</translation>
     </message>
     <message>
-        <location filename="exhibits/framework/files/tex_formula.cpp"/>
-        <source>mi mathvariant=&quot;bold&quot;</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="exhibits/framework/files/tex_formula.cpp"/>
-        <source>mi mathvariant=&quot;normal&quot;</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="ui/controllers/controllers.cpp"/>
         <source>MIDI %1</source>
         <translation>MIDI %1</translation>
@@ -16312,6 +16302,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="render/scene/draco_codec.cpp"/>
         <source>reads meshes that Draco compressed</source>
         <translation>liest Netze, die Draco komprimiert hat</translation>
+    </message>
+    <message>
         <location filename="ui/controllers/control_input.cpp"/>
         <source>reads OSC and MIDI controllers</source>
         <translation>liest OSC- und MIDI-Controller</translation>
@@ -21579,6 +21571,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/your_shader/shader_compiler.cpp"/>
         <source>The shader could not be read: the GLSL compiler answered nonsense; install or build Vitrine again.</source>
         <translation>Der Shader ließ sich nicht lesen: Der GLSL-Compiler gab eine unverständliche Antwort; installieren oder bauen Sie Vitrine neu.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/shader_compiler.cpp"/>
+        <source>The shader could not be read: the GLSL compiler did not answer in time; save the file again when the computer is less busy.</source>
+        <translation>Der Shader konnte nicht gelesen werden: Der GLSL-Compiler hat nicht rechtzeitig geantwortet; speichern Sie die Datei noch einmal, wenn der Computer weniger zu tun hat.</translation>
     </message>
     <message>
         <location filename="exhibits/your_shader/shader_compiler.cpp"/>
