@@ -22,6 +22,7 @@
 #include "exhibits/museum/picture_settings.h"
 #include "render/failure.h"
 #include "render/files/assets.h"
+#include "render/files/atomic_write.h"
 #include "render/image/image_io.h"
 #include "render/measure/distance.h"
 #include "render/plan/diagnostics.h"
