@@ -84,7 +84,7 @@ bool yourShader(const Options& options)
     std::vector<std::unique_ptr<Exhibit>> others = allExhibits();
     std::erase_if(others, [](const std::unique_ptr<Exhibit>& each) { return each->name() == "your_shader"; });
     const Museum without{std::move(others)};
-    std::printf("### From an edit to the picture, alone, 640 x 360; the editor waits 200 ms before\n\n| shader | ms to "
+    std::printf("### From an edit to the picture, alone, 640 x 360; without LiveText::pause\n\n| shader | ms to "
                 "compile | ms program and first frame | ms together | ms next frame |\n|---|---|---|---|---|\n");
     const int runs = options.runsOr(9);
     printEdits("short: 1 line", "uniform float u_time;\nvoid main() { gl_FragColor = vec4(", " + u_time); }", museum,
