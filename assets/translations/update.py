@@ -31,6 +31,7 @@ UNSHOWN = {'framebuffers made', 'icc icm', 'mp4 webm mov mkv avi apng', 'lesson 
            '(gl_FragCoord.xy / iResolution.xy)', ' in {{1}, {2}', ', exact {1}', '{1} "self"\n', '{1}::MinFilter "{2}"\n',
            '{1}::WrapMode "{2}"\n', '    // The camera, around a point {1} m in front of it.\n', '2.0 * tangent / RENDERSIZE.y',
            'around + camera[2] * ({1} * {2})', '{1}#define GUEST_ROUNDS {2}u\n{3}', 'wav flac', 'mi mathvariant="bold"', 'mi mathvariant="normal"',
+           'mo stretchy="false"',
            '// Variables of the form in which the shader was written.\n{1}'}
 # Callees whose argument is no text for people.
 SILENT = {'shader', 'at', 'value', 'find', 'contains', 'define', 'getenv', 'uniform', 'is_member_of', 'compare', 'starts_with',

@@ -56,6 +56,13 @@ std::string escapedSign(char sign)
     return sign == '<' ? "&lt;" : sign == '>' ? "&gt;" : sign == '&' ? "&amp;" : std::string(1, sign);
 }
 
+/// Writes a sign as an operator. Brackets keep the size of the text, as in TeX: MathML would stretch them over indices.
+std::string texOperator(char sign)
+{
+    const bool isBracket = std::string_view("()[]{}|").find(sign) != std::string_view::npos;
+    return texElement(isBracket ? "mo stretchy=\"false\"" : "mo", escapedSign(sign));
+}
+
 /// Reader of one formula. Reading stops at the first problem.
 class TexReader {
 public:
@@ -170,8 +177,7 @@ private:
         if (std::isalpha(byte)) return texElement("mi", tex_.substr(at_++, 1));
         if (c == '-') return ++at_, texElement("mo", "−");
         if (c == '\'') return ++at_, texElement("mo", "′");
-        if (std::string_view("+=<>/()[]|,.:;!*").find(c) != std::string_view::npos)
-            return ++at_, texElement("mo", escapedSign(c));
+        if (std::string_view("+=<>/()[]|,.:;!*").find(c) != std::string_view::npos) return ++at_, texOperator(c);
         if (byte >= 0x80) return wholeSign();
         fail(at_,
              message("the sign {1} is not known in formulas; the manual lists those that are", Message::verbatim({c})));
@@ -222,8 +228,7 @@ private:
     {
         const char c = at_ < tex_.size() ? tex_[at_] : '\0';
         if (c == ',' || c == ';' || c == ' ') return ++at_, "<mspace width=\"0.2em\"></mspace>";
-        if (std::string_view("{}%#_$&").find(c) != std::string_view::npos && c != '\0')
-            return ++at_, texElement("mo", escapedSign(c));
+        if (std::string_view("{}%#_$&").find(c) != std::string_view::npos && c != '\0') return ++at_, texOperator(c);
         fail(begin, message("this \\ begins no command; the manual lists those that are known"));
         return {};
     }

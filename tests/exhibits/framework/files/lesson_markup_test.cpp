@@ -27,7 +27,8 @@ TEST(TexFormula, BecomesMathMl)
     EXPECT_EQ(mathOf("1.5 < \\pi"), "<math><mn>1.5</mn><mo>&lt;</mo><mi>π</mi></math>");
     EXPECT_EQ(mathOf("\\text{if } -x"), "<math><mtext>if </mtext><mo>−</mo><mi>x</mi></math>");
     EXPECT_EQ(mathOf("\\sin\\left(x\\right)"),
-              "<math><mi mathvariant=\"normal\">sin</mi><mo>(</mo><mi>x</mi><mo>)</mo></math>");
+              "<math><mi mathvariant=\"normal\">sin</mi><mo stretchy=\"false\">(</mo><mi>x</mi>"
+              "<mo stretchy=\"false\">)</mo></math>");
 }
 
 TEST(TexFormula, PutsLimitsBelowAndAboveOnALineOfItsOwn)
