@@ -4,41 +4,20 @@
 #include "render/version.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cstdio>
-#include <optional>
 
 namespace vitrine::app {
-namespace {
 
 using render::Json;
 
-/// Takes `name` and the number behind it from the beginning of the text: ", line 3". Returns 0, and takes nothing, if
-/// it does not begin so.
-int takeNumber(std::string_view& text, std::string_view name)
-{
-    if (!text.starts_with(name)) return 0;
-    const std::string_view digits = text.substr(name.size());
-    int number = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-    if (error != std::errc() || number < 1) return 0;
-    text = digits.substr(static_cast<std::size_t>(end - digits.data()));
-    return number;
-}
-
-}  // namespace
-
 CheckFinding findingOf(const Failure& failure, const std::string& file)
 {
-    CheckFinding finding{.sentence = failure.message()};
-    const std::string whole = failure.what();
-    if (!whole.starts_with(file)) return finding;
-    std::string_view rest = std::string_view(whole).substr(file.size());
-    finding.line = takeNumber(rest, ", line ");
-    if (finding.line > 0) finding.column = takeNumber(rest, ", column ");
-    if (const std::size_t end = rest.find(": "); finding.line > 0 && rest.starts_with(", ") && end != rest.npos)
-        finding.key = rest.substr(2, end - 2);
-    return finding;
+    const FilePlace& at = failure.place();
+    return {.sentence = failure.message(),
+            .file = at.file == file ? std::string() : at.file,
+            .line = at.line,
+            .column = at.column,
+            .key = at.key};
 }
 
 Json newDocument(std::string_view format)

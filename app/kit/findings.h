@@ -23,8 +23,7 @@ struct CheckFinding {
     std::string key = {};      ///< Path of the value ("values.morph"); empty: unknown, or the whole file.
 };
 
-/// Returns the error of reading a file. Line, column and key are those at the beginning of its sentence, as
-/// `JsonDocument::failure` writes them ("FILE, line 3, values.morph: ...").
+/// Returns the error of checking a file, at the place of the failure.
 [[nodiscard]] CheckFinding findingOf(const Failure&, const std::string& file);
 
 /// Document in which all `check` commands list what they found (assets/schemas/findings.schema.json):

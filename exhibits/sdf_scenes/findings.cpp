@@ -86,13 +86,12 @@ std::vector<std::uint32_t> Findings::shapes() const
     return shapes_.size() == list_.size() ? shapes_ : std::vector<std::uint32_t>();
 }
 
-void Findings::add(const render::JsonFailure& failure, const std::string& file)
+void Findings::add(const render::JsonFailure& failure)
 {
     if (full()) return;
     constexpr std::size_t most = 200;  // Limit for a path, which may be 40,000 levels deep.
-    const std::string& key = failure.key();
-    list_.push_back({file, failure.line(), failure.column(),
-                     key.size() > most ? "..." + key.substr(key.size() - most) : key,
+    const auto& [file, line, column, key] = failure.place();
+    list_.push_back({file, line, column, key.size() > most ? "..." + key.substr(key.size() - most) : key,
                      failure.problem().english() + '.'});
 }
 

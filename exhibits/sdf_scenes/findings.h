@@ -23,7 +23,7 @@ public:
 
     /// Adds an error about a value of a text; `sentence` is without its full stop.
     void add(const render::JsonText&, std::uint32_t value, const std::string& sentence);
-    void add(const render::JsonFailure&, const std::string& file);
+    void add(const render::JsonFailure&);
     /// Adds an error about a shape of a converted text; the rest can be drawn without it.
     void addOfShape(const render::JsonText&, std::uint32_t value, const std::string& sentence);
     /// From here on, errors about values of `made` are reported at the values of `original` that they were made from.

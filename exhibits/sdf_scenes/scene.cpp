@@ -13,6 +13,11 @@ Message Finding::text() const
                        : message("{1}:{2}:{3}: {4}: {5}", file, line, column, key, Message(sentence));
 }
 
+Failure Finding::failure() const
+{
+    return {ErrorKind::file, text(), {file, line, column, key}};
+}
+
 bool Scene::animated() const
 {
     return std::any_of(expressions.begin(), expressions.end(), [](const NumberExpression& e) { return e.usesTime; });

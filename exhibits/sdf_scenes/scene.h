@@ -2,6 +2,7 @@
 
 #include "exhibits/sdf_scenes/node_kinds.h"
 #include "exhibits/sdf_scenes/record_kinds.h"
+#include "render/failure.h"
 #include "render/files/json_text.h"
 #include "render/text/message.h"
 
@@ -35,6 +36,8 @@ struct Finding {
 
     /// "file:line:column: key: sentence".
     [[nodiscard]] Message text() const;
+    /// Returns the error with this text and place, to be thrown.
+    [[nodiscard]] Failure failure() const;
 };
 
 inline constexpr std::uint32_t none = ~std::uint32_t{0};

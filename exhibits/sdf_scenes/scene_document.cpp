@@ -28,7 +28,7 @@ std::shared_ptr<const SceneReading> readNow(const std::filesystem::path& path, c
                 return render::readFileBeneath(path.parent_path(), reference, limits.json.bytes);
             },
             limits);
-        if (!read.scene) throw Failure(ErrorKind::file, read.findings.front().text());
+        if (!read.scene) throw read.findings.front().failure();
         auto shown = std::make_shared<ShownScene>(*shownScene(std::move(read.scene), path));
         for (const SeenFile& file : reading->files)
             if (file.path != path) shown->included.push_back(file.path);

@@ -115,7 +115,7 @@ std::shared_ptr<const render::JsonText> SceneReader::openText(std::string text, 
         findings_.translate(*made, *json, converted->parts);
         return made;
     } catch (const render::JsonFailure& failure) {
-        findings_.add(failure, name);
+        findings_.add(failure);
         return nullptr;
     }
 }

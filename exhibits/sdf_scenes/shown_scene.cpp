@@ -134,7 +134,7 @@ std::shared_ptr<const ShownScene> shownScene(std::shared_ptr<const Scene> scene,
 std::shared_ptr<const ShownScene> readShownScene(const std::filesystem::path& path)
 {
     ReadScene read = readSceneFile(path);
-    if (!read.scene) throw Failure(ErrorKind::file, read.findings.front().text());
+    if (!read.scene) throw read.findings.front().failure();
     return shownScene(std::move(read.scene), path);
 }
 

@@ -106,8 +106,8 @@ private:
     {
         const render::TextPosition begin =
             render::positionAt(text_, static_cast<std::size_t>(head_.data() - text_.data()));
-        return {begin.line + failure.line() - 1,
-                failure.line() == 1 ? begin.column + failure.column() - 1 : failure.column()};
+        const FilePlace& at = failure.place();
+        return {begin.line + at.line - 1, at.line == 1 ? begin.column + at.column - 1 : at.column};
     }
     [[noreturn]] void fail(const render::JsonFailure& failure) const
     {

@@ -205,8 +205,8 @@ public:
         try {
             json = render::parseJson(source.text, "", {Limits::textBytes, 32, 100'000, Limits::textBytes}).root();
         } catch (const render::JsonFailure& failure) {
-            throw Refused(
-                {source.name, failure.line(), failure.column(), message("In the JSON: {1}.", failure.problem())});
+            const FilePlace& at = failure.place();
+            throw Refused({source.name, at.line, at.column, message("In the JSON: {1}.", failure.problem())});
         }
         if (json.is_array() && !json.empty()) json = Json(json[0]);
         if (json.is_object() && json.contains("Shader")) json = Json(json["Shader"]);

@@ -16,7 +16,7 @@ namespace {
 
 [[noreturn]] void failReading(const std::string& name, const Message& cause)
 {
-    throw Failure(ErrorKind::file, message("Cannot read {1}: {2}", name, cause));
+    throw Failure(ErrorKind::file, message("Cannot read {1}: {2}", name, cause), {name});
 }
 
 Message causeOf(int error)

@@ -324,7 +324,7 @@ bool isBinary(std::string_view bytes)
 Json JsonReader::read(const std::string& name)
 {
     const std::string_view text = source_.text;
-    const auto refuseWhole = [&](const Message& why) { throw JsonFailure(name, 1, 1, "", why); };
+    const auto refuseWhole = [&](const Message& why) { throw JsonFailure({name, 1, 1}, why); };
     if (text.size() > limits_.bytes) {
         refuseWhole(message("the file has {1} bytes, more than the {2} allowed for JSON", text.size(), limits_.bytes));
     }
@@ -334,14 +334,14 @@ Json JsonReader::read(const std::string& name)
         refuseWhole(message("the file is UTF-16; save it as UTF-8"));
     if (isBinary(text)) refuseWhole(message("this is binary data and not JSON; choose another file"));
     // The library takes a zero byte for the end of the text and would ignore everything after it.
-    if (const auto zero = zeroByteIn(text)) throw JsonFailure(name, zero->line, zero->column, "", zeroByteProblem());
+    if (const auto zero = zeroByteIn(text)) throw JsonFailure({name, zero->line, zero->column}, zeroByteProblem());
     if (Json::sax_parse(CountingIterator(source_, 0), CountingIterator(source_, text.size()), this))
         return std::move(root_);
 
     std::size_t& taken = source_.taken;
     while (numberEnded_ && taken > 1 && (text[taken - 1] < '0' || text[taken - 1] > '9')) --taken;
     const TextPosition at = positionIn(source_);
-    throw JsonFailure(name, at.line, at.column, path(),
+    throw JsonFailure({name, at.line, at.column, path()},
                       problem_.empty() ? message("this is not valid JSON") : problem_);
 }
 
@@ -356,11 +356,13 @@ std::vector<JsonSpan> JsonReader::places(const std::string& name)
 
 }  // namespace
 
-JsonFailure::JsonFailure(const std::string& file, int line, int column, const std::string& key, const Message& problem)
+JsonFailure::JsonFailure(const FilePlace& at, const Message& problem)
     : Failure(ErrorKind::file,
-              key.empty() ? vitrine::message("{1}, line {2}, column {3}: {4}.", file, line, column, problem)
-                          : vitrine::message("{1}, line {2}, column {3}, {4}: {5}.", file, line, column, key, problem)),
-      line_(line), column_(column), key_(key), problem_(problem)
+              at.key.empty() ? vitrine::message("{1}, line {2}, column {3}: {4}.", at.file, at.line, at.column, problem)
+                             : vitrine::message("{1}, line {2}, column {3}, {4}: {5}.", at.file, at.line, at.column,
+                                                at.key, problem),
+              at),
+      problem_(problem)
 {
 }
 
@@ -374,8 +376,9 @@ int JsonDocument::lineOf(std::string_view keyPath) const
 
 Failure JsonDocument::failure(std::string_view keyPath, const Message& problem) const
 {
-    if (keyPath.empty()) return Failure(ErrorKind::file, message("{1}: {2}", name_, problem));
-    return Failure(ErrorKind::file, message("{1}, line {2}, {3}: {4}", name_, lineOf(keyPath), keyPath, problem));
+    if (keyPath.empty()) return Failure(ErrorKind::file, message("{1}: {2}", name_, problem), {name_});
+    const FilePlace at{name_, lineOf(keyPath), 0, std::string(keyPath)};
+    return Failure(ErrorKind::file, message("{1}, line {2}, {3}: {4}", at.file, at.line, at.key, problem), at);
 }
 
 JsonDocument parseJson(std::string text, std::string name, const JsonLimits& limits)

@@ -25,17 +25,12 @@ struct JsonLimits {
 /// Syntax error of a JSON text with its position; `what()` says all in one sentence.
 class JsonFailure : public Failure {
 public:
-    /// `key` is a path ("values.morph"), empty outside of objects; `problem` is a sentence without its full stop.
-    JsonFailure(const std::string& file, int line, int column, const std::string& key, const Message& problem);
+    /// The key of the place is empty outside of objects; `problem` is a sentence without its full stop.
+    JsonFailure(const FilePlace&, const Message& problem);
 
-    [[nodiscard]] int line() const { return line_; }      ///< From 1.
-    [[nodiscard]] int column() const { return column_; }  ///< From 1, in bytes.
-    [[nodiscard]] const std::string& key() const { return key_; }
     [[nodiscard]] const Message& problem() const { return problem_; }
 
 private:
-    int line_, column_;
-    std::string key_;
     Message problem_;
 };
 

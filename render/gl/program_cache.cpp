@@ -91,10 +91,12 @@ ProgramInUse ProgramCache::use(const ShaderKey& key, Building building)
         return {entry.build.program.name()};
     }
     if (std::optional<ProgramInUse> other = fallback(entry)) return *other;
-    const Message problem = placeOf(key, entry.build.problem);
+    const ShaderMessage problem = entry.build.problem;
     programs_.erase(found);
-    throw Failure(ErrorKind::shader, message("{1} (while building {2}); correct the shader or reinstall the program.",
-                                             problem, describe(key)));
+    throw Failure(ErrorKind::shader,
+                  message("{1} (while building {2}); correct the shader or reinstall the program.",
+                          placeOf(key, problem), describe(key)),
+                  {problem.file, problem.line});
 }
 
 bool ProgramCache::canWait(const ShaderKey& key) const

@@ -542,6 +542,27 @@ TEST(PresetCheck, SaysTheSameAsJson)
     EXPECT_EQ(test::vitrine({"preset", "check", "--json", folder / "good.json"}).code, 0);
 }
 
+TEST(PresetCheck, TakesNothingInAMessageForThePlace)
+{
+    // Files, keys and texts that look like places, in the sentence that names the real one.
+    const TemporaryFolder folder;
+    const std::string twice = folder / "twice.json, line 9, column 9, values: a", none = folder / "x.json, line 7";
+    test::writeBytes(twice, preset("\n\"a: line 8, b\": 1,\n\"a: line 8, b\": 2"));
+    test::writeBytes(folder / "odd.json", R"({"format": "vitrine-preset", "version": 1,
+"exhibit": "x.json, line 6, column 6, values: odd", "values": {}})");
+    const Ended ended = test::vitrine({"preset", "check", "--json", twice, none, folder / "odd.json"});
+    const render::Json files = render::Json::parse(ended.out)["files"];
+    ASSERT_EQ(files.size(), 3U);
+    const render::Json& found = files[0]["findings"][0];
+    EXPECT_EQ(found["file"], twice);
+    EXPECT_EQ(found["line"], 3) << found;
+    EXPECT_EQ(found["key"], "values.a: line 8, b") << found;
+    EXPECT_FALSE(files[1]["findings"][0].contains("line")) << files[1];
+    EXPECT_EQ(files[2]["findings"][0]["line"], 2) << files[2];
+    EXPECT_FALSE(files[2]["findings"][0].contains("column")) << files[2];
+    EXPECT_EQ(files[2]["findings"][0]["key"], "exhibit") << files[2];
+}
+
 TEST(PresetCheck, SaysWhatReadingWouldChange)
 {
     const TemporaryFolder folder;

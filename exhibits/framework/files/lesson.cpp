@@ -66,12 +66,14 @@ std::string_view withoutEnd(std::string_view line)
 
 Failure failureAt(const std::string& file, int line, const Message& problem)
 {
-    return {ErrorKind::file, message("{1}, line {2}: {3}", file, line, problem)};
+    return {ErrorKind::file, message("{1}, line {2}: {3}", file, line, problem), {file, line}};
 }
 
 Failure failureAt(const std::string& file, int line, std::size_t column, const Message& problem)
 {
-    return {ErrorKind::file, message("{1}, line {2}, column {3}: {4}.", file, line, column, problem)};
+    return {ErrorKind::file,
+            message("{1}, line {2}, column {3}: {4}.", file, line, column, problem),
+            {file, line, static_cast<int>(column)}};
 }
 
 /// Splits the file at its headings.

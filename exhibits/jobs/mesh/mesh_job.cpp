@@ -364,10 +364,12 @@ std::shared_ptr<const JobInputs> MeshJob::read(const ParameterValues& values) co
     if (!read.fileRead) throw Failure(ErrorKind::file, read.findings.front().sentence);
     if (!read.scene) {
         const std::size_t others = read.findings.size() - 1;
-        const Message first = read.findings.front().text();
+        const Failure first = read.findings.front().failure();
         throw Failure(ErrorKind::check,
-                      others > 0 ? message("{1} And {2} more; `vitrine scene check` lists them.", first, others)
-                                 : first);
+                      others > 0
+                          ? message("{1} And {2} more; `vitrine scene check` lists them.", first.message(), others)
+                          : first.message(),
+                      first.place());
     }
     auto inputs = std::make_shared<MeshInputs>();
     inputs->scene = std::move(read.scene);

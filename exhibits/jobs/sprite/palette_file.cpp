@@ -39,8 +39,10 @@ public:
 
     [[noreturn]] void fail(const Message& wanted) const
     {
-        throw Failure(ErrorKind::file, message("Cannot read {1}: line {2} is not {3}; correct it there.",
-                                               file_.string(), number_, wanted));
+        throw Failure(
+            ErrorKind::file,
+            message("Cannot read {1}: line {2} is not {3}; correct it there.", file_.string(), number_, wanted),
+            {file_.string(), number_});
     }
 
 private:

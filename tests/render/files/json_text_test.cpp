@@ -145,9 +145,10 @@ TEST(JsonText, RefusesWhatTheStrictReaderRefusesWithItsPlace)
         const JsonText json("{\n \"a\": 1,\n \"a\": 2}", "s.json");
         FAIL();
     } catch (const JsonFailure& failure) {
-        EXPECT_EQ(failure.line(), 3);
-        EXPECT_EQ(failure.column(), 4);
-        EXPECT_EQ(failure.key(), "a");
+        EXPECT_EQ(failure.place().file, "s.json");
+        EXPECT_EQ(failure.place().line, 3);
+        EXPECT_EQ(failure.place().column, 4);
+        EXPECT_EQ(failure.place().key, "a");
         EXPECT_NE(std::string(failure.what()).find("s.json, line 3, column 4, a: "), std::string::npos);
     }
 }

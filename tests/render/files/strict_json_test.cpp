@@ -125,6 +125,20 @@ TEST(StrictJson, SaysOnWhichLineAKeyStands)
     EXPECT_STREQ(document.failure("a.d[1]", "is odd.").what(), "x.json, line 5, a.d[1]: is odd.");
 }
 
+TEST(StrictJson, GivesTheErrorOfAValueItsPlace)
+{
+    const auto document = parseJson("{\n \"a: b\": 1}", "x.json, line 9");
+    const FilePlace at = document.failure("a: b", "line 7, column 3, c: is odd.").place();
+    EXPECT_EQ(at.file, "x.json, line 9");
+    EXPECT_EQ(at.line, 2);
+    EXPECT_EQ(at.column, 0);
+    EXPECT_EQ(at.key, "a: b");
+    const FilePlace whole = document.failure("", "line 7, column 3, c: is odd.").place();
+    EXPECT_EQ(whole.file, "x.json, line 9");
+    EXPECT_EQ(whole.line, 0) << "the text is no place";
+    EXPECT_EQ(whole.key, "");
+}
+
 TEST(StrictJson, WritesTextThatDiffsWell)
 {
     const Json json = Json::parse(R"({"b": 1.5, "a": [0.1, 2], "c": {}, "d": ["x"], "whole": 2.0, "count": 2})");

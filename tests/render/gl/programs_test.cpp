@@ -115,6 +115,8 @@ TEST_F(GeneratedShaders, AreNamedInErrorsWithTheirOwnLine)
         FAIL() << "nothing was thrown";
     } catch (const Failure& failure) {
         EXPECT_EQ(failure.kind(), ErrorKind::shader);
+        EXPECT_EQ(failure.place().file, "generated/scene.glsl");
+        EXPECT_EQ(failure.place().line, 5);
         EXPECT_NE(std::string(failure.what()).find("The generated shader generated/scene.glsl, line 5"),
                   std::string::npos)
             << failure.what();

@@ -92,6 +92,28 @@ TEST(Lesson, SaysRowsByTheirLabels)
     EXPECT_FAILURE(lessonOf(oneStep("{}", "Set [row:gap")), "line 9");
 }
 
+TEST(Lesson, RefusalsCarryTheirPlace)
+{
+    const auto placeOf = [](const std::string& lesson) {
+        try {
+            static_cast<void>(lessonOf(lesson));
+        } catch (const Failure& failure) {
+            return failure.place();
+        }
+        return FilePlace{"none"};
+    };
+    const FilePlace block = placeOf(oneStep("{\"values\":\n{\"gap\": \"long\"}}"));
+    EXPECT_EQ(block.file, "a.md");
+    EXPECT_EQ(block.line, 14);
+    EXPECT_EQ(block.key, "values.gap");
+    const FilePlace formula = placeOf(oneStep("{}", "So:\n$a + \\foo$"));
+    EXPECT_EQ(formula.file, "a.md");
+    EXPECT_EQ(formula.line, 12);
+    EXPECT_EQ(formula.column, 6);
+    EXPECT_EQ(formula.key, "");
+    EXPECT_EQ(placeOf("Text.").line, 1);
+}
+
 TEST(Lesson, RefusalsNameFileLineKeyAndWhatToDo)
 {
     EXPECT_FAILURE(lessonOf(oneStep(R"({"values": {"gpa": 1}})")),
