@@ -57,10 +57,11 @@ std::string escapedSign(char sign)
 }
 
 /// Writes a sign as an operator. Brackets keep the size of the text, as in TeX: MathML would stretch them over indices.
-std::string texOperator(char sign)
+std::string texOperator(std::string_view sign)
 {
-    const bool isBracket = std::string_view("()[]{}|").find(sign) != std::string_view::npos;
-    return texElement(isBracket ? "mo stretchy=\"false\"" : "mo", escapedSign(sign));
+    constexpr std::array<std::string_view, 10> brackets{"(", ")", "[", "]", "{", "}", "|", "⌊", "⌋", "‖"};
+    const bool isBracket = std::find(brackets.begin(), brackets.end(), sign) != brackets.end();
+    return texElement(isBracket ? "mo stretchy=\"false\"" : "mo", sign);
 }
 
 /// Reader of one formula. Reading stops at the first problem.
@@ -177,7 +178,8 @@ private:
         if (std::isalpha(byte)) return texElement("mi", tex_.substr(at_++, 1));
         if (c == '-') return ++at_, texElement("mo", "−");
         if (c == '\'') return ++at_, texElement("mo", "′");
-        if (std::string_view("+=<>/()[]|,.:;!*").find(c) != std::string_view::npos) return ++at_, texOperator(c);
+        if (std::string_view("+=<>/()[]|,.:;!*").find(c) != std::string_view::npos)
+            return ++at_, texOperator(escapedSign(c));
         if (byte >= 0x80) return wholeSign();
         fail(at_,
              message("the sign {1} is not known in formulas; the manual lists those that are", Message::verbatim({c})));
@@ -215,7 +217,7 @@ private:
         if (name == "quad") return "<mspace width=\"1em\"></mspace>";
         if (name == "left" || name == "right") return atEnd() ? std::string() : sign();
         for (const std::string_view text : {textIn(texSums, name), textIn(texOperators, name)})
-            if (!text.empty()) return texElement("mo", text);
+            if (!text.empty()) return texOperator(text);
         if (const std::string_view letter = textIn(texLetters, name); !letter.empty()) return texElement("mi", letter);
         if (std::find(texFunctions.begin(), texFunctions.end(), name) != texFunctions.end())
             return texElement("mi mathvariant=\"normal\"", name);
@@ -228,7 +230,8 @@ private:
     {
         const char c = at_ < tex_.size() ? tex_[at_] : '\0';
         if (c == ',' || c == ';' || c == ' ') return ++at_, "<mspace width=\"0.2em\"></mspace>";
-        if (std::string_view("{}%#_$&").find(c) != std::string_view::npos && c != '\0') return ++at_, texOperator(c);
+        if (std::string_view("{}%#_$&").find(c) != std::string_view::npos && c != '\0')
+            return ++at_, texOperator(escapedSign(c));
         fail(begin, message("this \\ begins no command; the manual lists those that are known"));
         return {};
     }

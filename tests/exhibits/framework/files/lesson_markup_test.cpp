@@ -31,6 +31,18 @@ TEST(TexFormula, BecomesMathMl)
               "<mo stretchy=\"false\">)</mo></math>");
 }
 
+TEST(TexFormula, KeepsBracketsAtTheSizeOfTheText)
+{
+    // MathML stretches each of these signs by itself.
+    const std::vector<std::pair<std::string, std::string>> brackets{
+        {"(", "("},       {")", ")"},       {"[", "["},        {"]", "]"},        {"|", "|"},
+        {"\\{", "{"},     {"\\}", "}"},     {"\\lfloor", "⌊"}, {"\\rfloor", "⌋"}, {"\\lvert", "|"},
+        {"\\rvert", "|"}, {"\\lVert", "‖"}, {"\\rVert", "‖"}};
+    for (const auto& [tex, sign] : brackets)
+        EXPECT_EQ(mathOf(tex), "<math><mo stretchy=\"false\">" + sign + "</mo></math>") << tex;
+    EXPECT_EQ(mathOf("\\le"), "<math><mo>≤</mo></math>");
+}
+
 TEST(TexFormula, PutsLimitsBelowAndAboveOnALineOfItsOwn)
 {
     EXPECT_EQ(mathOf("\\sum_i^n", true),
