@@ -1874,6 +1874,11 @@ Zeiten nach: %2.</translation>
         <translation>Ein Halbraum: alles unterhalb einer Ebene.</translation>
     </message>
     <message>
+        <location filename="exhibits/hall/hall_passes.cpp"/>
+        <source>a heat map covers the picture</source>
+        <translation>eine Heatmap bedeckt das Bild</translation>
+    </message>
+    <message>
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
         <source>A hexagon in the xy plane, flat sides up and down, infinite along z; use it in extrude or revolve.</source>
         <translation>Ein Sechseck in der xy-Ebene, flache Seiten oben und unten, unendlich entlang z; zum Strecken (extrude) oder Drehen (revolve).</translation>
@@ -2396,6 +2401,7 @@ Zeiten nach: %2.</translation>
         <translation>Ein Rundgang braucht die Halle, aber das Exponat wird allein gezeigt; wählen Sie Drehteller oder stehend, oder zeigen Sie es in der Halle.</translation>
     </message>
     <message>
+        <location filename="exhibits/hall/hall_passes.cpp"/>
         <location filename="exhibits/hall/hall_tone_mapping.cpp"/>
         <location filename="exhibits/museum/museum_plan.cpp"/>
         <source>a transparent background is requested</source>
@@ -9392,12 +9398,14 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Dunst</translation>
     </message>
     <message>
+        <location filename="exhibits/hall/hall_table.h"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
         <source>Heat map</source>
         <extracomment>tables</extracomment>
         <translation>Heatmap</translation>
     </message>
     <message>
+        <location filename="exhibits/hall/hall_table.h"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
         <source>Heat scale</source>
         <extracomment>tables</extracomment>
@@ -12989,6 +12997,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Keine Griffe: Durch „{=1}“ darum herum ist seine Mitte nirgends zu sehen. Ändern Sie stattdessen die Zahlen.</translation>
     </message>
     <message>
+        <location filename="exhibits/hall/hall_passes.cpp"/>
+        <source>no heat map is shown</source>
+        <translation>keine Heatmap wird gezeigt</translation>
+    </message>
+    <message>
         <location filename="exhibits/museum/lamps.cpp"/>
         <source>no lamp hangs here</source>
         <translation>hier hängt keine Lampe</translation>
@@ -13164,6 +13177,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="exhibits/crepuscular_rays/rays_scene.cpp"/>
         <source>no sunbeam wider than 30 cm comes in through window or oculus</source>
         <translation>durch Fenster oder Oculus fällt kein Sonnenstrahl, der breiter als 30 cm ist</translation>
+    </message>
+    <message>
+        <location filename="exhibits/hall/hall_passes.cpp"/>
+        <source>no surface of triangles is in view</source>
+        <translation>keine Oberfläche aus Dreiecken ist zu sehen</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/print/print_run.cpp"/>
@@ -13614,6 +13632,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <location filename="ui/preferences/preferences_dialog.cpp"/>
         <source>Number of files listed in File &gt; Open recent; 0 lists none.</source>
         <translation>Zahl der Dateien unter Datei &gt; Zuletzt geöffnet; 0 behält keine.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/hall/hall_table.h"/>
+        <source>Number of fragments that the heat map shows in white: low brings out small numbers.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Fragmente, die die Heatmap weiß zeigt: Kleine Werte heben kleine Zahlen hervor.</translation>
     </message>
     <message>
         <location filename="exhibits/hall/hall_table.h"/>
@@ -14516,6 +14540,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Overcast</source>
         <translation>Bedeckt</translation>
+    </message>
+    <message>
+        <location filename="exhibits/hall/hall_table.h"/>
+        <source>overdraw</source>
+        <extracomment>tables</extracomment>
+        <translation>Overdraw</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/sprite/sprite_table.h"/>
@@ -15763,6 +15793,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Quantity by which the scene is colored: the steps, evaluations or shape evaluations that it cost, or its normals.</source>
         <extracomment>tables</extracomment>
         <translation>Größe, nach der die Szene gefärbt wird: die Schritte, Auswertungen oder Formauswertungen, die sie gekostet hat, oder ihre Normalen.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/hall/hall_table.h"/>
+        <source>Quantity by which the whole picture is colored: overdraw is the number of fragments of surfaces that are shaded in each pixel. Ray-marched objects, fur and blended surfaces are not counted.</source>
+        <extracomment>tables</extracomment>
+        <translation>Größe, nach der das ganze Bild gefärbt wird: Overdraw ist die Zahl der Fragmente von Oberflächen, die in jedem Pixel schattiert werden. Mit Strahlen gesuchte Objekte, Fell und überblendete Oberflächen zählen nicht.</translation>
     </message>
     <message>
         <location filename="ui/study/study_view.cpp"/>
@@ -20879,6 +20915,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="ui/study/point_pictures.cpp"/>
         <source>The heat map ranges from 0 to %1 (%2).</source>
         <translation>Die Heatmap reicht von 0 bis %1 (%2).</translation>
+    </message>
+    <message>
+        <location filename="exhibits/hall/hall_passes.cpp"/>
+        <source>the heat map shows how often each pixel is shaded</source>
+        <translation>die Heatmap zeigt, wie oft jedes Pixel schattiert wird</translation>
     </message>
     <message>
         <location filename="exhibits/printing/print_layout.cpp"/>

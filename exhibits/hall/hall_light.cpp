@@ -288,7 +288,8 @@ std::uint64_t lightKey(const HallScene& scene)
           std::size_t{scene.table.glare.row}, std::size_t{scene.table.glareLevels.row},
           std::size_t{scene.table.supersamples.row}, std::size_t{scene.table.resolutionScale.row},
           std::size_t{scene.table.temporalAntialiasing.row}, std::size_t{scene.table.historyFrames.row},
-          std::size_t{scene.table.contactShadows.row}, std::size_t{scene.table.floorMirror.row}})
+          std::size_t{scene.table.contactShadows.row}, std::size_t{scene.table.floorMirror.row},
+          std::size_t{scene.table.heatMap.row}, std::size_t{scene.table.heatScale.row}})
         lighting.resetParameter(row);
     derive::addToKey(hash, lighting);
     hash.addValue(scene.alone).addValue(scene.filesId);

@@ -123,6 +123,18 @@ void planTurningShadow(const HallScene& scene, const Pass& still, const std::vec
     for (Pass* pass : {&copy, &restore, &hangings}) plan.add(std::move(*pass));
 }
 
+/// Returns whether the pass shades opaque triangles of the picture and discards no fragment: each fragment nearer than
+/// those before it is shaded.
+bool isOpaqueSurface(const Pass& pass)
+{
+    const render::RasterState& state = pass.state;
+    return pass.phase == render::PassPhase::opaque && pass.depth && pass.depth->image == depthImage &&
+           !pass.colors.empty() && pass.colors.front().image == radianceImage && pass.depthOnly &&
+           pass.depthOnly->shader.vertex == meshDepth().shader.vertex && state.depthWrite &&
+           state.depthTest == render::DepthTest::nearer && state.blend == render::Blend::none &&
+           state.depthBias == glm::vec2(0);
+}
+
 }  // namespace
 
 const render::Material& redPaint()
@@ -270,6 +282,44 @@ void planSky(const HallScene& scene, const SceneLighting& light, render::FramePl
     // Shadows and reflections do not fall on the sky. Reading them here would keep them alive where no other pass does.
     std::erase_if(sky.inputs, [](const render::SampledTexture& input) { return input.unit != UNIT_ENVIRONMENT; });
     plan.add(std::move(sky));
+}
+
+void planHeatMap(const HallScene& scene, const SceneLighting& light, const FrameRequest& request,
+                 render::FramePlan& plan)
+{
+    constexpr const char* name = "hall/overdraw";
+    constexpr const char* fragments = "hall.overdraw";
+    constexpr const char* depth = "hall.overdraw.depth";
+    if (scene.values[scene.table.heatMap] == HallHeatMap::none) return plan.skip(name, "no heat map is shown");
+    if (request.transparent || request.cutOut) return plan.skip(name, "a transparent background is requested");
+    Pass count;
+    count.name = name;
+    count.reason = "the heat map shows how often each pixel is shaded";
+    count.shader = {.vertex = meshDepth().shader.vertex, .fragment = "hall/overdraw.frag"};
+    count.colors = {Attachment::cleared(fragments)};
+    count.depth = Attachment::cleared(depth);
+    count.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true, .blend = render::Blend::add};
+    count.countSamples = true;
+    for (const Pass& pass : plan.passes()) {
+        if (!isOpaqueSurface(pass)) continue;
+        for (Draw draw : pass.draws) {
+            draw.cull = draw.cull.value_or(pass.state.cull);
+            draw.inputs.clear();
+            count.draws.push_back(std::move(draw));
+        }
+    }
+    if (count.draws.empty()) return plan.skip(name, "no surface of triangles is in view");
+    plan.image({.name = fragments, .format = render::Format::r32f, .nearest = true});
+    plan.image({.name = depth, .format = render::Format::depth32f});
+    plan.add(std::move(count));
+    Pass show = exhibitPass("hall/overdraw/map", "a heat map covers the picture", scene.values, "lib/fullscreen.vert",
+                            "hall/heat_map.frag");
+    show.phase = render::PassPhase::resolve;
+    show.blocks[BLOCK_LIGHT] = render::std140Bytes(light.light);  // For the exposure.
+    show.inputs = {{UNIT_SOURCE, std::string(fragments)}};
+    show.colors = {Attachment::whole(radianceImage)};
+    show.draws = {Draw{}};
+    plan.add(std::move(show));
 }
 
 }  // namespace vitrine

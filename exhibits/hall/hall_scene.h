@@ -136,6 +136,10 @@ void planWalls(const HallScene&, const SceneLighting&, const Channels&, render::
 /// Plans the background: sky, panorama, or the studio of an exhibit alone.
 void planSky(const HallScene&, const SceneLighting&, render::FramePlan&);
 
+/// Plans the heat map of the hall's parameter `heatMap`, or the reason for skipping it. Call after all surfaces are
+/// planned.
+void planHeatMap(const HallScene&, const SceneLighting&, const FrameRequest&, render::FramePlan&);
+
 // The following functions are defined in own_objects.cpp.
 
 /// Callback for an object that cannot be read: its index, and the reason.

@@ -14,6 +14,7 @@ enum class ShadowFilter : int { hard, tent3, tent5, disk };
 enum class FloorMirror : int { probe, shapes };
 enum class LampsLit : int { automatic, on, off };
 enum class ToneCurve : int { vitrine, agx, aces, neutral, none };
+enum class HallHeatMap : int { none, overdraw };
 
 /// Base of an object of the user.
 enum class ObjectStand : int { freePlinth, ownPlinth, floor };
@@ -69,6 +70,13 @@ struct HallTable final : Parameters {
         count("historyFrames", 8, Range{1, 64, logarithmic}.soft(1, 32),
               "Number of frames averaged while the picture moves: few flicker, many blur fine details.", quality(64),
               when(temporalAntialiasing));
+    Choice<HallHeatMap> heatMap =
+        choice("heatMap", HallHeatMap::none, {"none", "overdraw"},
+               "Quantity by which the whole picture is colored: overdraw is the number of fragments of surfaces that "
+               "are shaded in each pixel. Ray-marched objects, fur and blended surfaces are not counted.");
+    Real heatScale = real("heatScale", 8, none, Range{1, 256, logarithmic}.soft(2, 32),
+                          "Number of fragments that the heat map shows in white: low brings out small numbers.",
+                          when(heatMap, HallHeatMap::overdraw));
 
     Group sun = group("Sun");
     Choice<SunBy> sunBy = choice(

@@ -592,6 +592,7 @@ void Museum::Frame::finish(const render::PersistentState& kept)
         plan.skip("sky", "a transparent background is requested");
     else
         planSky(scene, light, plan);
+    if (!isPicture) planHeatMap(scene, light, request, plan);
     // Exhibits may shine themselves, and so may the user's objects. The sun's reflection has no bound.
     const bool bounded =
         scene.objects.empty() && light.sunIrradiance == glm::dvec3(0) &&

@@ -9,6 +9,8 @@
 #include "tests/support/planned.h"
 
 #include <algorithm>
+#include <functional>
+#include <map>
 
 namespace vitrine {
 namespace {
@@ -110,6 +112,7 @@ TEST_F(FrameReports, AnEffectThatIsOffHasNoPassNoProgramAndNoTexture)
         // The depth view has neither normals nor shadows.
         {"pixel_art", "view", finished, depthView, true, "pixel_art/normals", "pixel_art.surface", 1, 1, 2, 1},
         {"sdf_scenes", "split", 1.0, 0.0, true, "sdf_scenes/right", "", 1, 0, 0},
+        {"hall", "heatMap", 1.0, 0.0, false, "hall/overdraw", "hall.overdraw", 2, 2, 2},
         {"hall", "reflectionProbe", 1.0, 0.0, true, "probe/", "probe", 11, 3, 3},
         {"hall", "sunShadows", 1.0, 0.0, false, "hall/shadow", "shadow.", 4, 2, 3, 3},
     };
@@ -273,6 +276,69 @@ TEST_F(FrameReports, ASunOfNoStrengthCastsNoShadowPass)
     EXPECT_TRUE(plan.findSkipped("hall/shadow")->boundIsZero);
     EXPECT_EQ(plan.findSkipped("hall/shadow")->reason, "the sun's strength is 0");
     EXPECT_EQ(changeByRunningEverything(shot), 0);
+}
+
+/// Returns the hall's first view with a heat map of overdraw, one sample a pixel.
+Shot shotOfOverdraw(double scale)
+{
+    Shot shot = shotOf(hallIndex, false);
+    shot.request.frame.raster.size = {96, 60};
+    shot.hall().set(hallTable().heatMap, HallHeatMap::overdraw);
+    shot.hall().set(hallTable().heatScale, scale);
+    return shot;
+}
+
+TEST_F(FrameReports, OverdrawIsTheNumberOfFragmentsThatTheSurfacesShade)
+{
+    const Shot shot = shotOfOverdraw(8);
+    render::FramePlan plan = planned(gallery().museum, shot.sceneState, shot.request.frame);
+    plan.allSlices = true;
+    render::gl::Renderer& renderer = gallery().renderer;
+    // The driver counts the fragments that pass the depth test in passes that draw triangles and discard none.
+    int passes = 0;
+    const auto counted = [&](const std::function<bool(const render::Pass&)>& of) {
+        passes = 0;
+        for (const render::Pass& pass : plan.passes()) {
+            const_cast<render::Pass&>(pass).countSamples = of(pass);
+            passes += pass.countSamples;
+        }
+        return renderer.draw(plan).counters.at("samples");
+    };
+    const std::int64_t shaded = counted([](const render::Pass& pass) {
+        return pass.phase == render::PassPhase::opaque && pass.shader.fragment == "kit/surface.frag";
+    });
+    EXPECT_GT(passes, 3);
+    const std::int64_t mapped = counted([](const render::Pass& pass) { return pass.name == "hall/overdraw"; });
+    EXPECT_EQ(passes, 1);
+    EXPECT_EQ(mapped, shaded);
+    const render::Image map = renderer.read("hall.overdraw");
+    double sum = 0, most = 0;
+    for (int y = 0; y < map.height; ++y)
+        for (int x = 0; x < map.width; ++x) {
+            sum += map.at(x, y, 0);
+            most = std::max(most, static_cast<double>(map.at(x, y, 0)));
+        }
+    EXPECT_EQ(sum, static_cast<double>(mapped));
+    EXPECT_GE(most, 2) << "some surfaces are drawn over others";
+    EXPECT_LT(sum, 4.0 * map.width * map.height);
+}
+
+TEST_F(FrameReports, TheHeatMapOfOverdrawIsBrighterTheMoreIsShaded)
+{
+    const Picture fine = shotOfOverdraw(2).take();
+    const render::Image map = gallery().renderer.read("hall.overdraw");
+    const Picture coarse = shotOfOverdraw(32).take();
+    std::map<int, glm::dvec3> colors;
+    fine.each([&](int x, int y) {
+        const int count = static_cast<int>(map.at(x, y, 0));
+        const glm::dvec3 color = fine.color(x, y);
+        const auto [known, isNew] = colors.try_emplace(std::min(count, 2), color);
+        EXPECT_LT(glm::distance(known->second, color), 1e-3) << count << " at " << x << ", " << y;
+        if (count > 0) EXPECT_LT(coarse.luminance(x, y), fine.luminance(x, y));
+    });
+    ASSERT_TRUE(colors.contains(1) && colors.contains(2));
+    EXPECT_GT(colors.at(2).x, 0.95) << "the scale's number and more are white";
+    EXPECT_GT(colors.at(2).y, colors.at(1).y + 0.3);
 }
 
 }  // namespace

@@ -211,6 +211,8 @@ const std::map<std::string, Claim>& claims()
         {"no button is in view", noButtonInView},
         {"no plaque is in view", noPlaqueInView},
         {"no cloth or stand is in view", measuredByPictures},
+        {"no heat map is shown", [](const Skipped& s) { return s.ofHall("heatMap") == 0; }},
+        {"no surface of triangles is in view", measuredByPictures},
         {"the floor is out of view", floorOutOfView},
         {"out of view", outOfView},
         {"behind a wall", measuredByPictures},
