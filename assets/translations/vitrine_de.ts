@@ -13479,6 +13479,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>nichts in der Szene spiegelt</translation>
     </message>
     <message>
+        <location filename="exhibits/sdf_scenes/sdf_scenes.cpp"/>
+        <source>Nothing in this scene moves with time; choose another scene.</source>
+        <translation>In dieser Szene bewegt sich nichts mit der Zeit; wählen Sie eine andere Szene.</translation>
+    </message>
+    <message>
         <location filename="exhibits/hall/hall_tone_mapping.cpp"/>
         <source>nothing is brighter than the screen's white</source>
         <translation>nichts ist heller als das Weiß des Bildschirms</translation>
@@ -22433,7 +22438,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Es gibt keinen Quilt; wählen Sie ein Bild mit einem Raster von Ansichten.</translation>
     </message>
     <message>
-        <location filename="ui/window/window_actions.cpp"/>
+        <location filename="ui/viewport/interaction.cpp"/>
         <source>There is no red button in front of you.</source>
         <translation>Vor Ihnen ist kein roter Knopf.</translation>
     </message>
@@ -25500,6 +25505,11 @@ steht in assets/SOURCES.md.</translation>
         <location filename="ui/viewport/viewport.cpp"/>
         <source>You walk through the hall. Before you: %1.</source>
         <translation>Sie gehen durch die Halle. Vor Ihnen: %1.</translation>
+    </message>
+    <message>
+        <location filename="ui/viewport/viewport.cpp"/>
+        <source>You walk through the hall. The button before you is disabled: %1</source>
+        <translation>Sie gehen durch die Halle. Der Knopf vor Ihnen ist gesperrt: %1</translation>
     </message>
     <message>
         <location filename="ui/record/bookmarks.cpp"/>

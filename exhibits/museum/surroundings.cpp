@@ -162,8 +162,14 @@ std::optional<Pointed> MuseumSurroundings::pick(const Prepared& prepared, const 
         return found;
     }
     const Exhibit& shown = exhibits_[seen.exhibit - hallIndex - 1].exhibit;
-    found.name = found.inReach ? buttonLine(*capability<HasButton>(shown)) : std::string(shown.title());
-    found.view = shown.bestView(prepared.sceneState.values[seen.exhibit]).transformed(worldFrom(shown));
+    const ParameterValues& values = prepared.sceneState.values[seen.exhibit];
+    found.name = shown.title();
+    if (found.inReach) {
+        const auto& button = *capability<HasButton>(shown);
+        const Message whyDisabled = button.whyDisabled(values);
+        found.name = whyDisabled.empty() ? buttonLine(button) : whyDisabled.english();
+    }
+    found.view = shown.bestView(values).transformed(worldFrom(shown));
     return found;
 }
 
@@ -199,7 +205,7 @@ std::optional<LookedAt> MuseumSurroundings::lookedAt(const Prepared& prepared) c
         // A ray straight to the button, because the viewing direction may miss it by a little.
         const Seen seen = firstSeen(prepared, sceneOf_(prepared), {sceneState.camera.eye, toButton});
         if (seen.what != Seen::What::button || seen.exhibit != i) continue;
-        return LookedAt{i, buttonLine(*button)};
+        return LookedAt{i, buttonLine(*button), button->whyDisabled(sceneState.values[i])};
     }
     return std::nullopt;
 }

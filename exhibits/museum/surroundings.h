@@ -18,13 +18,14 @@ namespace vitrine {
 /// Button at the center of the view.
 struct LookedAt {
     std::size_t exhibit = 0;
-    std::string text;  ///< Text of the button: "E – melt it".
+    std::string text;          ///< Text of the button: "E – melt it".
+    Message whyDisabled = {};  ///< Full sentence if it cannot be pressed (`HasButton`); else empty.
 };
 
 /// Object under the pointer, and the camera for visiting it.
 struct Pointed {
     std::size_t exhibit = 0;  ///< `hallIndex`: none; then it is the user's own object.
-    std::string name;         ///< "Torus to Mug", "Your object: teddy.glb", "E – melt it".
+    std::string name;         ///< "Torus to Mug", "Your object: teddy.glb", "E – melt it", or why it is disabled.
     double distance = 0;      ///< Meters from the eye.
     bool button = false;      ///< The object is the button of `exhibit` ...
     bool inReach = false;     ///< ... and is close enough to be pressed.

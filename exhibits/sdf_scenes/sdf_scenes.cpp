@@ -190,6 +190,12 @@ bool SdfScenes::press(ParameterValues& values) const
     return true;
 }
 
+Message SdfScenes::whyDisabled(const ParameterValues& values) const
+{
+    if (shown(values).contents.moves) return {};
+    return message("Nothing in this scene moves with time; choose another scene.");
+}
+
 std::vector<StudyView> SdfScenes::studyViews(const ParameterValues& values) const
 {
     ParameterValues still = values;

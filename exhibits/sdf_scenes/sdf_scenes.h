@@ -48,6 +48,7 @@ public:
     [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;
     [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;
     bool press(ParameterValues&) const override;
+    [[nodiscard]] Message whyDisabled(const ParameterValues&) const override;
     [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;
     [[nodiscard]] bool castsShadow() const override { return false; }
     [[nodiscard]] DynamicParameters dynamicParameters(const ParameterValues&, render::AssetStore&) const override;

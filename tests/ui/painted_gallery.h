@@ -25,6 +25,7 @@ public:
         return "One solid with one hole, from torus to mug and back.";
     }
     [[nodiscard]] std::string_view buttonText() const override { return "melt it"; }
+    [[nodiscard]] Message whyDisabled(const ParameterValues&) const override { return disabled; }
     [[nodiscard]] int place() const override { return 1; }
     [[nodiscard]] const SampleTable& parameters() const override { return table_; }
     [[nodiscard]] render::Box bounds(const ParameterValues&) const override
@@ -54,6 +55,7 @@ public:
     bool moves = false;
     double movesFor = 0;          ///< Seconds after a press.
     double changesIn = INFINITY;  ///< Seconds until it looks different, without an animation before.
+    Message disabled = {};        ///< Reason why its button cannot be pressed; empty: it can.
     std::string file;             ///< File that it shows; empty: none. Set this and `read` only while nothing is drawn.
     std::function<render::AssetStore::Made<int>(const std::string&)> read;
 
@@ -109,6 +111,7 @@ public:
         exhibit().moves = false;
         exhibit().movesFor = 0;
         exhibit().changesIn = INFINITY;
+        exhibit().disabled = {};
         exhibit().file.clear();
     }
     [[nodiscard]] const Museum& museum() { return shown().museum; }

@@ -44,9 +44,17 @@ bool Interaction::orbitsButton() const
            capability<HasButton>(scene_.museum().subject(visitor_.subject()));
 }
 
-bool Interaction::canPress() const
+Message Interaction::whyDisabled(std::size_t exhibit) const
 {
-    return orbitsButton() || buttonAhead_;
+    const auto* button = capability<HasButton>(scene_.museum().subject(exhibit));
+    return button ? button->whyDisabled(scene_.prepared().sceneState.values[exhibit]) : Message();
+}
+
+Message Interaction::whyNotPress() const
+{
+    if (orbitsButton()) return whyDisabled(visitor_.subject());
+    if (buttonAhead_) return whyDisabled(buttonAhead_->exhibit);
+    return message("There is no red button in front of you.");
 }
 
 void Interaction::click(const QPointF& at)
@@ -90,6 +98,7 @@ void Interaction::act()
 
 void Interaction::pressButton(std::size_t exhibit)
 {
+    if (!whyDisabled(exhibit).empty()) return;
     clock_.press(exhibit);
     emit pressed(exhibit);
 }

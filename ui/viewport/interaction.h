@@ -32,8 +32,8 @@ public:
     [[nodiscard]] const std::optional<LookedAt>& buttonAhead() const { return buttonAhead_; }
     /// Looks for that button again. Call when the camera changed.
     void lookAhead();
-    /// Returns whether `press` has a button to press.
-    [[nodiscard]] bool canPress() const;
+    /// Returns a full sentence that says why `press` would press nothing; empty if there is a button to press.
+    [[nodiscard]] Message whyNotPress() const;
 
 public slots:
     /// Visits or presses the object at this point of the viewport.
@@ -53,6 +53,8 @@ signals:
 
 private:
     [[nodiscard]] bool orbitsButton() const;
+    /// Returns why the button of an exhibit is disabled at present; empty if it can be pressed.
+    [[nodiscard]] Message whyDisabled(std::size_t exhibit) const;
     [[nodiscard]] QPointF middle() const;
     void pressButton(std::size_t exhibit);
 

@@ -125,7 +125,7 @@ void Viewport::cameraChanged(bool cut)
     scene_.changeCamera(cut);
     interaction_.lookAhead();
     const std::optional<LookedAt>& button = interaction_.buttonAhead();
-    notices_.sayButton(button ? translatedText(button->text) : QString());
+    notices_.sayButton(button && button->whyDisabled.empty() ? translatedText(button->text) : QString());
     input_.lookAgain();
     emit looked();
 }
@@ -157,6 +157,9 @@ QString Viewport::accessibleText() const
             .arg(text(scene_.museum().subject(visitor_.subject()).title()))
             .arg(numberLocale().toString(glm::distance(there.camera.eye, there.camera.target), 'f', 1));
     const std::optional<LookedAt>& button = interaction_.buttonAhead();
+    if (button && !button->whyDisabled.empty())
+        return tr("You walk through the hall. The button before you is disabled: %1")
+            .arg(translatedText(button->whyDisabled));
     if (button) return tr("You walk through the hall. Before you: %1.").arg(QString::fromStdString(button->text));
     const std::optional<Pointed> ahead = pictures_.shown().image().isNull() ? std::nullopt : interaction_.ahead();
     return ahead ? tr("You walk through the hall and look at %1.").arg(QString::fromStdString(ahead->name))

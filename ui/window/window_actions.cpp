@@ -207,17 +207,22 @@ WindowActions::WindowActions(MainWindow& window)
 
 void WindowActions::enableOnly(QAction* action, std::function<bool()> possible, const QString& why)
 {
-    conditional_.push_back({action, std::move(possible), action->toolTip(), why});
+    enableUnless(action, [possible = std::move(possible), why] { return possible() ? QString() : why; });
+}
+
+void WindowActions::enableUnless(QAction* action, std::function<QString()> whyNot)
+{
+    conditional_.push_back({action, std::move(whyNot), action->toolTip()});
 }
 
 void WindowActions::refresh() const
 {
     for (const Conditional& each : conditional_) {
-        const bool possible = each.possible();
-        if (possible == each.action->isEnabled() && each.action->toolTip() == (possible ? each.tip : each.why))
-            continue;
-        each.action->setEnabled(possible);
-        each.action->setToolTip(possible ? each.tip : each.why);
+        const QString whyNot = each.whyNot();
+        const QString& tip = whyNot.isEmpty() ? each.tip : whyNot;
+        if (whyNot.isEmpty() == each.action->isEnabled() && each.action->toolTip() == tip) continue;
+        each.action->setEnabled(whyNot.isEmpty());
+        each.action->setToolTip(tip);
         each.action->setStatusTip(each.action->toolTip());
     }
 }
@@ -436,13 +441,12 @@ void WindowActions::addExhibitMenu(Maker& make, MainWindow& window)
                  [&window] { window.viewport().visitor().goBack(); }),
         [&window] { return window.viewport().visitor().canGoBack(); },
         tr("There is no earlier position to return to."));
-    enableOnly(
+    enableUnless(
         make.add(QStringLiteral("press-its-button"), tr("&Press the exhibit's button"), {},
                  tr("Presses the red button of the exhibit in front of you; E does the same while the picture has the "
                     "focus."),
                  [&window] { window.viewport().interaction().press(); }),
-        [&window] { return window.viewport().interaction().canPress(); },
-        tr("There is no red button in front of you."));
+        [&window] { return translatedText(window.viewport().interaction().whyNotPress()); });
     make.add(tr("S&hader"), {QKeySequence(Qt::Key_F4)},
              tr("Shows the shaders that draw the visited exhibit; a shader of yours is edited there."),
              [&window] { window.docks().showShader(); });

@@ -22,11 +22,13 @@ private:
     /// Action that is enabled only while it has something to do.
     struct Conditional {
         QAction* action;
-        std::function<bool()> possible;
-        QString tip, why;  ///< Tooltips while it is enabled and disabled.
+        std::function<QString()> whyNot;  ///< Tooltip while it is disabled; empty: it is enabled.
+        QString tip;                      ///< Tooltip while it is enabled.
     };
 
     void enableOnly(QAction*, std::function<bool()> possible, const QString& why);
+    /// Disables the action while `whyNot` returns a text.
+    void enableUnless(QAction*, std::function<QString()> whyNot);
     /// Enables or disables the conditional actions.
     void refresh() const;
     void watch(MainWindow&) const;

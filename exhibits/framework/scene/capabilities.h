@@ -7,6 +7,7 @@
 #include "render/files/asset_store.h"
 #include "render/plan/frame_plan.h"
 #include "render/plan/local_lights.h"
+#include "render/text/message.h"
 
 #include <memory>
 #include <string>
@@ -34,6 +35,9 @@ public:
     /// Applies a press to the values; returns whether anything changed. The time of the last press is also in
     /// ExhibitState.
     virtual bool press(ParameterValues&) const { return false; }
+    /// Returns a full sentence that says why the button is disabled with these values, and what to do; empty if it can
+    /// be pressed. A disabled button offers no E, and the window shows the sentence instead.
+    [[nodiscard]] virtual Message whyDisabled(const ParameterValues&) const { return {}; }
 };
 
 /// Capability: consists only of light, drawn over the frame. It casts no shadow. Where it moves, the whole picture may

@@ -3,6 +3,7 @@
 #include "exhibits/sdf_scenes/scene_reader.h"
 #include "exhibits/sdf_scenes/sdf_scenes.h"
 #include "exhibits/sdf_scenes/shown_scene.h"
+#include "render/files/assets.h"
 #include "shaders/lib/bindings.glsl"
 #include "tests/support/museum_on_paper.h"
 #include "tests/support/temporary_folder.h"
@@ -51,6 +52,14 @@ struct Shown : test::Scene {
                                    [&](const std::string& define) { return define.starts_with(word); });
     }
 };
+
+TEST(SceneExhibit, HasAButtonOnlyWhereSomethingMoves)
+{
+    Shown moving(render::asset("scenes/waves.json").string()), still(render::asset("scenes/box.json").string());
+    const auto& button = *capability<HasButton>(museum().subject(moving.exhibit));
+    EXPECT_EQ(button.whyDisabled(moving.values()), Message());
+    EXPECT_EQ(button.whyDisabled(still.values()), "Nothing in this scene moves with time; choose another scene.");
+}
 
 TEST(SceneExhibit, SeesAllOfASceneThatNamesNoCamera)
 {

@@ -276,6 +276,39 @@ private slots:
         QCOMPARE(pressed.count(), 3);
     }
 
+    void aDisabledButtonIsNotPressedAndSaysWhy()
+    {
+        const char* reason = "Nothing in this scene moves with time; choose another scene.";
+        Viewport& viewport = window_->viewport();
+        QAction* press = action("Press the exhibit's button");
+        QSignalSpy pressed(&viewport.interaction(), &Interaction::pressed);
+        viewport.visitor().jumpTo(test::PaintedGallery::towardsButton(1.2));
+        QTRY_VERIFY(overlays().contains("E – melt it"));
+        QTRY_VERIFY2(press->isEnabled(), "the control");
+
+        gallery_->exhibit().disabled = reason;
+        viewport.visitor().jumpTo(test::PaintedGallery::towardsButton(1.1));
+        QTRY_VERIFY(!press->isEnabled());
+        QCOMPARE(press->toolTip(), QString(reason));
+        QVERIFY(!overlays().contains("E – melt it"));
+        QTest::keyClick(&viewport, Qt::Key_E);
+        QTest::mouseClick(&viewport, Qt::LeftButton, {}, button());
+        QCOMPARE(pressed.count(), 0);
+        vitrine::test::pointAt(viewport, button());
+        QTRY_VERIFY(overlays().contains(reason));
+        QVERIFY(viewport.accessibleText().contains(reason));
+
+        window_->visit(1);
+        QTRY_COMPARE(viewport.visitor().mode(), CameraControl::Mode::orbit);
+        settle();
+        QTRY_COMPARE(press->toolTip(), QString(reason));
+        QTest::keyClick(&viewport, Qt::Key_E);
+        QCOMPARE(pressed.count(), 0);
+        gallery_->exhibit().disabled = {};
+        QTest::keyClick(&viewport, Qt::Key_E);
+        QCOMPARE(pressed.count(), 1);
+    }
+
     void afterAWrongClickThereIsAWayBack()
     {
         Viewport& viewport = window_->viewport();
