@@ -227,6 +227,83 @@ TEST_F(ScenePicture, OcclusionOfAWallIsAHalfAtItsFoot)
     EXPECT_GT(openness(SceneOcclusion::hemisphere, 32) / all, 0.97) << "E13: what is farther away than the range";
 }
 
+/// Returns the share of cosine-weighted rays that a wall of any size blocks, at a point of the floor at this distance.
+/// A hit at distance t blocks 1 - t^2 / range^2.
+double hiddenByWall(double distance, double range)
+{
+    const double c = std::min(distance / range, 1.0);
+    return ((1 + 2 * c * c) * std::acos(c) - 3 * c * std::sqrt(1 - c * c)) / std::numbers::pi;
+}
+
+/// Returns the share of 32 rays, spread as those of the shader, that the wall blocks.
+double hiddenFromRays(double distance, double range)
+{
+    constexpr int rays = 32;
+    double hidden = 0;
+    for (int k = 0; k < rays; ++k) {
+        const double towards = std::sqrt((k + 0.5) / rays) * std::cos(2 * std::numbers::pi * k * 0.618033989);
+        const double t = distance / towards;
+        if (towards > 0 && t < range) hidden += (1 - t * t / (range * range)) / rays;
+    }
+    return hidden;
+}
+
+/// Error of the occlusion in rows of a floor that are parallel to a wall, so that it is the same all along a row.
+struct RowErrors {
+    double bands = 0;      ///< Mean square of the error of a row's mean.
+    double equalRays = 0;  ///< The same if all pixels had the same 32 rays, as in the reference.
+    double largest = 0;    ///< Largest error of a row's mean.
+    double darkest = 0;    ///< Largest share that the wall hides in a row.
+    int rows = 0;
+};
+
+RowErrors rowErrors(const test::Picture& open, const test::Picture& hidden, const glm::dmat4& sceneFromWorld,
+                    double range)
+{
+    RowErrors errors;
+    const dvec3 eye(sceneFromWorld * glm::dvec4(open.view.eye, 1));
+    for (int y = open.height() / 3; y < open.height(); ++y) {
+        const dvec3 at = eye + dvec3(sceneFromWorld * glm::dvec4(open.ray(open.width() / 2, y), 0)) *
+                                   open.depth(open.width() / 2, y);
+        if (std::abs(at.y) > 0.01 || at.z < 0.05) continue;
+        double mean = 0;
+        for (int x = 0; x < open.width(); ++x) mean += (1 - hidden.color(x, y).x / open.color(x, y).x) / open.width();
+        const double truth = hiddenByWall(at.z, range);
+        errors.bands += (mean - truth) * (mean - truth);
+        errors.equalRays += std::pow(hiddenFromRays(at.z, range) - truth, 2);
+        errors.largest = std::max(errors.largest, std::abs(mean - truth));
+        errors.darkest = std::max(errors.darkest, mean);
+        ++errors.rows;
+    }
+    errors.bands /= errors.rows;
+    errors.equalRays /= errors.rows;
+    return errors;
+}
+
+TEST_F(ScenePicture, OcclusionHasNoBandsAndReachesAsFarAsItsRange)
+{
+    const std::string head = R"("camera": {"position": [0, 1.5, 2.4], "target": [0, 0, 0.5], "fieldOfView": 40},
+ "environment": {"kind": "sky", "zenith": [1, 1, 1], "horizon": [1, 1, 1], "ground": [1, 1, 1]},
+ "materials": {"chalk": {"model": "pbr", "color": [0.5, 0.5, 0.5], "roughness": 1, "reflectance": 0}},)";
+    SceneShot shot(test::writeScene(folder_, R"({"kind": "union", "material": "chalk", "children": [
+      {"kind": "plane", "normal": [0, 1, 0]}, {"kind": "box", "size": [2000, 2000, 1], "translate": [0, 0, -0.5]}]})",
+                                    head));
+    shot.size(96, 64);
+    shot.values().set(scenesTable().occlusionMethod, SceneOcclusion::none);
+    const test::Picture open = shot.take();
+    shot.values().set(scenesTable().occlusionMethod, SceneOcclusion::hemisphere);
+    double darkest = 0;
+    for (const double range : {0.4, 1.0, 3.0}) {
+        shot.values().set(scenesTable().occlusionRange, range);
+        const RowErrors errors = rowErrors(open, shot.take(), shot.sceneFromWorld(), range);
+        ASSERT_GE(errors.rows, 20);
+        EXPECT_LT(errors.bands, errors.equalRays / 4) << range << ", control: the same rays in all pixels";
+        EXPECT_LT(errors.largest, 0.01) << range;
+        EXPECT_GT(errors.darkest, darkest) << "a longer range darkens more";
+        darkest = errors.darkest;
+    }
+}
+
 TEST_F(ScenePicture, SixFacesSurroundTheSceneWhereTheirNamesSay)
 {
     const dvec3 colors[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {0, 1, 1}, {1, 0, 1}};
