@@ -328,13 +328,17 @@ private:
         return withShaders(text, prose);
     }
 
-    /// Throws Failure with line and column of the first bad link, picture or formula.
+    /// Notes the pictures of a text. Throws Failure with line and column of the first bad link, picture or formula.
     void checkMarkup(const std::string& text, const Prose& prose) const
     {
         std::vector<LessonMarkupProblem> problems;
         (void)lessonHtml(text,
                          {.parameter = [](std::string_view) { return std::string(); },
-                          .picture = [](const std::string&, const std::string&) { return std::string(); },
+                          .picture =
+                              [this](const std::string& file, const std::string&) {
+                                  lesson_.pictures.insert(file);
+                                  return std::string();
+                              },
                           .folder = lesson_.folder},
                          &problems);
         if (problems.empty()) return;

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -87,6 +88,7 @@ struct Lesson {
     std::filesystem::path folder;  ///< Folder of the file, in which its pictures are.
     std::string intro;             ///< Text in the format of a step's.
     std::vector<LessonStep> steps;
+    std::set<std::string> pictures;  ///< Files in `folder` that its texts show.
     /// Values that reading changed ("exposure 99 -> 16 (allowed -16 to 16)"), for people.
     std::vector<std::string> notes;
 };

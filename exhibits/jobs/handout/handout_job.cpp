@@ -138,7 +138,7 @@ private:
         if (order_.out.empty()) return;
         render::atomicWrite(folder_->path() / markFile,
                             handoutPage(lesson_, tables_, order_.values[handoutTable().answers]));
-        for (const std::string& file : lessonPictures(lesson_))
+        for (const std::string& file : lesson_.pictures)
             render::atomicWrite(folder_->path() / lessonPicture(file),
                                 render::readFile(lesson_.folder / file, mostPictureBytes));
         render::atomicWrite(folder_->path() / "slides.html", slidesPage(lesson_, tables_));

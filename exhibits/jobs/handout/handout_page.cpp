@@ -134,22 +134,6 @@ std::string lessonPicture(const std::string& file)
     return "pictures/lesson-" + file;
 }
 
-std::set<std::string> lessonPictures(const Lesson& lesson)
-{
-    std::set<std::string> files;
-    const LessonMarkup markup{[](std::string_view) { return std::string(); },
-                              [&files](const std::string& file, const std::string&) {
-                                  files.insert(file);
-                                  return std::string();
-                              },
-                              lesson.folder};
-    (void)lessonHtml(lesson.intro, markup);
-    for (const LessonStep& step : lesson.steps)
-        for (const std::string* text : {&step.text, &step.task, &step.question, &step.answer})
-            (void)lessonHtml(*text, markup);
-    return files;
-}
-
 std::string handoutPage(const Lesson& lesson, const NamedValues& tables, AnswerPlace answers)
 {
     const handouts::Texts texts(lesson, tables);

@@ -3,7 +3,6 @@
 #include "exhibits/framework/files/lesson.h"
 #include "exhibits/jobs/handout/handout_table.h"
 
-#include <set>
 #include <string>
 
 namespace vitrine::jobs {
@@ -13,8 +12,6 @@ namespace vitrine::jobs {
 
 /// Returns the path of a picture of the lesson itself in the folder of a handout, "pictures/lesson-cone.png".
 [[nodiscard]] std::string lessonPicture(const std::string& file);
-/// Returns the files in the lesson's folder that its texts show.
-[[nodiscard]] std::set<std::string> lessonPictures(const Lesson&);
 
 /// Returns an HTML page to print: title, introduction, and each step with its picture, its task and its question. It
 /// needs the pictures beside it, and no network. `tables` gives the names and parameters of all subjects.

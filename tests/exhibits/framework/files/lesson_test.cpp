@@ -92,6 +92,18 @@ TEST(Lesson, SaysRowsByTheirLabels)
     EXPECT_FAILURE(lessonOf(oneStep("{}", "Set [row:gap")), "line 9");
 }
 
+TEST(Lesson, KnowsThePicturesOfItsTexts)
+{
+    const test::TemporaryFolder folder;
+    test::writeBytes(folder / "cone.png", "PNG");
+    test::writeBytes(folder / "ball.jpg", "JPEG");
+    std::string text =
+        oneStep("{}", "See ![a cone](cone.png), ![again](cone.png).\n\n### Try\n![A ball](ball.jpg) rolls.");
+    const Lesson lesson = parseLesson(text, folder / "a.md", lessonTables());
+    EXPECT_EQ(lesson.pictures, (std::set<std::string>{"ball.jpg", "cone.png"}));
+    EXPECT_TRUE(lessonOf(oneStep("{}")).pictures.empty());
+}
+
 TEST(Lesson, RefusalsCarryTheirPlace)
 {
     const auto placeOf = [](const std::string& lesson) {
