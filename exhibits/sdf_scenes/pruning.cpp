@@ -272,14 +272,48 @@ private:
     std::atomic<std::uint64_t> bytes_ = 0, evaluations_ = 0;
 };
 
-/// Splits a block of cells, along all axes in which it is long, until a part is one cell.
+/// Smallest side of a block, in cells, that is found again after a change: smaller ones are quickly pruned again.
+constexpr int leastKept = 4;
+constexpr int mostCellsAcross = 1023;  ///< Limit for grids whose blocks are found again.
+
+/// Returns the key of a block in `SplitBlocks`.
+std::uint64_t keyOfBlock(const glm::ivec3& low, const glm::ivec3& high)
+{
+    std::uint64_t key = 0;
+    for (const int at : {low.x, low.y, low.z, high.x, high.y, high.z}) key = key << 10U | static_cast<unsigned>(at);
+    return key;
+}
+
+/// Calls `visit(from, to)` for the parts into which a block of cells is split: along all axes in which it is long.
+template <typename Visit> void splitBlock(const glm::ivec3& low, const glm::ivec3& high, const Visit& visit)
+{
+    const glm::ivec3 sides = high - low;
+    const int longest = std::max({sides.x, sides.y, sides.z});
+    glm::ivec3 parts(1);
+    for (int axis = 0; axis < 3; ++axis)
+        if (2 * sides[axis] > longest) parts[axis] = 2;
+    for (int part = 0; part < 8; ++part) {
+        const glm::ivec3 at(part & 1, part >> 1 & 1, part >> 2);
+        if (at.x >= parts.x || at.y >= parts.y || at.z >= parts.z) continue;
+        visit(low + sides * at / parts, low + sides * (at + 1) / parts);
+    }
+}
+
+/// Splits a block of cells until a part is one cell.
 class CellPruner {
 public:
     /// Writes lists and counts into one, and cells into another one of the same grid.
     CellPruner(const SceneProgram& program, const SceneConstants& words, double tolerance, GridCells& into,
                std::vector<SceneCell>& cells, BudgetLeft& budget)
-        : pruner_(program, words, tolerance), into_(into), cells_(cells), budget_(budget), size_(into.cellSize()),
-          far_(cells.size() < fewCells ? 3 : 1)
+        : pruner_(program, words, tolerance), into_(into), cells_(&cells), budget_(budget), size_(into.cellSize()),
+          far_(reachOfEmpty(into.count))
+    {
+    }
+    /// Writes only the cells that a change reaches.
+    CellPruner(const SceneProgram& program, const ChangedNumbers& numbers, double tolerance, GridCells& into,
+               std::vector<std::pair<std::uint32_t, SceneCell>>& cells, BudgetLeft& budget)
+        : pruner_(program, numbers.now, tolerance), into_(into), changed_(&numbers), changedCells_(&cells),
+          budget_(budget), size_(into.cellSize()), far_(reachOfEmpty(into.count))
     {
     }
 
@@ -302,25 +336,22 @@ public:
         const double clear = far_ * (longest > largeSide ? 2 : 1) * radius;
         if (std::abs(left.distance) > clear + 0.5 * glm::length(size_) * wider && longest > 1) {
             fill(left.distance, center, low, high);
+            if (changed_) forget(low, high);
             return;
         }
         if (longest == 1) {
             addCell(left, low, radius);
             return;
         }
-        glm::ivec3 parts(1);
-        for (int axis = 0; axis < 3; ++axis)
-            if (2 * sides[axis] > longest) parts[axis] = 2;
-        for (int part = 0; part < 8; ++part) {
-            const glm::ivec3 at(part & 1, part >> 1 & 1, part >> 2);
-            if (at.x >= parts.x || at.y >= parts.y || at.z >= parts.z) continue;
-            const glm::ivec3 from = low + sides * at / parts;
-            prune(left.steps, from, low + sides * (at + 1) / parts, depth + 1);
-        }
+        if (longest >= leastKept && !remember(left.steps, keyOfBlock(low, high))) return;
+        splitBlock(low, high,
+                   [&](const glm::ivec3& from, const glm::ivec3& to) { prune(left.steps, from, to, depth + 1); });
     }
 
     [[nodiscard]] std::size_t lists() const { return lists_; }
     [[nodiscard]] std::size_t evaluations() const { return pruner_.evaluations(); }
+    /// Blocks that are no longer split.
+    [[nodiscard]] const std::vector<std::uint64_t>& forgotten() const { return forgotten_; }
 
     /// Takes over the results of another pruner for all cells from `from` on, which this one has not pruned.
     void take(const CellPruner& other, const glm::ivec3& from)
@@ -328,20 +359,74 @@ public:
         std::unordered_map<std::uint32_t, std::uint32_t> moved;
         for (const auto& [hash, list] : other.listAt_)
             moved[list.first] = listOf(std::span(other.into_.steps).subspan(list.first, list.count));
-        for (int z = from.z; z < into_.count.z; ++z)
-            for (int y = from.y; y < into_.count.y; ++y)
-                for (int x = from.x; x < into_.count.x; ++x)
-                    if (SceneCell& cell = cells_[indexOf({x, y, z})]; cell.count > 0) cell.first = moved.at(cell.first);
+        const auto move = [&moved](SceneCell& cell) {
+            if (cell.count > 0) cell.first = moved.at(cell.first);
+        };
+        if (changed_) {
+            for (auto [index, cell] : *other.changedCells_) {
+                move(cell);
+                changedCells_->emplace_back(index, cell);
+            }
+        } else {
+            for (int z = from.z; z < into_.count.z; ++z)
+                for (int y = from.y; y < into_.count.y; ++y)
+                    for (int x = from.x; x < into_.count.x; ++x) move((*cells_)[indexOf({x, y, z})]);
+        }
         into_.withSurface += other.into_.withSurface;
         into_.withSteps += other.into_.withSteps;
         into_.mostShapes = std::max(into_.mostShapes, other.into_.mostShapes);
         into_.meanShapes += other.into_.meanShapes;
         into_.evaluations += other.evaluations();
+        for (const auto& [key, hash] : other.into_.split) into_.split[key] = hash;
+        forgotten_.insert(forgotten_.end(), other.forgotten_.begin(), other.forgotten_.end());
     }
 
 private:
     /// Cells are enlarged by this factor: float32 assigns some points to a cell that are just outside of it.
     static constexpr double wider = 1 + 1e-4;
+
+    static double reachOfEmpty(const glm::ivec3& count)
+    {
+        return static_cast<std::size_t>(count.x) * static_cast<std::size_t>(count.y) *
+                           static_cast<std::size_t>(count.z) <
+                       fewCells
+                   ? 3
+                   : 1;
+    }
+
+    /// Keeps the steps of a block that is split. Returns false if its cells are as they were: these steps matter in it
+    /// as before, and none of their numbers has changed.
+    bool remember(std::span<const Step> steps, std::uint64_t key)
+    {
+        const std::uint64_t hash = hashOf(steps);
+        if (changed_) {
+            const auto known = changed_->split.find(key);
+            const auto isChanged = [this](const Step& step) { return changed_->nodes[step.node] != 0; };
+            if (known != changed_->split.end() && known->second == hash &&
+                std::none_of(steps.begin(), steps.end(), isChanged))
+                return false;
+        }
+        into_.split[key] = hash;
+        return true;
+    }
+
+    /// Notes that neither a block nor a part of it is split any longer.
+    void forget(const glm::ivec3& low, const glm::ivec3& high)
+    {
+        const glm::ivec3 sides = high - low;
+        const std::uint64_t key = keyOfBlock(low, high);
+        if (std::max({sides.x, sides.y, sides.z}) < leastKept || !changed_->split.contains(key)) return;
+        forgotten_.push_back(key);
+        splitBlock(low, high, [this](const glm::ivec3& from, const glm::ivec3& to) { forget(from, to); });
+    }
+
+    void put(const glm::ivec3& at, const SceneCell& cell)
+    {
+        if (changedCells_)
+            changedCells_->emplace_back(static_cast<std::uint32_t>(indexOf(at)), cell);
+        else
+            (*cells_)[indexOf(at)] = cell;
+    }
 
     /// Fills cells that are all farther from any surface than they are wide.
     void fill(double distance, const glm::dvec3& center, const glm::ivec3& low, const glm::ivec3& high)
@@ -351,7 +436,7 @@ private:
                 for (int x = low.x; x < high.x; ++x) {
                     const glm::dvec3 at = into_.box.low + size_ * (glm::dvec3(x, y, z) + 0.5);
                     const double sure = std::abs(distance) - glm::distance(at, center);
-                    cells_[indexOf({x, y, z})].distance = static_cast<float>(std::copysign(sure, distance));
+                    put({x, y, z}, {.distance = static_cast<float>(std::copysign(sure, distance))});
                 }
     }
 
@@ -383,62 +468,139 @@ private:
 
     void addCell(const PrunedSteps& left, const glm::ivec3& at, double radius)
     {
-        SceneCell& cell = cells_[indexOf(at)];
-        cell.distance = static_cast<float>(left.distance);
+        SceneCell cell{.distance = static_cast<float>(left.distance)};
         into_.withSurface += std::abs(left.distance) <= radius * (1 + 2e-6) + 1e-9;
-        if (std::abs(left.distance) > 2 * radius) return;
-        cell.first = listOf(left.steps);
-        cell.count = static_cast<std::uint32_t>(left.steps.size());
-        cell.shapes = static_cast<std::uint32_t>(left.shapes);
-        ++into_.withSteps;
-        into_.mostShapes = std::max(into_.mostShapes, left.shapes);
-        into_.meanShapes += static_cast<double>(left.shapes);
+        if (std::abs(left.distance) <= 2 * radius) {
+            cell.first = listOf(left.steps);
+            cell.count = static_cast<std::uint32_t>(left.steps.size());
+            cell.shapes = static_cast<std::uint32_t>(left.shapes);
+            ++into_.withSteps;
+            into_.mostShapes = std::max(into_.mostShapes, left.shapes);
+            into_.meanShapes += static_cast<double>(left.shapes);
+        }
+        put(at, cell);
     }
 
     static constexpr int largeSide = 8;  ///< Side of a block, in cells.
 
     Pruner pruner_;
     GridCells& into_;
-    std::vector<SceneCell>& cells_;
+    std::vector<SceneCell>* cells_ = nullptr;
+    const ChangedNumbers* changed_ = nullptr;  ///< Null: all cells are written.
+    std::vector<std::pair<std::uint32_t, SceneCell>>* changedCells_ = nullptr;
     BudgetLeft& budget_;
     glm::dvec3 size_;
     double far_;  ///< A small block is empty if its distance from a surface is more than so many of its radii.
     std::deque<PrunedSteps> left_;                              ///< Remaining steps at each depth of the recursion.
     std::unordered_multimap<std::uint64_t, KnownList> listAt_;  ///< Stored lists, by their hashes.
+    std::vector<std::uint64_t> forgotten_;
     std::size_t lists_ = 0;
 };
 
-/// Includes the parts of a box that may contain a surface, subdividing it down to boxes of size `smallest`.
-void includeOccupied(Pruner& pruner, std::span<const Step> steps, const render::Box& box, double smallest,
-                     render::Box& found)
+/// Splits a box across its longest side. Returns the axis.
+int splitBox(const render::Box& box, render::Box& lower, render::Box& upper)
 {
-    if (!found.empty() && found.contains(box.low) && found.contains(box.high)) return;
     const glm::dvec3 half = box.halfSize();
-    const double radius = glm::length(half);
-    const PrunedSteps left = pruner.prune(steps, box.center(), radius);
-    if (left.distance > radius * (1 + 2e-6) + 1e-9) return;
     const int axis = half.x >= half.y && half.x >= half.z ? 0 : half.y >= half.z ? 1 : 2;
-    if (2 * half[axis] <= smallest) {
-        found.include(box.low);
-        found.include(box.high);
-        return;
-    }
-    render::Box lower = box, upper = box;
+    lower = upper = box;
     lower.high[axis] = upper.low[axis] = box.center()[axis];
-    includeOccupied(pruner, left.steps, lower, smallest, found);
-    includeOccupied(pruner, left.steps, upper, smallest, found);
+    return axis;
 }
+
+/// Finds the parts of a box that contain a surface, by splitting it down to boxes of size `smallest`.
+class OccupiedFinder {
+public:
+    /// `former`: only parts that it does not contain are searched; null: all.
+    OccupiedFinder(const SceneProgram& program, const SceneConstants& words, double smallest, const FormerBox* former)
+        : pruner_(program, words), smallest_(smallest), former_(former)
+    {
+    }
+
+    /// Includes the parts that may contain a surface. `path`: a bit for each half that led to `box`, after a 1.
+    void include(std::span<const Step> steps, const render::Box& box, OccupiedBox& found, std::uint64_t path = 1)
+    {
+        if (!found.box.empty() && found.box.contains(box.low) && found.box.contains(box.high)) return;
+        const PrunedSteps left = pruner_.prune(steps, box.center(), glm::length(box.halfSize()));
+        if (isClear(left, box)) return;
+        render::Box lower, upper;
+        const int axis = splitBox(box, lower, upper);
+        if (2 * box.halfSize()[axis] <= smallest_) {
+            for (int i = 0; i < 3; ++i) {
+                const auto low = static_cast<std::size_t>(2 * i);
+                if (found.box.empty() || box.low[i] < found.box.low[i]) found.touching[low] = box;
+                if (found.box.empty() || box.high[i] > found.box.high[i]) found.touching[low + 1] = box;
+            }
+            found.box.include(box.low);
+            found.box.include(box.high);
+            return;
+        }
+        if (path < leastForgottenPath_) {
+            const std::uint64_t hash = hashOf(left.steps);
+            if (isUnchanged(left.steps, hash, path)) return;
+            found.split[path] = hash;
+        }
+        include(left.steps, lower, found, 2 * path);
+        include(left.steps, upper, found, 2 * path + 1);
+    }
+
+    /// Returns whether `include` would find this part of a box.
+    [[nodiscard]] bool finds(const render::Box& part, const render::Box& box, std::span<const Step> steps)
+    {
+        std::vector<Step> all(steps.begin(), steps.end());
+        for (render::Box here = box;;) {
+            PrunedSteps left = pruner_.prune(all, here.center(), glm::length(here.halfSize()));
+            if (isClear(left, here)) return false;
+            render::Box lower, upper;
+            const int axis = splitBox(here, lower, upper);
+            if (2 * here.halfSize()[axis] <= smallest_) return true;
+            here = part.center()[axis] < here.center()[axis] ? lower : upper;
+            all = std::move(left.steps);
+        }
+    }
+
+private:
+    static constexpr std::uint64_t leastForgottenPath_ = 1U << 15U;
+
+    /// Returns whether a part contains the same surfaces as before, which the former box contains.
+    [[nodiscard]] bool isUnchanged(std::span<const Step> steps, std::uint64_t hash, std::uint64_t path) const
+    {
+        if (!former_) return false;
+        const auto known = former_->found.split.find(path);
+        return known != former_->found.split.end() && known->second == hash &&
+               std::none_of(steps.begin(), steps.end(),
+                            [this](const Step& step) { return former_->nodes[step.node] != 0; });
+    }
+    [[nodiscard]] static bool isClear(const PrunedSteps& left, const render::Box& box)
+    {
+        return left.distance > glm::length(box.halfSize()) * (1 + 2e-6) + 1e-9;
+    }
+
+    Pruner pruner_;
+    double smallest_;
+    const FormerBox* former_;
+};
 
 }  // namespace
 
-render::Box occupiedBox(const SceneProgram& program, const SceneConstants& words, std::span<const Step> steps,
-                        const render::Box& box)
+OccupiedBox occupiedBox(const SceneProgram& program, const SceneConstants& words, std::span<const Step> steps,
+                        const render::Box& box, const FormerBox* former)
 {
-    render::Box found;
+    OccupiedBox found;
     if (steps.empty() || box.empty()) return found;
-    Pruner pruner(program, words);
     const glm::dvec3 size = box.high - box.low;
-    includeOccupied(pruner, steps, box, std::max({size.x, size.y, size.z}) / 64, found);
+    const double smallest = std::max({size.x, size.y, size.z}) / 64;
+    if (former) {
+        // If each side is still touched, nothing inside can be new.
+        OccupiedFinder finder(program, words, smallest, former);
+        const auto& touching = former->found.touching;
+        const auto isTouched = [&](const render::Box& part) { return finder.finds(part, box, steps); };
+        if (!former->found.box.empty() && std::all_of(touching.begin(), touching.end(), isTouched)) {
+            found = former->found;
+            finder.include(steps, box, found);
+            return found;
+        }
+    }
+    OccupiedFinder(program, words, smallest, nullptr).include(steps, box, found);
     return found;
 }
 
@@ -461,32 +623,51 @@ double GridCells::clearance(std::size_t cell, const glm::dvec3& p) const
     return std::copysign(std::abs(d) - glm::distance(p, center), d);
 }
 
+namespace {
+
+/// Splits the work of two pruners over the two halves of a grid, if it is large. The first one has all results then.
+void pruneInHalves(CellPruner& pruner, CellPruner& other, std::span<const Step> steps, const GridCells& cells,
+                   const BudgetLeft& left)
+{
+    const glm::ivec3 count = cells.count;
+    const int axis = count.x >= count.y && count.x >= count.z ? 0 : count.y >= count.z ? 1 : 2;
+    glm::ivec3 middle = count, from(0);
+    middle[axis] = from[axis] = count[axis] / 2;
+    render::onThreads(2, [&](std::size_t thread) {
+        thread == 0 ? pruner.prune(steps, glm::ivec3(0), middle) : other.prune(steps, from, count);
+    });
+    if (!left.isOver()) pruner.take(other, from);
+}
+
+GridCells emptyCells(const CellGrid& grid)
+{
+    GridCells cells;
+    cells.box = grid.box;
+    cells.count = grid.count;
+    return cells;
+}
+
+std::size_t cellsIn(const CellGrid& grid)
+{
+    return static_cast<std::size_t>(grid.count.x) * static_cast<std::size_t>(grid.count.y) *
+           static_cast<std::size_t>(grid.count.z);
+}
+
+}  // namespace
+
 GridCells pruneCells(const SceneProgram& program, const SceneConstants& words, std::span<const Step> steps,
                      const CellGrid& grid, double tolerance, const PruneBudget& budget)
 {
-    const auto& box = grid.box;
-    const glm::ivec3 count = grid.count;
     BudgetLeft left(budget);
-    GridCells cells;
-    cells.box = box;
-    cells.count = count;
-    cells.cells.resize(static_cast<std::size_t>(count.x) * static_cast<std::size_t>(count.y) *
-                       static_cast<std::size_t>(count.z));
+    GridCells cells = emptyCells(grid);
+    cells.cells.resize(cellsIn(grid));
     CellPruner pruner(program, words, tolerance, cells, cells.cells, left);
-    const int axis = count.x >= count.y && count.x >= count.z ? 0 : count.y >= count.z ? 1 : 2;
     if (cells.cells.size() < fewCells) {
-        pruner.prune(steps, glm::ivec3(0), count);
+        pruner.prune(steps, glm::ivec3(0), grid.count);
     } else {
-        GridCells others;
-        others.box = box;
-        others.count = count;
+        GridCells others = emptyCells(grid);
         CellPruner other(program, words, tolerance, others, cells.cells, left);
-        glm::ivec3 middle = count, from(0);
-        middle[axis] = from[axis] = count[axis] / 2;
-        render::onThreads(2, [&](std::size_t thread) {
-            thread == 0 ? pruner.prune(steps, glm::ivec3(0), middle) : other.prune(steps, from, count);
-        });
-        if (!left.isOver()) pruner.take(other, from);
+        pruneInHalves(pruner, other, steps, cells, left);
         cells.looks += others.looks;
         if (left.isOver()) cells.evaluations += other.evaluations();
     }
@@ -494,7 +675,31 @@ GridCells pruneCells(const SceneProgram& program, const SceneConstants& words, s
     cells.lists = pruner.lists();
     cells.evaluations += pruner.evaluations();
     if (cells.withSteps > 0) cells.meanShapes /= static_cast<double>(cells.withSteps);
+    if (std::max({grid.count.x, grid.count.y, grid.count.z}) > mostCellsAcross) cells.split.clear();
     return cells;
+}
+
+ChangedCells pruneChangedCells(const SceneProgram& program, const ChangedNumbers& numbers, std::span<const Step> steps,
+                               const CellGrid& grid, double tolerance, const PruneBudget& budget)
+{
+    BudgetLeft left(budget);
+    GridCells made = emptyCells(grid), others = made;
+    ChangedCells changed;
+    std::vector<std::pair<std::uint32_t, SceneCell>> otherCells;
+    CellPruner pruner(program, numbers, tolerance, made, changed.cells, left);
+    if (cellsIn(grid) < fewCells) {
+        pruner.prune(steps, glm::ivec3(0), grid.count);
+    } else {
+        CellPruner other(program, numbers, tolerance, others, otherCells, left);
+        pruneInHalves(pruner, other, steps, made, left);
+    }
+    changed.whole = !left.isOver();
+    changed.evaluations = made.evaluations + pruner.evaluations();
+    changed.steps = std::move(made.steps);
+    changed.split = numbers.split;
+    for (const std::uint64_t key : pruner.forgotten()) changed.split.erase(key);
+    for (const auto& [key, hash] : made.split) changed.split[key] = hash;
+    return changed;
 }
 
 }  // namespace vitrine::scenes

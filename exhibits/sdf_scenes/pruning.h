@@ -2,9 +2,11 @@
 
 #include "exhibits/sdf_scenes/scene_walk.h"
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -84,6 +86,10 @@ struct SceneCell {
     std::uint32_t shapes = 0;
 };
 
+/// Blocks of cells that were split, by the cells at their corners, with a hash of the steps that matter in each. By
+/// these, `pruneChangedCells` finds the blocks that a change of numbers does not reach.
+using SplitBlocks = std::unordered_map<std::uint64_t, std::uint64_t>;
+
 /// Acceleration grid over a part of space: for each cell the steps that matter in it, in flat arrays for shaders. A
 /// cell has no steps if its center is farther from any surface than the cell's diagonal. The distance at its center,
 /// minus the distance from the center, is then a safe step, and at least half a diagonal.
@@ -103,6 +109,7 @@ struct GridCells {
     std::size_t looks = 0;        ///< Number of parts of the box, from large to small, that were examined.
     /// False: the budget was exhausted before all cells were examined, so that the grid must not be used.
     bool whole = true;
+    SplitBlocks split = {};
 
     /// Returns the index of the cell that contains a point; points outside of the box are clamped to it.
     [[nodiscard]] std::size_t cellAt(const glm::dvec3& p) const;
@@ -115,11 +122,25 @@ struct GridCells {
     [[nodiscard]] double clearance(std::size_t cell, const glm::dvec3& p) const;
 };
 
+/// Part of a box that contains a scene.
+struct OccupiedBox {
+    render::Box box;  ///< Empty if nothing was found.
+    /// Small boxes that contain a surface, by the side of `box` that they touch: low x, high x, low y, ...
+    std::array<render::Box, 6> touching = {};
+    SplitBlocks split = {};  ///< Larger parts that were split, by the halves that lead to them.
+};
+
+/// Part of the same box that contained the scene with other numbers.
+struct FormerBox {
+    const OccupiedBox& found;
+    const std::vector<char>& nodes;  ///< For each node of the program whether one of its own numbers has changed.
+};
+
 /// Returns the part of a finite box outside of which the box contains no part of the scene, to about a hundredth of its
-/// longest side. `SceneConstants::extents` are much larger where many operands blend. Empty if the box contains
-/// nothing.
-[[nodiscard]] render::Box occupiedBox(const SceneProgram&, const SceneConstants&, std::span<const Step> steps,
-                                      const render::Box&);
+/// longest side. `SceneConstants::extents` are much larger where many operands blend. With a former box, only what the
+/// changed numbers reach is searched, with the same result.
+[[nodiscard]] OccupiedBox occupiedBox(const SceneProgram&, const SceneConstants&, std::span<const Step> steps,
+                                      const render::Box&, const FormerBox* former = nullptr);
 
 /// Limits for building the grid. Without them, a scene whose shapes all lie within the width of one blend would list
 /// every shape in every cell.
@@ -138,5 +159,27 @@ struct CellGrid {
 /// from every surface are not subdivided.
 [[nodiscard]] GridCells pruneCells(const SceneProgram&, const SceneConstants&, std::span<const Step> steps,
                                    const CellGrid&, double tolerance = Pruner::asShaders, const PruneBudget& = {});
+
+/// Cells that a change of numbers reaches.
+struct ChangedCells {
+    std::vector<std::pair<std::uint32_t, SceneCell>> cells;  ///< With their indices; the last one of an index counts.
+    std::vector<Step> steps;                                 ///< Lists of these cells.
+    SplitBlocks split;                                       ///< Blocks of the whole grid, for the next change.
+    std::size_t evaluations = 0;
+    bool whole = true;  ///< False: the budget was exhausted, and nothing must be used.
+};
+
+/// Numbers of which some have changed since a grid was made.
+struct ChangedNumbers {
+    const SceneConstants& now;
+    std::vector<char> nodes;   ///< For each node of the program whether one of its own numbers has changed.
+    const SplitBlocks& split;  ///< Blocks of the grid as it is.
+};
+
+/// Prunes the cells of a grid that a change of numbers reaches: all others are as `pruneCells` would find them again.
+/// The steps are the same as before.
+[[nodiscard]] ChangedCells pruneChangedCells(const SceneProgram&, const ChangedNumbers&, std::span<const Step> steps,
+                                             const CellGrid&, double tolerance = Pruner::asShaders,
+                                             const PruneBudget& = {});
 
 }  // namespace vitrine::scenes

@@ -5,6 +5,7 @@
 #include "shaders/lib/bindings.glsl"
 
 #include <algorithm>
+#include <mutex>
 
 namespace vitrine::scenes {
 namespace {
@@ -41,6 +42,28 @@ SceneEvaluator everyShape(const ShownScene& shown, const SceneConstants& words, 
     return asked;
 }
 
+/// Grid that was made last, if it still exists: after a change of few numbers, the next one is made from it.
+class LastGrid {
+public:
+    /// Returns the grid if it is of a program with this text; else null.
+    [[nodiscard]] std::shared_ptr<const SceneGrid> of(std::uint64_t program)
+    {
+        const std::lock_guard lock(mutex_);
+        return program == program_ ? grid_.lock() : nullptr;
+    }
+    void set(std::uint64_t program, const std::shared_ptr<const SceneGrid>& grid)
+    {
+        const std::lock_guard lock(mutex_);
+        program_ = program;
+        grid_ = grid;
+    }
+
+private:
+    std::mutex mutex_;
+    std::uint64_t program_ = 0;
+    std::weak_ptr<const SceneGrid> grid_;
+};
+
 /// Returns the evaluator that uses lists of nearby shapes, or null while it is being made.
 std::shared_ptr<const SceneEvaluator> byLists(const ShownScene& shown, const SceneConstants& words,
                                               render::AssetStore& assets)
@@ -51,7 +74,11 @@ std::shared_ptr<const SceneEvaluator> byLists(const ShownScene& shown, const Sce
             [&] {
                 const ListVocabulary vocabulary = ListVocabulary::of(*shown.program);
                 auto made = std::make_shared<SceneEvaluator>();
-                made->near = sceneGrid(*shown.program, words, vocabulary, cellsAcross(shapesOf(*shown.program)));
+                static LastGrid last;
+                const std::uint64_t text = shown.sources->hash();
+                made->near = sceneGrid(*shown.program, words, vocabulary, cellsAcross(shapesOf(*shown.program)),
+                                       cellBudget, last.of(text).get());
+                last.set(text, made->near);
                 made->sources = generatedSources(listGlsl(vocabulary, made->near->planes, stageMember));
                 made->buffers = {{STORAGE_EXHIBIT_A, made->near->records},
                                  {STORAGE_EXHIBIT_B, made->near->lists},
@@ -81,7 +108,7 @@ SceneEvaluator unfolded(const ShownScene& shown, const SceneConstants& words, Sc
         return everyShape(shown, words, "the tree is nested too deep for lists");
     const std::shared_ptr<const SceneEvaluator> made = byLists(shown, words, assets);
     if (!made) return everyShape(shown, words, "the lists of near shapes are still being computed");
-    const bool noCells = made->near->cells.cells.empty();
+    const bool noCells = !made->near->hasCells();
     const char* const noEnd = !noCells ? ""
                               : made->near->crowded
                                   ? "so many shapes blend into each other that every cell would list all of them"

@@ -1,10 +1,12 @@
 #include "exhibits/sdf_scenes/scene_grid.h"
 
+#include "render/hash.h"
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstring>
-#include <map>
+#include <optional>
 
 namespace vitrine::scenes {
 namespace {
@@ -47,50 +49,57 @@ template <typename T> std::shared_ptr<const render::Bytes> bytesOf(const std::ve
     return std::make_shared<const render::Bytes>(std::move(bytes));
 }
 
-/// Lists of all cells without duplicates, and the start of each list.
+/// Lists of cells without duplicates, and the start of each list.
 struct PackedLists {
     std::vector<ListStep> steps;
-    std::map<std::uint32_t, std::uint32_t> startOf;  ///< Key: `SceneCell::first`.
+    std::vector<std::uint32_t> startOf;  ///< By `SceneCell::first`; `nothing` for all other indices.
 };
 
-PackedLists packLists(const GridCells& cells, ListWriter& writer)
+/// Adds the list of a cell, which is in `steps`; those packed already begin at `begin`.
+void packList(PackedLists& packed, const SceneCell& cell, const std::vector<Step>& steps, std::uint32_t begin,
+              ListWriter& writer)
 {
-    PackedLists packed;
-    for (const SceneCell& cell : cells.cells) {
-        if (cell.count == 0) continue;
-        const auto [found, isNew] = packed.startOf.try_emplace(cell.first, std::uint32_t(packed.steps.size()));
-        if (!isNew) continue;
-        const std::vector<ListStep> list = writer.write(cells.stepsOf(cell));
-        packed.steps.insert(packed.steps.end(), list.begin(), list.end());
-    }
-    return packed;
+    if (cell.count == 0) return;
+    packed.startOf.resize(steps.size(), nothing);
+    if (packed.startOf[cell.first] != nothing) return;
+    packed.startOf[cell.first] = begin + std::uint32_t(packed.steps.size());
+    const std::vector<ListStep> list = writer.write(std::span(steps).subspan(cell.first, cell.count));
+    packed.steps.insert(packed.steps.end(), list.begin(), list.end());
 }
 
-render::Bytes gridBytes(const SceneGrid& near, const SceneWithoutPlanes& rest, const ListRecords& records,
-                        const PackedLists& packed)
+GridHead gridHead(const SceneGrid& near, const SceneWithoutPlanes& rest, const ListRecords& records)
 {
     GridHead head{};
     const GridCells& cells = near.cells;
-    const glm::dvec3 perMeter = cells.cells.empty() ? glm::dvec3(1) : 1.0 / cells.cellSize();
-    head.low = glm::vec4(glm::dvec4(cells.cells.empty() ? glm::dvec3(0) : cells.box.low, perMeter.x));
-    head.high = glm::vec4(glm::dvec4(cells.cells.empty() ? glm::dvec3(0) : cells.box.high, perMeter.y));
+    const glm::dvec3 perMeter = near.hasCells() ? 1.0 / cells.cellSize() : glm::dvec3(1);
+    head.low = glm::vec4(glm::dvec4(near.hasCells() ? cells.box.low : glm::dvec3(0), perMeter.x));
+    head.high = glm::vec4(glm::dvec4(near.hasCells() ? cells.box.high : glm::dvec3(0), perMeter.y));
     const glm::dvec3 far(1e6);
     head.heldLow = glm::vec4(glm::dvec4(glm::clamp(near.box.low, -far, far), perMeter.z));
     head.heldHigh = glm::vec4(glm::dvec4(glm::clamp(near.box.high, -far, far), 0));
-    head.count = cells.cells.empty() ? glm::uvec4(0) : glm::uvec4(glm::uvec3(cells.count), 1);
+    head.count = near.hasCells() ? glm::uvec4(glm::uvec3(cells.count), 1) : glm::uvec4(0);
     for (std::size_t i = 0; i < rest.planes.size(); ++i) {
         head.planes[i] = glm::vec4(glm::dvec4(rest.planes[i].normal, rest.planes[i].height));
         head.planeMaterials[i] = records.ofMaterial(rest.planes[i].material);
     }
+    return head;
+}
+
+/// Returns a cell as the shader reads it: the start of its list, and the bits of its distance.
+glm::uvec2 gridEntry(const SceneCell& cell, const PackedLists& packed)
+{
+    glm::uvec2 entry(cell.count > 0 ? packed.startOf[cell.first] : nothing, 0);
+    std::memcpy(&entry.y, &cell.distance, sizeof(float));
+    return entry;
+}
+
+render::Bytes gridBytes(const GridHead& head, const GridCells& cells, const PackedLists& packed)
+{
     render::Bytes bytes;
     append(bytes, &head, 1);
     std::vector<glm::uvec2> entries;
     entries.reserve(cells.cells.size());
-    for (const SceneCell& cell : cells.cells) {
-        glm::uvec2 entry(cell.count > 0 ? packed.startOf.at(cell.first) : nothing, 0);
-        std::memcpy(&entry.y, &cell.distance, sizeof(float));
-        entries.push_back(entry);
-    }
+    for (const SceneCell& cell : cells.cells) entries.push_back(gridEntry(cell, packed));
     if (entries.empty()) entries.emplace_back(0, 0);
     append(bytes, entries.data(), entries.size());
     return bytes;
@@ -144,46 +153,170 @@ int cellsAcross(std::size_t shapes)
     return std::clamp(static_cast<int>(14 * std::cbrt(static_cast<double>(shapes))), 24, 144);
 }
 
-std::shared_ptr<const SceneGrid> sceneGrid(const SceneProgram& program, const SceneConstants& words,
-                                           const ListVocabulary& vocabulary, int across, const PruneBudget& budget)
+namespace {
+
+/// Returns a hash of everything in a program but its numbers, and of the steps that are in cells.
+std::uint64_t structureOf(const SceneProgram& program, const std::vector<Step>& steps)
 {
-    const auto begun = std::chrono::steady_clock::now();
-    auto near = std::make_shared<SceneGrid>();
-    SceneWithoutPlanes rest(program, words, across > 0 ? SceneGrid::mostPlanes : 0);
-    near->planes = static_cast<std::uint32_t>(rest.planes.size());
-    near->box = rest.box;
-    const ListRecords records(program, words);
-    ListWriter writer(program, vocabulary, &records);
-    PackedLists packed;
-    const bool ends = across > 0 && isFinite(rest.box) && !rest.steps.empty();
-    const render::Box occupied = ends ? occupiedBox(program, words, rest.steps, rest.box) : render::Box{};
-    if (!occupied.empty()) {
-        near->box = occupied;
-        const double longest = std::max({near->box.high.x - near->box.low.x, near->box.high.y - near->box.low.y,
-                                         near->box.high.z - near->box.low.z, 1e-3});
-        const render::Box box = grown(near->box, 0.05 * longest);
+    render::NumberHash hash(steps.size());
+    for (const ProgramNode& node : program.nodes()) {
+        hash.add(reinterpret_cast<std::uintptr_t>(&program.kind(node)));
+        for (const std::uint32_t part :
+             {node.parent, node.children, node.translate, node.rotate, node.scale, node.numbers, node.material})
+            hash.add(part);
+    }
+    for (const Step& step : steps) {
+        hash.add(std::uint64_t{step.node} << 32U | step.child);
+        hash.add(std::uint64_t{step.back} << 8U | static_cast<std::uint64_t>(step.type));
+    }
+    return hash.value();
+}
+
+/// Returns for each node whether one of its own numbers is not what it was. Those of materials move no surface.
+std::vector<char> changedNodes(const SceneProgram& program, const std::vector<double>& before,
+                               const std::vector<double>& now)
+{
+    std::vector<char> changed;
+    changed.reserve(program.nodes().size());
+    const auto differ = [&](std::uint32_t first, std::size_t count) {
+        return first != none &&
+               !std::equal(now.begin() + first, now.begin() + first + std::ptrdiff_t(count), before.begin() + first);
+    };
+    for (const ProgramNode& node : program.nodes()) {
+        const NodeKind& kind = program.kind(node);
+        const std::size_t numbers = kind.numbers() + (kind.form == Form::repeater ? numbersOfRepeatRange : 0);
+        changed.push_back(differ(node.numbers, numbers) || differ(node.translate, 3) || differ(node.rotate, 9) ||
+                          differ(node.scale, 4));
+    }
+    return changed;
+}
+
+bool isSameBox(const render::Box& a, const render::Box& b)
+{
+    return a.low == b.low && a.high == b.high;
+}
+
+/// Makes a grid.
+class GridMaker {
+public:
+    GridMaker(const SceneProgram& program, const SceneConstants& words, const ListVocabulary& vocabulary, int across,
+              const PruneBudget& budget)
+        : program_(program), words_(words), budget_(budget),
+          rest_(program, words, across > 0 ? SceneGrid::mostPlanes : 0), records_(program, words),
+          writer_(program, vocabulary, &records_), near_(std::make_shared<SceneGrid>())
+    {
+        near_->planes = static_cast<std::uint32_t>(rest_.planes.size());
+        near_->box = rest_.box;
+        near_->words = words.words;
+        near_->structure = structureOf(program, rest_.steps);
+        near_->around = rest_.box;
+        near_->across = across;
+    }
+
+    [[nodiscard]] std::shared_ptr<SceneGrid> make(const SceneGrid* former)
+    {
+        const bool isAlike = former && former->hasCells() && former->across == near_->across &&
+                             former->words.size() == words_.words.size() && former->structure == near_->structure &&
+                             isSameBox(former->around, near_->around);
+        std::vector<char> changed;
+        if (isAlike) changed = changedNodes(program_, former->words, words_.words);
+        if (near_->across > 0 && isFinite(rest_.box) && !rest_.steps.empty()) {
+            const std::optional<FormerBox> before =
+                isAlike ? std::optional<FormerBox>({former->occupied, changed}) : std::nullopt;
+            near_->occupied = occupiedBox(program_, words_, rest_.steps, rest_.box, before ? &*before : nullptr);
+        }
+        near_->records = bytesOf(records_.records());
+        const bool again =
+            isAlike && isSameBox(former->occupied.box, near_->occupied.box) && change(*former, std::move(changed));
+        if (!again) makeAll();
+        return near_;
+    }
+
+private:
+    /// Makes the cells that have changed. Returns false if all must be made.
+    bool change(const SceneGrid& former, std::vector<char> nodes)
+    {
+        if (former.lists->size() > 2 * former.listsWithoutWaste) return false;
+        ChangedCells changed = pruneChangedCells(program_, {words_, std::move(nodes), former.cells.split}, rest_.steps,
+                                                 {former.cells.box, former.cells.count}, Pruner::asShaders, budget_);
+        if (!changed.whole) return false;
+        near_->again = true;
+        near_->box = former.box;
+        near_->cells.box = former.cells.box;
+        near_->cells.count = former.cells.count;
+        near_->cells.evaluations = changed.evaluations;
+        near_->cells.split = std::move(changed.split);
+        near_->listsWithoutWaste = former.listsWithoutWaste;
+        PackedLists packed;
+        const auto begin = static_cast<std::uint32_t>(former.lists->size() / sizeof(ListStep));
+        for (const auto& [index, cell] : changed.cells) packList(packed, cell, changed.steps, begin, writer_);
+        render::Bytes lists = *former.lists;
+        append(lists, packed.steps.data(), packed.steps.size());
+        render::Bytes grid = *former.grid;
+        const GridHead head = gridHead(*near_, rest_, records_);
+        std::memcpy(grid.data(), &head, sizeof head);
+        for (const auto& [index, cell] : changed.cells) {
+            const glm::uvec2 entry = gridEntry(cell, packed);
+            std::memcpy(grid.data() + sizeof head + index * sizeof entry, &entry, sizeof entry);
+        }
+        near_->lists = std::make_shared<const render::Bytes>(std::move(lists));
+        near_->grid = std::make_shared<const render::Bytes>(std::move(grid));
+        return true;
+    }
+
+    void makeAll()
+    {
+        if (!near_->occupied.box.empty()) makeCells();
+        PackedLists packed;
+        if (near_->hasCells())
+            for (const SceneCell& cell : near_->cells.cells) packList(packed, cell, near_->cells.steps, 0, writer_);
+        else
+            packed.steps = writer_.write(rest_.steps);
+        if (packed.steps.empty()) packed.steps.emplace_back();
+        near_->lists = bytesOf(packed.steps);
+        near_->listsWithoutWaste = near_->lists->size();
+        near_->grid =
+            std::make_shared<const render::Bytes>(gridBytes(gridHead(*near_, rest_, records_), near_->cells, packed));
+    }
+
+    void makeCells()
+    {
+        near_->box = near_->occupied.box;
+        const double longest = std::max({near_->box.high.x - near_->box.low.x, near_->box.high.y - near_->box.low.y,
+                                         near_->box.high.z - near_->box.low.z, 1e-3});
+        const render::Box box = grown(near_->box, 0.05 * longest);
         const auto shapes = static_cast<std::size_t>(std::count_if(
-            rest.steps.begin(), rest.steps.end(), [](const Step& step) { return step.type == Step::Type::shape; }));
+            rest_.steps.begin(), rest_.steps.end(), [](const Step& step) { return step.type == Step::Type::shape; }));
         // Larger cells take less time to find, and each contains more shapes.
-        for (int cells = across;; cells /= 2) {
+        for (int cells = near_->across;; cells /= 2) {
             const double cell = 1.1 * longest / cells;
             const glm::ivec3 count = glm::max(glm::ivec3(glm::ceil(2.0 * box.halfSize() / cell - 1e-9)), glm::ivec3(1));
-            near->cells = pruneCells(program, words, rest.steps, {box, count}, Pruner::asShaders, budget);
+            near_->cells = pruneCells(program_, words_, rest_.steps, {box, count}, Pruner::asShaders, budget_);
             // If small blocks exclude hardly any shapes, larger ones exclude even fewer.
-            const bool holdsAll = near->cells.evaluations > near->cells.looks * shapes / 4;
-            if (near->cells.whole || holdsAll || cells < 2 * fewestCells) break;
+            const bool holdsAll = near_->cells.evaluations > near_->cells.looks * shapes / 4;
+            if (near_->cells.whole || holdsAll || cells < 2 * fewestCells) break;
         }
-        near->crowded = !near->cells.whole;
-        if (near->crowded) near->cells = {};
+        near_->crowded = !near_->cells.whole;
+        if (near_->crowded) near_->cells = {};
     }
-    if (near->cells.cells.empty())
-        packed.steps = writer.write(rest.steps);
-    else
-        packed = packLists(near->cells, writer);
-    if (packed.steps.empty()) packed.steps.emplace_back();
-    near->records = bytesOf(records.records());
-    near->lists = bytesOf(packed.steps);
-    near->grid = std::make_shared<const render::Bytes>(gridBytes(*near, rest, records, packed));
+
+    const SceneProgram& program_;
+    const SceneConstants& words_;
+    const PruneBudget& budget_;
+    SceneWithoutPlanes rest_;
+    const ListRecords records_;
+    ListWriter writer_;
+    std::shared_ptr<SceneGrid> near_;
+};
+
+}  // namespace
+
+std::shared_ptr<const SceneGrid> sceneGrid(const SceneProgram& program, const SceneConstants& words,
+                                           const ListVocabulary& vocabulary, int across, const PruneBudget& budget,
+                                           const SceneGrid* former)
+{
+    const auto begun = std::chrono::steady_clock::now();
+    std::shared_ptr<SceneGrid> near = GridMaker(program, words, vocabulary, across, budget).make(former);
     near->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     return near;
 }

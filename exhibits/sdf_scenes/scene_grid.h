@@ -38,7 +38,19 @@ struct SceneGrid {
     /// Cells would exceed their budget: too many shapes lie within the width of one blend.
     bool crowded = false;
     double seconds = 0;  ///< Time that it took to make.
+    bool again = false;  ///< It was made by changing another one.
+
+    /// Returns whether there are cells. `cells` has their number, and if it was not made again, the cells.
+    [[nodiscard]] bool hasCells() const { return cells.count.x > 0; }
     [[nodiscard]] std::uint64_t bytes() const { return records->size() + lists->size() + grid->size(); }
+
+    // By these, it can be changed.
+    std::vector<double> words = {};  ///< Numbers that it was made from.
+    std::uint64_t structure = 0;     ///< Hash of the program, and of the steps without planes.
+    render::Box around = {};         ///< Box in which `occupied` was searched.
+    OccupiedBox occupied = {};
+    int across = 0;
+    std::size_t listsWithoutWaste = 0;  ///< Size of `lists` when all cells were made.
 };
 
 /// Returns a good number of cells along the longest side for a scene of `shapes` shapes.
@@ -51,8 +63,12 @@ inline constexpr PruneBudget cellBudget{128U << 20U, 60'000'000};
 /// Makes the lists. `across` is the number of cells along the longest side of everything except the planes. With 0
 /// there are no cells and every place has all steps. If the cells would exceed the budget, they are larger and fewer,
 /// or there are none.
+///
+/// `former`: a grid of a program with the same steps. If few numbers have changed and the scene fills the same box,
+/// only the cells that they reach are made again; all are then as they would be otherwise.
 [[nodiscard]] std::shared_ptr<const SceneGrid> sceneGrid(const SceneProgram&, const SceneConstants&,
                                                          const ListVocabulary&, int across,
-                                                         const PruneBudget& = cellBudget);
+                                                         const PruneBudget& = cellBudget,
+                                                         const SceneGrid* former = nullptr);
 
 }  // namespace vitrine::scenes

@@ -98,7 +98,7 @@ render::Box meshedBox(const SceneField& scene, const MeshRequest& request)
         throw Failure(ErrorKind::usage, "The scene has no end: " + endlessPart(scene) +
                                             ". Say with --low and --high what part of it is to be meshed.");
     // Only the occupied part: the bounds of many blended operands are much larger.
-    const render::Box occupied = occupiedBox(scene.program(), scene.words(), scene.program().steps(), box);
+    const render::Box occupied = occupiedBox(scene.program(), scene.words(), scene.program().steps(), box).box;
     if (!occupied.empty()) box = occupied;
     const double reach = std::max({glm::length(box.low), glm::length(box.high)});
     if (request.cell < finestCell * reach)

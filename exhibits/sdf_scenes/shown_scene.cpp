@@ -82,7 +82,7 @@ std::shared_ptr<const Scene> framed(const std::shared_ptr<const Scene>& scene)
     const SceneConstants words = program.words(numbers);
     const SceneWithoutPlanes rest(program, words, SceneGrid::mostPlanes);
     if (rest.steps.empty() || !std::isfinite(glm::length(rest.box.high - rest.box.low))) return scene;
-    const render::Box box = occupiedBox(program, words, rest.steps, rest.box);
+    const render::Box box = occupiedBox(program, words, rest.steps, rest.box).box;
     const double radius = glm::length(box.halfSize());
     if (box.empty() || !(radius > 0)) return scene;
     const double reach = std::exp2(std::ceil(4 * std::log2(radius)) / 4);

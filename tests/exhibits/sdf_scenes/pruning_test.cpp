@@ -2,11 +2,13 @@
 
 #include "exhibits/sdf_scenes/pruning.h"
 #include "exhibits/sdf_scenes/scene_grid.h"
+#include "exhibits/sdf_scenes/scene_reader.h"
 #include "tests/exhibits/sdf_scenes/many_shapes.h"
 #include "tests/exhibits/sdf_scenes/support.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #ifdef VITRINE_RAPIDCHECK
 #include <rapidcheck/gtest.h>  // After gtest, which it needs.
@@ -144,7 +146,8 @@ TEST(OccupiedBox, HoldsAllThatIsInsideAndIsNarrow)
         const std::string root = test::randomTree(random, 3);
         const scenes::SceneField field = test::fieldOf(root);
         const render::Box box = scenes::occupiedBox(field.program(), field.words(), field.program().steps(),
-                                                    {glm::dvec3(-3), glm::dvec3(3)});
+                                                    {glm::dvec3(-3), glm::dvec3(3)})
+                                    .box;
         for (int i = 0; i < 100; ++i) {
             const glm::dvec3 p = random.point(3);
             if (field.distance(p) > 0) continue;
@@ -154,7 +157,8 @@ TEST(OccupiedBox, HoldsAllThatIsInsideAndIsNarrow)
     // A thousand blended balls: bounds that add up all blends would be this large.
     const scenes::SceneField many = test::fieldOf(rowOfBalls(1000, 0.002, R"("kind": "union", "blendWidth": 0.1)"));
     EXPECT_GT(many.box().high.y, 10);
-    const render::Box narrow = scenes::occupiedBox(many.program(), many.words(), many.program().steps(), many.box());
+    const render::Box narrow =
+        scenes::occupiedBox(many.program(), many.words(), many.program().steps(), many.box()).box;
     EXPECT_LT(narrow.high.y, 2);
 }
 
@@ -236,7 +240,7 @@ TEST(PruneCells, EndWithTheirBudgetAndTheSceneIsWholeWithoutThem)
 {
     const scenes::SceneField field = test::fieldOf(crowd(3));
     const auto& steps = field.program().steps();
-    const render::Box box = scenes::occupiedBox(field.program(), field.words(), steps, field.box());
+    const render::Box box = scenes::occupiedBox(field.program(), field.words(), steps, field.box()).box;
     const auto pruned = [&](int across, const scenes::PruneBudget& budget) {
         return scenes::pruneCells(field.program(), field.words(), steps, {box, glm::ivec3(across)},
                                   scenes::Pruner::asShaders, budget);
@@ -267,6 +271,85 @@ TEST(SceneGrid, HasNoCellsWhereAllShapesAreInEach)
     EXPECT_FALSE(coarse->crowded);
     EXPECT_FALSE(coarse->cells.cells.empty());
     EXPECT_LT(std::max({coarse->cells.count.x, coarse->cells.count.y, coarse->cells.count.z}), 60);
+}
+
+/// Returns the list of a cell, or of no cell, as the shader reads it.
+std::vector<scenes::ListStep> listAt(const scenes::SceneGrid& grid, std::uint32_t first)
+{
+    std::vector<scenes::ListStep> list;
+    if (first == ~std::uint32_t{0}) return list;
+    for (std::size_t at = first * sizeof(scenes::ListStep);; at += sizeof(scenes::ListStep)) {
+        if (at + sizeof(scenes::ListStep) > grid.lists->size()) ADD_FAILURE() << "a list has no end";
+        list.emplace_back();
+        std::memcpy(&list.back(), grid.lists->data() + at, sizeof(scenes::ListStep));
+        if ((list.back().operation & scenes::moreSteps) == 0) return list;
+    }
+}
+
+/// Returns the number of cells whose distance or list is another one.
+std::size_t differentCells(const scenes::SceneGrid& a, const scenes::SceneGrid& b)
+{
+    const auto count = static_cast<std::size_t>(a.cells.count.x * a.cells.count.y * a.cells.count.z);
+    if (a.grid->size() != b.grid->size() || a.cells.count != b.cells.count || *a.records != *b.records) return count;
+    const std::size_t head = a.grid->size() - count * sizeof(glm::uvec2);
+    if (std::memcmp(a.grid->data(), b.grid->data(), head) != 0) return count;
+    std::size_t different = 0;
+    const auto cell = [head](const scenes::SceneGrid& grid, std::size_t i) {
+        glm::uvec2 entry;
+        std::memcpy(&entry, grid.grid->data() + head + i * sizeof entry, sizeof entry);
+        return entry;
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+        const glm::uvec2 one = cell(a, i), other = cell(b, i);
+        const std::vector<scenes::ListStep> left = listAt(a, one.x), right = listAt(b, other.x);
+        const bool same = one.y == other.y && left.size() == right.size() &&
+                          (left.empty() || std::memcmp(left.data(), right.data(), left.size() * sizeof left[0]) == 0);
+        different += !same;
+    }
+    return different;
+}
+
+TEST(SceneGrid, MadeAgainAfterARandomMoveIsThatMadeFromNothing)
+{
+    for (const int shapes : {60, 300}) {
+        const auto read = scenes::readScene(
+            R"({"format": "vitrine-scene", "version": 1, "root": )" + test::manyShapes(shapes) + "}", "a.json", {});
+        ASSERT_TRUE(read.scene);
+        const scenes::Scene& scene = *read.scene;
+        const scenes::SceneProgram program(read.scene);
+        const scenes::ListVocabulary kinds = scenes::ListVocabulary::of(program);
+        const int across = shapes == 60 ? 32 : 72;  // With one thread, and with two.
+        std::vector<double> numbers = scene.numbersAt(0);
+        std::shared_ptr<const scenes::SceneGrid> grid =
+            scenes::sceneGrid(program, program.words(numbers), kinds, across);
+        ASSERT_TRUE(grid->hasCells());
+        test::Random random(static_cast<unsigned>(shapes));
+        int again = 0;
+        double share = 0;
+        constexpr int moves = 27;
+        for (int i = 0; i < moves; ++i) {
+            // A short way, anywhere within the scene, out of it, or all shapes: the width of their blend.
+            const scenes::Node& node = scene.nodes[1 + std::size_t(random.number(0, shapes - 1e-9))];
+            const double way = i % 4 == 0 ? 1 : 0.05;
+            if (i % 13 == 12)
+                numbers[scene.nodes[0].numbers + 1] *= 1.1;
+            else
+                for (std::uint32_t axis = 0; axis < 3; ++axis)
+                    numbers[node.translate + axis] = glm::clamp(
+                        numbers[node.translate + axis] + way * random.number(-1, 1), -1.0, i % 10 == 9 ? 3.0 : 1.0);
+            const scenes::SceneConstants words = program.words(numbers);
+            const auto whole = scenes::sceneGrid(program, words, kinds, across);
+            grid = scenes::sceneGrid(program, words, kinds, across, scenes::cellBudget, grid.get());
+            ASSERT_EQ(differentCells(*grid, *whole), 0U) << shapes << " shapes, move " << i;
+            EXPECT_EQ(grid->box.low, whole->box.low);
+            EXPECT_EQ(grid->box.high, whole->box.high);
+            again += grid->again;
+            if (grid->again) share += double(grid->cells.evaluations) / double(whole->cells.evaluations);
+        }
+        EXPECT_GT(again, moves / 2) << "of " << shapes << " shapes, most moves leave the box of the scene as it is";
+        if (shapes == 60) continue;
+        EXPECT_LT(share / again, 0.5) << "of the evaluations";
+    }
 }
 
 TEST(Pruning, OfManyOperandsLeavesTheSameDistance)
