@@ -66,7 +66,7 @@ function(vitrine_gtest_program name)
 endfunction()
 
 # vitrine_test(<name> [OPTIMIZED] LABELS <label>... SOURCES <file>... [LIBRARIES <target>...]): a GoogleTest program, one
-# entry of ctest.
+# entry of ctest. Suites whose names begin with Long are an entry of their own, <name>_long, with the label long.
 function(vitrine_test name)
     cmake_parse_arguments(PARSE_ARGV 1 arg "OPTIMIZED" "" "LABELS;SOURCES;LIBRARIES")
     set(optimized)
@@ -74,13 +74,24 @@ function(vitrine_test name)
         set(optimized OPTIMIZED)
     endif()
     vitrine_gtest_program(${name} ${optimized} SOURCES ${arg_SOURCES} LIBRARIES ${arg_LIBRARIES})
-    add_test(NAME ${name} COMMAND ${name})
-    set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT 600)
+    add_test(NAME ${name} COMMAND ${name} --gtest_filter=-Long*:*/Long*)
+    set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}")
+    set(entries ${name})
+    foreach(source IN LISTS arg_SOURCES)
+        file(STRINGS ${source} long_tests REGEX "^TEST(_F|_P)?\\(Long[A-Z]")
+        if(long_tests AND NOT TEST ${name}_long)
+            add_test(NAME ${name}_long COMMAND ${name} --gtest_filter=Long*:*/Long*)
+            set_tests_properties(${name}_long PROPERTIES LABELS "${arg_LABELS};long")
+            list(APPEND entries ${name}_long)
+        endif()
+    endforeach()
+    set_tests_properties(${entries} PROPERTIES TIMEOUT 1200
+                         ENVIRONMENT "LIBGL_ALWAYS_SOFTWARE=1;XDG_CACHE_HOME=${vitrine_program_caches}")
 endfunction()
 
 # vitrine_suites(<program> [AS <name>] [LONG <regex>] LABELS <label>... [PROPERTIES <key> <value>...]
 # [ENVIRONMENT <name=value>...]): an entry <name>.<suite> for each suite of a GoogleTest program, and for each parameter of a
-# suite with parameters; those that match LONG have the label long besides. They are listed when ctest starts, so that what is
+# suite with parameters; those that begin with Long or match LONG have the label long besides. They are listed when ctest starts, so that what is
 # new in the program needs no line here. ctest starts what has the highest COST first, and COST counts for all entries of a
 # call: the seconds that the longest takes.
 function(vitrine_suites program)

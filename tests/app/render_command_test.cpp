@@ -257,7 +257,7 @@ TEST(RenderCommand, ChannelsComeBackFromThePicture)
                             {"\"luminance\"", "depth, normal, evaluations, albedo, position, object or motion"});
 }
 
-TEST(RenderCommand, APictureOfEveryExhibitAloneBringsItselfBackWithNothingElseSaid)
+TEST(LongRenderCommand, APictureOfEveryExhibitAloneBringsItselfBackWithNothingElseSaid)
 {
     const TemporaryFolder folder;
     const Ended listed = test::vitrine({"list", "--json"});

@@ -13,7 +13,7 @@ namespace vitrine::test {
 /// takes it seconds: the reflection probe alone has seven times the pixels of a picture of 320 x 180.
 struct CheapPictures {
     double samples = 1;  ///< Number of supersamples of a static picture, in place of sixteen.
-    double scale = 1;    ///< Resolution of the picture, as a part of the viewport's.
+    double scale = 0.5;  ///< Resolution of the picture, as a part of the viewport's.
 };
 
 /// Sets these settings. Makes no undo step.

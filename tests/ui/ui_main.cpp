@@ -1,4 +1,5 @@
-// One program for all tests of the window: `ui_test CLASS [FUNCTION...]`; without arguments it lists the classes.
+// One program for all tests of the window: `ui_test CLASS [FUNCTION...|--long]`; without arguments it lists the
+// classes.
 #include "tests/ui/ui_main.h"
 
 #include <cstdio>
@@ -19,6 +20,23 @@ std::map<std::string, RunsTest>& addedTests()
 AddedTest::AddedTest(const char* name, RunsTest run)
 {
     addedTests()[name] = run;
+}
+
+QStringList testArguments(const QMetaObject& tests, int argc, char** argv)
+{
+    const bool onlyLong = argc == 2 && QString(argv[1]) == "--long";
+    QStringList arguments;
+    for (int i = 0; i < (onlyLong ? 1 : argc); ++i) arguments.append(argv[i]);
+    if (argc > 1 && !onlyLong) return arguments;
+    for (int i = tests.methodOffset(); i < tests.methodCount(); ++i) {
+        const QMetaMethod method = tests.method(i);
+        const QString name = method.name();
+        const bool runs = method.methodType() == QMetaMethod::Slot && method.access() == QMetaMethod::Private &&
+                          method.parameterCount() == 0 && !name.endsWith("_data") &&
+                          !QStringList{"initTestCase", "cleanupTestCase", "init", "cleanup"}.contains(name);
+        if (runs && name.startsWith("long") == onlyLong) arguments.append(name);
+    }
+    return arguments;
 }
 
 }  // namespace vitrine::test

@@ -3,13 +3,17 @@
 #include "ui/window/application.h"
 
 #include <QApplication>
+#include <QMetaMethod>
 #include <QTest>
 
 namespace vitrine::test {
 
-/// Makes the application and runs the test functions named by the arguments, or all of them. Returns the number of
-/// failures.
+/// Makes the application and runs the test functions named by the arguments. Without names it runs all functions but
+/// those whose names begin with `long`; with `--long` as the only argument, those. Returns the number of failures.
 using RunsTest = int (*)(int argc, char** argv);
+
+/// Returns the arguments for Qt Test: those given, or the names of the functions that they stand for.
+QStringList testArguments(const QMetaObject&, int argc, char** argv);
 
 /// Registers a test class with the program, whose first argument selects it.
 struct AddedTest {
@@ -22,7 +26,7 @@ template <typename Application, typename Test> int runUnder(int argc, char** arg
     QCoreApplication::setAttribute(Qt::AA_Use96Dpi);
     const Application app(argc, argv);
     Test test;
-    return QTest::qExec(&test, argc, argv);
+    return QTest::qExec(&test, testArguments(Test::staticMetaObject, argc, argv));
 }
 
 }  // namespace vitrine::test

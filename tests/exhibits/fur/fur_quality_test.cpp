@@ -10,6 +10,7 @@ namespace vitrine::test {
 namespace {
 
 class FurQuality : public GlTest {};
+class LongFurQuality : public FurQuality {};
 
 TEST_F(FurQuality, LooksTheSameToTheBitFromOutsideInAndFromInsideOut)
 {
@@ -82,7 +83,7 @@ TEST_F(FurQuality, ShellsByAngleLeaveNoHoleInTheSkinAndAreTheSameInBothOrders)
     EXPECT_EQ(largestDifference(outer.image, shot(FurSilhouette::byAngle, FurOrder::innerFirst, 60000).image), 0);
 }
 
-TEST_F(FurQuality, IsNearTheReferenceAtSixteenSamplesPerPixel)
+TEST_F(LongFurQuality, IsNearTheReferenceAtSixteenSamplesPerPixel)
 {
     FurShot usual, reference, sparse;
     usual.request.samples = reference.request.samples = sparse.request.samples = 16;
@@ -152,7 +153,7 @@ TEST_F(FurQuality, SeenFromNearIsWithinEightLevelsOfShellsWithoutNumber)
     EXPECT_GT(bareError, 16);
 }
 
-TEST_F(FurQuality, WithFewerShellsFromItsBestViewIsNearShellsWithoutNumber)
+TEST_F(LongFurQuality, WithFewerShellsFromItsBestViewIsNearShellsWithoutNumber)
 {
     // Fur everywhere: a part of the picture with pixels as large as in one of 640 x 360.
     struct PartOfBestView : FurShot {

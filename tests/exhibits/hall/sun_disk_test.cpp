@@ -37,8 +37,8 @@ Shot floorShot(ShadowFilter filter)
     return shot;
 }
 
-/// Returns the mean over suns distributed evenly over the disk, each with a hard shadow.
-Picture areaLight()
+/// Draws the mean over suns distributed evenly over the disk, each with a hard shadow.
+Picture drawnAreaLight()
 {
     Shot shot = floorShot(ShadowFilter::hard);
     constexpr int suns = 48;
@@ -55,9 +55,15 @@ Picture areaLight()
     return mean;
 }
 
+const Picture& areaLight()
+{
+    static const Picture drawn = drawnAreaLight();
+    return drawn;
+}
+
 TEST_F(SunDisk, MakesTheHalfShadowOfAnAreaLight)
 {
-    const Picture truth = areaLight();
+    const Picture& truth = areaLight();
     const Picture disk = floorShot(ShadowFilter::disk).take();
     const Picture tent = floorShot(ShadowFilter::tent5).take();
     double brightest = 0;
@@ -80,7 +86,7 @@ TEST_F(SunDisk, MakesTheHalfShadowOfAnAreaLight)
 
 TEST_F(SunDisk, OfFewComparisonsBecomesTheAreaLightAsThePictureRefines)
 {
-    const Picture truth = areaLight();
+    const Picture& truth = areaLight();
     const auto wrong = [&](int comparisons, int samples) {
         Shot shot = floorShot(ShadowFilter::disk);
         shot.hall().set(hallTable().diskSamples, comparisons);

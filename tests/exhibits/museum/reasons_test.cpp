@@ -389,13 +389,20 @@ void drawSettings(ParameterValues& values, RandomNumbers& random)
     }
 }
 
-class Reasons : public testing::TestWithParam<std::string> {};
+class Reasons : public testing::TestWithParam<std::string> {
+protected:
+    /// Expects every step of random settings, from one seed to another, to have a reason that is true.
+    static void expectTrueReasons(std::uint64_t firstSeed, std::uint64_t lastSeed);
+};
 
-TEST_P(Reasons, AreThereAndTrueWhateverIsSet)
+/// Five times as many settings.
+class LongReasons : public Reasons {};
+
+void Reasons::expectTrueReasons(std::uint64_t firstSeed, std::uint64_t lastSeed)
 {
     const std::size_t exhibit = *museum().find(GetParam());
     std::set<std::string> told;
-    for (std::uint64_t seed = 1; seed <= 80; ++seed) {
+    for (std::uint64_t seed = firstSeed; seed <= lastSeed; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         ScanCase c = scanCase(museum(), exhibit, seed * 32);
         RandomNumbers random(seed);
@@ -418,6 +425,16 @@ TEST_P(Reasons, AreThereAndTrueWhateverIsSet)
     EXPECT_GE(told.size(), 5U) << "hardly anything was left out: this proves little";
 }
 
+TEST_P(Reasons, AreThereAndTrueWhateverIsSet)
+{
+    expectTrueReasons(1, 20);
+}
+
+TEST_P(LongReasons, AreThereAndTrueWhateverIsSet)
+{
+    expectTrueReasons(21, 120);
+}
+
 std::vector<std::string> namesOfAll()
 {
     std::vector<std::string> names{"hall"};
@@ -426,6 +443,7 @@ std::vector<std::string> namesOfAll()
 }
 
 INSTANTIATE_TEST_SUITE_P(Exhibits, Reasons, testing::ValuesIn(namesOfAll()), [](const auto& p) { return p.param; });
+INSTANTIATE_TEST_SUITE_P(Exhibits, LongReasons, testing::ValuesIn(namesOfAll()), [](const auto& p) { return p.param; });
 
 }  // namespace
 }  // namespace vitrine

@@ -131,7 +131,7 @@ private slots:
         const QByteArray test = QTest::currentTestFunction();
         openMuseum(test == "anInputShowsAnotherExhibit" ? 1 : test == "anExhibitIsCopiedAsAShaderOfOnesOwn" ? 2 : 0);
         makeHome();
-        makeWindow({});
+        makeWindow({.scale = 1});
         showWindow({1000, 700});
         QApplication::setActiveWindow(window_.get());
         QTRY_VERIFY(viewport().pictures().shown().pictures() > 0);

@@ -153,7 +153,7 @@ private slots:
     {
         makeHome();
         QDir(home_->path()).mkdir("Pictures");
-        makeWindow({});
+        makeWindow({.scale = 0.25});  // Actions are counted, not pixels.
         showWindow({1280, 720});
         window_->visit(mug_);
         QTRY_VERIFY(window_->viewport().pictures().schedule().still());

@@ -249,6 +249,8 @@ private slots:
 
     void theFrameReportsSwitchRunsEverythingAndChangesNoPixel()
     {
+        // All effects of all exhibits are drawn.
+        vitrine::test::drawCheaply(*window_, {.scale = 0.25});
         window_->visit(exhibit_);
         window_->findChild<QDockWidget*>("frame-report")->show();
         const QImage before = pictureAtRest();

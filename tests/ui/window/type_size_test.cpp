@@ -111,6 +111,30 @@ class TypeSizeTest : public test::OpenWindow {
         action(command)->trigger();
         lookAtDialog(newest(), QString(command).remove(QStringLiteral("…")));
     }
+    void lookAtEveryPageOfTheExportDialog(int percent)
+    {
+        setType(percent);
+        auto* dialog = opened<ExportDialog>("Export picture…");
+        QVERIFY(QTest::qWaitForWindowExposed(dialog, test::patience));
+        auto* kinds = dialog->findChild<QListWidget*>("kinds");
+        QVERIFY(kinds->count() >= 9);
+        for (int i = 0; i < kinds->count(); ++i) {
+            const QString name = "Export, " + kinds->item(i)->text();
+            QVERIFY2(kinds->item(i)->flags() & Qt::ItemIsEnabled, qPrintable(name));
+            QTest::mouseClick(kinds->viewport(), Qt::LeftButton, {}, kinds->visualItemRect(kinds->item(i)).center());
+            QTRY_VERIFY2(isSettled(*dialog), qPrintable(name));
+            fits(*dialog, name);
+            look(*dialog, name);
+            auto* bar = shownBar(*dialog);
+            QVERIFY2(bar, qPrintable(name));
+            for (const auto* button : bar->findChildren<QAbstractButton*>())
+                QVERIFY2(button->visibleRegion() == QRegion(button->rect()) &&
+                             dialog->screen()->availableGeometry().contains(
+                                 QRect(button->mapToGlobal(QPoint()), button->size())),
+                         qPrintable(name + ": " + button->text()));
+        }
+        delete dialog;
+    }
 
 private slots:
     void initTestCase() { prepare(); }
@@ -190,31 +214,12 @@ private slots:
         lookAtDialog(window_->findChild<ColorDialog*>(), "Color");
     }
 
-    void everyPageOfTheExportDialog_data() { sizes(); }
-    void everyPageOfTheExportDialog()
+    void everyPageOfTheExportDialog() { lookAtEveryPageOfTheExportDialog(200); }
+    void longEveryPageOfTheExportDialog_data() { sizes(); }
+    void longEveryPageOfTheExportDialog()
     {
         QFETCH(int, percent);
-        setType(percent);
-        auto* dialog = opened<ExportDialog>("Export picture…");
-        QVERIFY(QTest::qWaitForWindowExposed(dialog, test::patience));
-        auto* kinds = dialog->findChild<QListWidget*>("kinds");
-        QVERIFY(kinds->count() >= 9);
-        for (int i = 0; i < kinds->count(); ++i) {
-            const QString name = "Export, " + kinds->item(i)->text();
-            QVERIFY2(kinds->item(i)->flags() & Qt::ItemIsEnabled, qPrintable(name));
-            QTest::mouseClick(kinds->viewport(), Qt::LeftButton, {}, kinds->visualItemRect(kinds->item(i)).center());
-            QTRY_VERIFY2(isSettled(*dialog), qPrintable(name));
-            fits(*dialog, name);
-            look(*dialog, name);
-            auto* bar = shownBar(*dialog);
-            QVERIFY2(bar, qPrintable(name));
-            for (const auto* button : bar->findChildren<QAbstractButton*>())
-                QVERIFY2(button->visibleRegion() == QRegion(button->rect()) &&
-                             dialog->screen()->availableGeometry().contains(
-                                 QRect(button->mapToGlobal(QPoint()), button->size())),
-                         qPrintable(name + ": " + button->text()));
-        }
-        delete dialog;
+        lookAtEveryPageOfTheExportDialog(percent);
     }
 
     void whatIsCutOffIsSeen()
