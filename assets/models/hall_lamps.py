@@ -20,7 +20,7 @@ from PIL import Image
 
 TESTS = os.path.join(HERE, "..", "..", "tests", "exhibits", "hall")
 SAMPLES, AIR_SAMPLES, PATHS, BOUNCES = 32, 12, 24576, 12
-FACES = 21                      # triangles of a rosette
+FACES = 60                      # triangles of a rosette
 
 
 class Lamps:

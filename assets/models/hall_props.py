@@ -217,18 +217,25 @@ def _bench(m, nodes, index, x, z, yaw, length):
     nodes.solid_box(f"bench_{index}", (x, 0.225, z), (h, 0.225, d), yaw)
 
 
+LEAN = 18.5                   # degrees by which the card leans back; cardLean in exhibits/lenticular
+
+
 def stand(m):
-    """Brass stand of the lenticular card, in its own frame: card centered at y = 1.2, facing +z."""
+    """Brass stand of the lenticular card, in its own frame: the card faces +z and leans back against a bar."""
     lathe(m, fillet([(0.0, 0.0), (0.21, 0.0, 0.004), (0.21, 0.014, 0.006), (0.19, 0.024, 0.008), (0.05, 0.045, 0.03),
                      (0.022, 0.09)], 2), "brass", center=(0, 0, -0.06), segments=22)
     lathe(m, fillet([(0.020, 0.08), (0.020, 0.13), (0.026, 0.14, 0.005), (0.026, 0.155, 0.005), (0.016, 0.17),
-                     (0.014, 0.86), (0.021, 0.87, 0.005), (0.021, 0.89, 0.005), (0.012, 0.90), (0.012, 1.14),
-                     (0.018, 1.17, 0.01), (0.0, 1.20)], 1), "brass", center=(0, 0, -0.06), segments=16)
-    # Ledge the card stands on and two arms behind it.
+                     (0.014, 0.86), (0.021, 0.87, 0.005), (0.021, 0.89, 0.005), (0.012, 0.90), (0.012, 1.075)], 1),
+          "brass", center=(0, 0, -0.06), segments=16)
+    # Ledge the card stands on, with a lip in front of it.
     outline = [(-0.05, 0.868), (0.035, 0.868), (0.035, 0.905), (0.024, 0.905), (0.024, 0.884), (-0.05, 0.884)]
     prism(m, outline, -0.24, 0.24, "brass", bevel=0.003)
-    for y, half in ((1.12, 0.16),):
-        box(m, (-half, y - 0.011, -0.055), (half, y + 0.011, -0.033), "brass", bevel=0.004, grain="x")
-        for s in (-1, 1):
-            lathe(m, fillet([(0.018, 0.0), (0.018, 0.014, 0.004), (0.0, 0.016)], 2), "brass", segments=16,
-                  matrix=T((s * half, y, -0.036)) @ turn(90, "X"))
+    # Bar behind the card, on top of the post, in the card's frame: the back of the card is at z = -0.005.
+    low = math.radians(LEAN)
+    foot = 0.884 + 0.005 * math.sin(low)
+    card = T((0, foot + 0.2 * math.cos(low), 0.022 - 0.2 * math.sin(low))) @ turn(-LEAN, "X")
+    half, y, z = 0.16, 0.01, -0.0055
+    box(m, (-half, y - 0.011, z - 0.022), (half, y + 0.011, z), "brass", bevel=0.004, grain="x", matrix=card)
+    for s in (-1, 1):
+        lathe(m, fillet([(0.0, -0.024), (0.018, -0.022, 0.008), (0.018, -0.002, 0.004), (0.0, 0.0)], 2), "brass",
+              segments=16, matrix=card @ T((s * half, y, z)) @ turn(90, "X"))

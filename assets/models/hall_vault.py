@@ -7,6 +7,9 @@ from hall_mesh import circle, fillet, grid, lathe, planar
 from mathutils import Vector
 
 COLS, MARGIN = 9, 0.36
+LAMP_SIDES = 20               # round enough that no corner shows from the floor through a narrow lens
+# As large as the heptagons of radius 0.12 m with which the light of the lamps was baked.
+LAMP = 0.12 * math.sqrt(7 * math.sin(2 * math.pi / 7) / (LAMP_SIDES * math.sin(2 * math.pi / LAMP_SIDES)))
 BAYS = ((-12.0, -10.75, 1), (-10.25, -3.75, 5), (-3.25, 3.25, 5), (3.75, 10.25, 5), (10.75, 12.0, 1))
 RIBS = (-10.5, -3.5, 3.5, 10.5)
 # inset in the vault's surface, depth behind it, inset on the unfolded lightmap chart
@@ -59,8 +62,8 @@ def _coffer(m, chart, s0, s1, z0, z1):
     up = Vector(P.vault(s, z, depth + 0.01))
     down = (Vector(P.vault(s, z)) - up).normalized()
     frame = down.to_track_quat("Y", "Z").to_matrix().to_4x4()
-    lathe(m, [(0.12, 0.0), (0.085, 0.035), (0.0, 0.055)], "brass",
-          center=up, segments=7, matrix=frame, density=0.25)
+    lathe(m, [(LAMP, 0.0), (0.7 * LAMP, 0.035), (0.0, 0.055)], "brass",
+          center=up, segments=LAMP_SIDES, matrix=frame, density=0.25)
 
 
 def _rib(m, z):
