@@ -80,7 +80,7 @@ struct Scene {
 
 Scene sceneOf(const LenticularTable& table, const PlanContext& context)
 {
-    return {table, context, context.worldFromExhibit * glm::translate(glm::dmat4(1), cardMiddle()), "in view"};
+    return {table, context, context.worldFromExhibit * exhibitFromCard(), "in view"};
 }
 
 CardObject cardObject(const Scene& s, const render::View& view, double roll)
@@ -97,6 +97,7 @@ CardObject cardObject(const Scene& s, const render::View& view, double roll)
     const double other = eyes == CardEyes::left ? -0.5 : 0.5;
     object.leftEye = glm::vec3(cardFromWorld * glm::dvec4(view.eye + right * (left * apart), 1));
     object.rightEye = glm::vec3(cardFromWorld * glm::dvec4(view.eye + right * (other * apart), 1));
+    object.lamp = glm::vec3(glm::affineInverse(exhibitFromCard()) * glm::dvec4(cardLamp(), 1));
     object.halfSize = glm::vec3(cardHalfSize);
     object.scroll = static_cast<float>(roll);
     return object;
@@ -194,14 +195,31 @@ double scrollRest(double time, double period, double hold)
 
 glm::dvec3 cardMiddle()
 {
-    // place_2 is 1.2 m above the floor. The ledge's top is at 0.884 m, and its two rests touch the back at z = -0.02.
-    return {0, 0.884 - 1.2 + cardHalfSize.y, -0.02 + 2 * cardHalfSize.z};
+    // place_2 is 1.2 m above the floor. The ledge's top is at 0.884 m; the lip in front of the card is at z = 0.024.
+    const double up = std::cos(cardLean), back = std::sin(cardLean);
+    const double foot = 0.884 - 1.2 + 2 * cardHalfSize.z * back;  // Height of the front's lower edge.
+    return {0, foot + cardHalfSize.y * up, 0.022 - cardHalfSize.y * back};
+}
+
+glm::dvec3 cardLamp()
+{
+    return cardMiddle() + glm::dvec3(-1.5, 5.5, 10.4);
+}
+
+glm::dmat4 exhibitFromCard()
+{
+    return glm::rotate(glm::translate(glm::dmat4(1), cardMiddle()), -cardLean, glm::dvec3(1, 0, 0));
 }
 
 render::Box Lenticular::bounds(const ParameterValues&) const
 {
-    const render::Box& box = cardMesh()->bounds;
-    return {box.low + cardMiddle(), box.high + cardMiddle()};
+    return cardMesh()->bounds.transformed(exhibitFromCard());
+}
+
+double Lenticular::firstHit(const ExhibitState&, const render::Ray& ray) const
+{
+    // The card leans, so that its bounding box is mostly empty.
+    return render::firstHit(ray.transformed(glm::affineInverse(exhibitFromCard())), cardMesh()->bounds);
 }
 
 render::Camera Lenticular::bestView(const ParameterValues&) const
@@ -227,20 +245,21 @@ bool Lenticular::press(ParameterValues& values) const
     return true;
 }
 
-std::vector<StandingShape> Lenticular::standingShapes(const ParameterValues& values) const
+std::vector<StandingShape> Lenticular::standingShapes(const ParameterValues&) const
 {
     constexpr double print = 0.3;  // Mean color of the prints, which show rooms in their own light.
-    return {standingBox(bounds(values), glm::dvec3(print))};
+    // The box stands upright: as high as the card, and as thin.
+    const glm::dvec3 half = cardHalfSize * glm::dvec3(1, std::cos(cardLean), 1);
+    return {standingBox({cardMiddle() - half, cardMiddle() + half}, glm::dvec3(print))};
 }
 
 std::vector<render::LocalLight> Lenticular::localLights(const ExhibitState& state) const
 {
-    // The same position as in lenticular/gloss.glsl.
-    const glm::dvec3 fromCard{-0.5, 1.1, 2.4};
+    const glm::dvec3 fromCard = cardLamp() - cardMiddle();
     constexpr double whole = 0.4, edge = 1.2;  // Meters from the card's center; stand, plaque and button are within.
     const double distance = glm::length(fromCard);
     render::LocalLight lamp;
-    lamp.position = cardMiddle() + fromCard;
+    lamp.position = cardLamp();
     lamp.intensity = glm::dvec3(1, 0.90, 0.76) * (state.values[table_.lamp] * distance * distance);
     lamp.axis = -fromCard / distance;
     lamp.coneInner = std::atan(whole / distance);

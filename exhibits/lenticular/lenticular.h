@@ -4,6 +4,7 @@
 #include "exhibits/lenticular/lenticular_table.h"
 
 #include <memory>
+#include <numbers>
 
 namespace vitrine {
 
@@ -28,6 +29,7 @@ public:
     [[nodiscard]] bool isComplete() const override { return true; }
     [[nodiscard]] const Table& parameters() const override { return table_; }
     [[nodiscard]] render::Box bounds(const ParameterValues&) const override;
+    [[nodiscard]] double firstHit(const ExhibitState&, const render::Ray&) const override;
     /// Prepares the prints in the card, as read and as the shader samples them.
     [[nodiscard]] std::shared_ptr<const PreparedPart> prepare(const PrepareContext&) const override;
     [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;
@@ -54,7 +56,21 @@ private:
 /// times.
 [[nodiscard]] double scrollRest(double time, double period, double hold);
 
-/// Returns the center of the card's front in exhibit space. The card stands on the ledge of its stand.
+/// Returns the center of the card's front in exhibit space. The card stands on the ledge of its stand and leans against
+/// its bar.
 [[nodiscard]] glm::dvec3 cardMiddle();
+
+/// Angle by which the card leans back, in radians. Vertical lenses spread the reflection of a lamp to a streak at one
+/// height, as a mirror would show it. At this angle, that height is on the card: near its lower edge for the first
+/// view, and between its edges for a standing visitor 1.7 to 4.8 m away.
+inline constexpr double cardLean = 18.5 * std::numbers::pi / 180;
+
+/// Returns the position of the lamp that is aimed at the card, in exhibit space: in the hall, at the foot of the vault
+/// on the opposite side.
+[[nodiscard]] glm::dvec3 cardLamp();
+
+/// Returns the transform from the card's space, with the center of the front at the origin, x to the right, y up along
+/// the front and z towards the viewer.
+[[nodiscard]] glm::dmat4 exhibitFromCard();
 
 }  // namespace vitrine

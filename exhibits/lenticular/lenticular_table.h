@@ -126,17 +126,17 @@ struct LenticularTable final : Parameters {
     Group gloss = group("Light and gloss");
     Real lamp = real("lamp", 0.35, none, Range{0, 20}.soft(0, 3),
                      "Strength of the lamp in the vault that is aimed at the card: 0 leaves it to the hall's light.");
-    Real roughness = real("roughness", 0.14, none, {0, 1}, "Roughness of the plastic: low looks wet, high is matte.");
+    Real roughness = real("roughness", 0.048, none, {0, 1}, "Roughness of the plastic: low looks wet, high is matte.");
     Real specular = real("specular", 0.5, none, {0, 1},
                          "Reflectance of the plastic: 0 is none, 0.5 is what its refractive index gives.");
     Real normalScale =
-        real("normalScale", 1, none, Range{-16, 16}.soft(0, 4),
+        real("normalScale", 0.6, none, Range{-16, 16}.soft(0, 4),
              "Strength with which the ribs (noise stretched along the lenses) bend the highlight: 0 leaves it smooth.");
     Real ribWidth = real("ribWidth", 0.006, meter, Range{0.0002, 0.2, logarithmic}.soft(0.001, 0.03),
                          "Width of the ribs.", whenNot(normalScale, 0));
-    Real ribStretch = real("ribStretch", 24, none, Range{1, 400, logarithmic}.soft(2, 100),
+    Real ribStretch = real("ribStretch", 60, none, Range{1, 400, logarithmic}.soft(2, 100),
                            "Length of the ribs relative to their width.", whenNot(normalScale, 0));
-    Real lensGloss = real("lensGloss", 0.35, none, {0, 1},
+    Real lensGloss = real("lensGloss", 0.8, none, {0, 1},
                           "Share of the lenses' own slope that the highlight follows: 0 is a flat sheet, 1 spreads it "
                           "in all directions across the lenses.");
     Count glossSamples =

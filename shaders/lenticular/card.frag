@@ -123,7 +123,7 @@ void main()
         float cosL = max(dot(worldNormal, light.sunDirection), 0.0);
         float into = 1.0 - fresnelDielectric(cosL, object.prints[0].index.g);
         vec3 falls = ambientAt(world, worldNormal) + light.sunIrradiance * sunThroughGlass(world) * (cosL * visibility * into / PI);
-        vec3 toLamp = normalize(LAMP - vec3(p.place, 0.0));
+        vec3 toLamp = normalize(object.lamp - vec3(p.place, 0.0));
         falls += lampIrradiance(p.place) * (toLamp.z * (1.0 - fresnelDielectric(toLamp.z, object.prints[0].index.g)) / PI);
         color = printed * falls * (1.0 - mirrored.a) + mirrored.rgb;
 #endif

@@ -21,6 +21,7 @@ BLOCK_STRUCT(CardPrintBlock, CARD_PRINT_FIELDS)
     FIELD(mat4, cardFromWorld) \
     FIELD(vec3, leftEye)       /* in the card's space; both are the camera if there is one eye */ \
     FIELD(vec3, rightEye) \
+    FIELD(vec3, lamp)          /* position of the lamp that is aimed at the card, in the card's space */ \
     FIELD(vec3, halfSize)      /* half size of the card, meters */ \
     FIELD(float, scroll)       /* 0 at rest to 1 */ \
     FIELD(vec2, across)        /* direction across the lenses: unit vector in the card's front */ \

@@ -38,14 +38,31 @@ vec3 ribs(vec2 place, vec2 pixel)
     return vec3(slope * parameters.normalScale, faded * parameters.normalScale * parameters.normalScale);
 }
 
-// A lamp in the vault, aimed at the card: its position in the card's space, and its irradiance on a plane that faces
-// it.
-const vec3 LAMP = vec3(-0.5, 1.1, 2.4);
+// Radiance that the plastic reflects towards `toEye`, for light from direction `l` with this irradiance on a plane that
+// faces it: the highlight of lib/surface.glsl with a width across the lenses and another along them. `alpha` has both;
+// with equal ones, it is that highlight. Burley 2012, "Physically Based Shading at Disney", for the distribution, and
+// Heitz 2014, equation 86, for the masking.
+vec3 highlight(Surface s, vec3 across, vec2 alpha, vec3 toEye, vec3 l, vec3 irradiance)
+{
+    float cosL = dot(s.normal, l);
+    if (cosL <= 0.0) return vec3(0.0);
+    vec3 h = safeNormalize(l + toEye, s.normal);
+    vec3 t = safeNormalize(across - s.normal * dot(s.normal, across), across);
+    mat3 local = mat3(t, cross(s.normal, t), s.normal);
+    vec3 stretch = vec3(max(alpha, vec2(0.002)), 1.0);
+    vec3 slope = (h * local) / stretch;
+    float d = 1.0 / (PI * stretch.x * stretch.y * max(dot(slope, slope) * dot(slope, slope), 1.0e-7));
+    float cosV = max(dot(s.normal, toEye), 1.0e-3);
+    float v = 0.5 / (cosL * length(stretch * (toEye * local)) + cosV * length(stretch * (l * local)));
+    vec3 f = fresnelSchlick(surfaceF0(s), clamp(dot(toEye, h), 0.0, 1.0));
+    return min(f * (d * v), vec3(64.0)) * irradiance * cosL;
+}
 
+// Irradiance of the lamp on a plane that faces it.
 vec3 lampIrradiance(vec2 place)
 {
-    vec3 to = LAMP - vec3(place, 0.0);
-    return vec3(1.0, 0.90, 0.76) * (parameters.lamp * dot(LAMP, LAMP) / dot(to, to));
+    vec3 to = object.lamp - vec3(place, 0.0);
+    return vec3(1.0, 0.90, 0.76) * (parameters.lamp * dot(object.lamp, object.lamp) / dot(to, to));
 }
 
 // Reflected light and, in w, its share of all light.
@@ -70,9 +87,12 @@ vec4 gloss(vec2 place, vec3 toEye, vec2 stepX, vec2 stepY, float visibility, vec
     mat3 worldFromCard = mat3(object.worldFromCard);
     mat3 normals3 = transpose(mat3(object.cardFromWorld));
     float own = parameters.roughness;
-    // Roughness bridges the gap between two sampled slopes.
-    float gap = parameters.lensGloss * lensSlope(s, 0.5) * wide / float(normals);
-    float roughness = clamp(sqrt(sqrt(own * own * own * own + 0.5 * rib.z + 0.08 * gap * gap)), 0.03, 1.0);
+    // A wider highlight bridges the gap between two sampled slopes, and stands for ribs finer than a pixel. Both slope
+    // across the lenses only, and so does what is added.
+    float gap = 2.0 * parameters.lensGloss * lensSlope(s, 0.5) * wide / float(normals);
+    float added = 0.5 * rib.z + 0.25 * gap * gap;
+    vec2 alpha = vec2(sqrt(own * own * own * own + added), own * own);
+    float roughness = clamp(sqrt(sqrt(alpha.x * alpha.y)), 0.03, 1.0);
     Surface surface;
     surface.position = worldPosition;
     surface.baseColor = vec3(0.0);
@@ -81,8 +101,10 @@ vec4 gloss(vec2 place, vec3 toEye, vec2 stepX, vec2 stepY, float visibility, vec
     surface.specular = parameters.specular;
     surface.occlusion = 1.0;
     surface.ambient = vec3(0.0);
-    vec3 toLamp = normalize(worldFromCard * normalize(LAMP - vec3(place, 0.0)));
+    vec3 toLamp = normalize(worldFromCard * normalize(object.lamp - vec3(place, 0.0)));
     vec3 lamp = lampIrradiance(place);
+    vec3 sun = visibility > 0.0 ? light.sunIrradiance * sunThroughGlass(worldPosition) * visibility : vec3(0.0);
+    vec3 worldAcross = normalize(worldFromCard * vec3(across, 0.0));
     vec3 sum = vec3(0.0);
     float mirrored = 0.0;
     float total = 0.0;
@@ -100,8 +122,9 @@ vec4 gloss(vec2 place, vec3 toEye, vec2 stepX, vec2 stepY, float visibility, vec
         surface.normal = normalize(normals3 * n);
         vec3 worldToEye = normalize(worldFromCard * toEye);
         vec3 direction = reflect(-worldToEye, surface.normal);
-        sum += weight * (f * probeRadiance(worldPosition, direction, roughness) + sunReflected(surface, worldToEye, visibility) +
-                         lightReflected(surface, worldToEye, toLamp, lamp));
+        sum += weight * (f * probeRadiance(worldPosition, direction, roughness) +
+                         highlight(surface, worldAcross, alpha, worldToEye, light.sunDirection, sun) +
+                         highlight(surface, worldAcross, alpha, worldToEye, toLamp, lamp));
         mirrored += weight * f;
         total += weight;
     }

@@ -3,7 +3,10 @@
 
 #include "tests/exhibits/lenticular/card_shot.h"
 
+#include <glm/gtc/matrix_inverse.hpp>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -13,7 +16,8 @@ namespace {
 using glm::dvec3;
 using namespace test;
 
-const dvec3 lamp(-0.5, 1.1, 2.4);     ///< Position in the card's space (shaders/lenticular/gloss.glsl).
+/// Position of the lamp in the card's space.
+const dvec3 lamp(glm::affineInverse(exhibitFromCard()) * glm::dvec4(cardLamp(), 1));
 constexpr double greenOfLamp = 0.90;  ///< Green component of its color.
 
 /// Returns the radiance that a plane facing z reflects from unit irradiance along `l` toward `v`. Cook and Torrance
@@ -72,7 +76,7 @@ protected:
         shot.from(std::atan2(mirror.x, mirror.z) + across, 10, pixel, std::asin(mirror.y) + above);
         return shot;
     }
-    static dvec3 toEye(const CardShot& shot) { return glm::normalize(shot.request.frame.camera.eye - cardMiddle()); }
+    static dvec3 toEye(const CardShot& shot) { return glm::normalize(shot.request.frame.camera.eye); }
 };
 
 TEST_F(CardGloss, IsThatOfTheMicrofacetModel)
@@ -158,6 +162,76 @@ TEST_F(CardGloss, FollowsTheLensesSlopesAcrossThemOnly)
     EXPECT_GT(light(0.35, beside, 0), 3 * light(0, beside, 0)) << "to the side the lenses send more than a flat sheet";
     EXPECT_LT(light(0.35, 0, beside), 1.2 * light(0, 0, beside)) << "above they do not";
     EXPECT_LT(light(0.35, 0, 0), 0.6 * light(0, 0, 0)) << "and what they send there is missing in the middle";
+}
+
+/// Streak of the lamp on the card, in the middle third of its width.
+struct Streak {
+    double height = 0;  ///< Height of its brightest place above the card's center, meters.
+    double peak = 0;    ///< Radiance there, green.
+    double share = 0;   ///< Share of the card's height in which it is brighter than a tenth of that.
+};
+
+/// Looks at the leaning card, with a black print, from this point in exhibit space.
+Streak streakFrom(const std::string& blackPrint, const dvec3& eye)
+{
+    ExhibitShot<LenticularTable> shot("lenticular");
+    shot.set(cardTable().scroll, false).set(cardTable().frontPrint, blackPrint).set(cardTable().margin, 0.0);
+    shot.size(160, 160).see(eye, cardMiddle());
+    shot.request.frame.camera.fovY = 2 * std::atan(0.25 / glm::length(eye - cardMiddle()));
+    const Picture lit = shot.take();
+    shot.set(cardTable().lamp, 0.0);
+    const Picture unlit = shot.take();
+    const glm::dmat4 cardFromExhibit = glm::affineInverse(exhibitFromCard());
+    const dvec3 from(cardFromExhibit * glm::dvec4(eye, 1));
+    std::array<double, 40> sums{}, counts{};  // Over the card's height.
+    lit.each([&](int x, int y) {
+        const dvec3 way = glm::dmat3(cardFromExhibit) * lit.ray(x, y);
+        const dvec3 p = from - way * (from.z / way.z);
+        if (std::abs(p.x) > 0.1 || std::abs(p.y) >= 0.2) return;
+        const auto row = static_cast<std::size_t>((p.y + 0.2) * 100);
+        sums[row] += lit.color(x, y).g - unlit.color(x, y).g;
+        counts[row] += 1;
+    });
+    Streak streak;
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        sums[i] /= std::max(counts[i], 1.0);
+        if (sums[i] > streak.peak) streak = {(static_cast<double>(i) + 0.5) / 100 - 0.2, sums[i], 0};
+    }
+    for (const double light : sums) streak.share += light > 0.1 * streak.peak ? 1.0 / sums.size() : 0;
+    return streak;
+}
+
+/// Returns the height at which a flat mirror in place of the card would show the lamp.
+double mirrorHeight(const dvec3& eye)
+{
+    const dvec3 from(glm::affineInverse(exhibitFromCard()) * glm::dvec4(eye, 1));
+    return glm::mix(from.y, lamp.y, from.z / (from.z + lamp.z));
+}
+
+TEST_F(CardGloss, IsAStreakAcrossTheCardAtTheFirstView)
+{
+    const dvec3 eye = Lenticular().bestView(ParameterValues(cardTable())).eye;
+    const Streak streak = streakFrom(views.level(0), eye);
+    EXPECT_GT(streak.peak, 0.3) << "white paper in the lamp's light has 0.11";
+    EXPECT_NEAR(streak.height, mirrorHeight(eye), 0.02);
+    EXPECT_GT(streak.height, -0.18) << "on the picture";
+    EXPECT_LT(streak.height, -0.1) << "beside the subject, which reaches from -0.13 to 0.13 m";
+    EXPECT_LT(streak.share, 0.25) << "the rest of the picture is not veiled";
+}
+
+TEST_F(CardGloss, MovesOverTheCardWhenAVisitorComesNearer)
+{
+    const double eyes = 1.65 - 1.2;  // Height of a standing visitor's eyes, in exhibit space.
+    double before = -0.2;
+    for (const double distance : {4.4, 3.4, 2.6, 2.0}) {
+        const dvec3 eye(0.2, eyes, distance);
+        const Streak streak = streakFrom(views.level(0), eye);
+        EXPECT_GT(streak.peak, 0.35 / std::numbers::pi)
+            << "brighter than white paper in the lamp's light, " << distance;
+        EXPECT_NEAR(streak.height, mirrorHeight(eye), 0.02) << distance;
+        EXPECT_GT(streak.height, before + 0.03) << "it rises, " << distance;
+        before = streak.height;
+    }
 }
 
 }  // namespace

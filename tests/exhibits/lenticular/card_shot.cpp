@@ -42,14 +42,15 @@ CardShot::CardShot() : ExhibitShot("lenticular")
     request.frame.channels.normal = false;
     set(table().scroll, false).set(table().margin, 0.0).set(table().distance, 1e6).set(table().inkSpread, 0.0);
     set(table().views, 256).set(table().apertureSamples, 64).set(table().specular, 0.0);
+    transform(glm::affineInverse(exhibitFromCard()));
     size(25, 25);
 }
 
 CardShot& CardShot::from(double angle, double distance, double pixel, double rise)
 {
     const glm::dvec3 toEye(std::sin(angle) * std::cos(rise), std::sin(rise), std::cos(angle) * std::cos(rise));
-    request.frame.camera.target = cardMiddle();
-    request.frame.camera.eye = cardMiddle() + distance * toEye;
+    request.frame.camera.target = glm::dvec3(0);
+    request.frame.camera.eye = distance * toEye;
     request.frame.camera.fovY = 2 * std::atan(0.5 * pixel * request.frame.raster.size.y / distance);
     return *this;
 }

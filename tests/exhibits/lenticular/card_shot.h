@@ -25,7 +25,8 @@ private:
     TemporaryFolder folder_;
 };
 
-/// Shot of the card alone, from far away with a narrow field of view, and with strips for parallel view directions.
+/// Shot of the card alone, upright with the center of its front at the origin, from far away with a narrow field of
+/// view, and with strips for parallel view directions.
 struct CardShot : ExhibitShot<LenticularTable> {
     CardShot();
 
