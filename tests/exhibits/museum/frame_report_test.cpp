@@ -338,7 +338,9 @@ TEST_F(FrameReports, TheHeatMapOfOverdrawIsBrighterTheMoreIsShaded)
         const glm::dvec3 color = fine.color(x, y);
         const auto [known, isNew] = colors.try_emplace(std::min(count, 2), color);
         EXPECT_LT(glm::distance(known->second, color), 1e-3) << count << " at " << x << ", " << y;
-        if (count > 0) EXPECT_LT(coarse.luminance(x, y), fine.luminance(x, y));
+        if (count > 0) {
+            EXPECT_LT(coarse.luminance(x, y), fine.luminance(x, y));
+        }
     });
     ASSERT_TRUE(colors.contains(1) && colors.contains(2));
     EXPECT_GT(colors.at(2).x, 0.95) << "the scale's number and more are white";

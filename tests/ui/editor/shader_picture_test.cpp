@@ -131,7 +131,7 @@ private slots:
         const QByteArray test = QTest::currentTestFunction();
         openMuseum(test == "anInputShowsAnotherExhibit" ? 1 : test == "anExhibitIsCopiedAsAShaderOfOnesOwn" ? 2 : 0);
         makeHome();
-        makeWindow({.scale = 1});
+        makeWindow({});
         showWindow({1000, 700});
         QApplication::setActiveWindow(window_.get());
         QTRY_VERIFY(viewport().pictures().shown().pictures() > 0);
@@ -152,7 +152,7 @@ private slots:
         closeWindow();
     }
 
-    void anEditIsSeen_data()
+    void longAnEditIsSeen_data()
     {
         QTest::addColumn<QString>("file");
         QTest::addColumn<QString>("words");
@@ -167,7 +167,7 @@ private slots:
                                << "exp(-1.55"
                                << "exp(-0.55";
     }
-    void anEditIsSeen()
+    void longAnEditIsSeen()
     {
         QFETCH(QString, file);
         QFETCH(QString, words);
@@ -429,7 +429,7 @@ private slots:
         QVERIFY(viewport().pictures().shown().image() != gyroid);
     }
 
-    void anAttackEndsWithAMessageWhileTheWindowAnswers_data()
+    void longAnAttackEndsWithAMessageWhileTheWindowAnswers_data()
     {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("sentence");
@@ -449,7 +449,7 @@ private slots:
                                  "gl_FragColor = vec4(n); }"
                               << "takes too long here";
     }
-    void anAttackEndsWithAMessageWhileTheWindowAnswers()
+    void longAnAttackEndsWithAMessageWhileTheWindowAnswers()
     {
         QFETCH(QString, text);
         QFETCH(QString, sentence);
