@@ -188,7 +188,7 @@ private slots:
         QVERIFY2(written().filter("sdf_morph-hitTolerance").size() == 2, qPrintable(written().join(' ')));
     }
 
-    void theCostOfAParameterBecomesAFigureByTheMouse()
+    void longTheCostOfAParameterBecomesAFigureByTheMouse()
     {
         StudyDock& study = window_->docks().study();
         vitrine::test::setEffort(study, {64, 36}, 2);
@@ -203,7 +203,7 @@ private slots:
         QVERIFY(!window_->findChild<SearchDialog*>() || !window_->findChild<SearchDialog*>()->isVisible());
     }
 
-    void aStudyThatIsStoppedBecomesNoFigure()
+    void longAStudyThatIsStoppedBecomesNoFigure()
     {
         StudyDock& study = window_->docks().study();
         vitrine::test::setEffort(study, {64, 36}, 2);

@@ -370,7 +370,7 @@ private slots:
         }
     }
 
-    void closingDuringAnExportAsksAndCanWaitForIt()
+    void longClosingDuringAnExportAsksAndCanWaitForIt()
     {
         openWindow();
         const auto start = [&](const char* name, int samples) {
@@ -485,7 +485,7 @@ private slots:
         QVERIFY(!QFile::exists(path("look-7.png")));
     }
 
-    void anExportGoesOnWhileAnotherKindIsShownAndTheDialogIsHidden()
+    void longAnExportGoesOnWhileAnotherKindIsShownAndTheDialogIsHidden()
     {
         openWindow();
         window_->dialogs().openJob(*jobs::findJob("render"));
@@ -629,7 +629,7 @@ private slots:
         QCOMPARE(QDir(path("own")).entryList(QDir::Files), QStringList("notes.txt"));
     }
 
-    void onlyTheShownPageOfExportsDrawsAndAnotherCatchesUp()
+    void longOnlyTheShownPageOfExportsDrawsAndAnotherCatchesUp()
     {
         openWindow();
         window_->visit(fur_);

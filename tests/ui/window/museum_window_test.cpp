@@ -266,6 +266,7 @@ private slots:
 
     void aStudyInTheWindowLeavesThePictureAloneUntilAPointIsClicked()
     {
+        vitrine::test::drawCheaply(*window_, {.samples = 2, .scale = 1});  // The study draws at this scale, too.
         window_->visit(exhibit_);
         const QImage before = pictureAtRest();
         StudyDock& study = window_->docks().study();
