@@ -52,6 +52,8 @@ protected:
     std::string out_ = folder_ / "compared";
 };
 
+using LongCompareSettings = CompareSettings;
+
 TEST_F(CompareSettings, ShowsBothPicturesTheirDifferencesTheRowsAndTheCosts)
 {
     const std::string a = preset("a.json", R"({"morph": 0.1})"), b = preset("b.json", R"({"morph": 0.9})");
@@ -106,7 +108,7 @@ TEST_F(CompareSettings, ShowsBothPicturesTheirDifferencesTheRowsAndTheCosts)
     EXPECT_FALSE(std::filesystem::exists(out_ + "/pictures/old.png"));
 }
 
-TEST_F(CompareSettings, ComparesWithWhatTheExhibitOffers)
+TEST_F(LongCompareSettings, ComparesWithWhatTheExhibitOffers)
 {
     const auto with = [&](const std::string& a, const std::vector<std::string>& more) {
         std::vector<std::string> words{"compare-settings", a,   "--out",  out_, "--size", "48x27",
@@ -152,7 +154,7 @@ TEST_F(CompareSettings, ComparesWithWhatTheExhibitOffers)
     refused(with("sdf_morph", {"initial", "--with", "mesh"}), {"not both"});
 }
 
-TEST_F(CompareSettings, PlansAndIsRunAgainByItsDocument)
+TEST_F(LongCompareSettings, PlansAndIsRunAgainByItsDocument)
 {
     const std::string a = preset("a.json", R"({"morph": 0.1})"), b = preset("b.json", R"({"morph": 0.9})");
     const Ended planned = compare(a, b, {"--dry-run", "--json", "--time", "2"});

@@ -155,7 +155,7 @@ TEST(LanguageOfTheCommandLine, IsEnglishWhereTheLocaleIsUnknown)
     }
 }
 
-TEST(LanguageOfTheCommandLine, ListsAndPicturesAreTheSameInEveryLocale)
+TEST(LongLanguageOfTheCommandLine, ListsAndPicturesAreTheSameInEveryLocale)
 {
     const test::TemporaryFolder folder;
     EXPECT_EQ(test::vitrine({"list", "--json"}, german).out, test::vitrine({"list", "--json"}).out);

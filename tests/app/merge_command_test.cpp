@@ -181,7 +181,7 @@ TEST(MergeCommand, FramesAreSharedWithoutMerging)
     EXPECT_TRUE(fs::exists(folder / "frames/05.png"));
 }
 
-TEST(MergeCommand, TheScriptForGnuParallelMakesTheSameFilm)
+TEST(LongMergeCommand, TheScriptForGnuParallelMakesTheSameFilm)
 {
     if (std::system("command -v parallel >/dev/null 2>&1") != 0) GTEST_SKIP() << "GNU parallel is not installed";
     const TemporaryFolder folder;
@@ -206,7 +206,7 @@ TEST(MergeCommand, TheScriptsOfQueuesKnowBothFormsOfOut)
     }
 }
 
-TEST(MergeCommand, PartsThatBeginAtOnceShareOneFolder)
+TEST(LongMergeCommand, PartsThatBeginAtOnceShareOneFolder)
 {
     const TemporaryFolder folder;
     for (int turn = 0; turn < 2; ++turn) {
@@ -228,7 +228,7 @@ TEST(MergeCommand, PartsThatBeginAtOnceShareOneFolder)
             << file.path();
 }
 
-TEST(MergeCommand, TheScriptForSlurmMakesTheSameFilmAndNamesAPartThatFailed)
+TEST(LongMergeCommand, TheScriptForSlurmMakesTheSameFilmAndNamesAPartThatFailed)
 {
     const TemporaryFolder folder;
     // Does at once what Slurm does later: all tasks of the array, then the job that depends on it.

@@ -113,7 +113,7 @@ TEST(PrintExhibit, CarriesWhatBringsItsViewsBack)
     EXPECT_GT(difference(render::readImage(folder / viewName(0)), render::readImage(folder / viewName(2))), 0.01);
 }
 
-TEST(PrintExhibit, WarnsOfDepthThatThePrintCannotHold)
+TEST(LongPrintExhibit, WarnsOfDepthThatThePrintCannotHold)
 {
     const TemporaryFolder folder;
     const Ended ended = test::vitrine(printing(folder / "p.tif", theMug + Words{"--count", "2"}));
@@ -176,7 +176,7 @@ TEST(PrintExhibit, RefusesInOneSentenceAndLeavesNothing)
     EXPECT_FALSE(std::filesystem::exists(views));
 }
 
-TEST(PrintExhibit, StoppedByCtrlCLeavesNothing)
+TEST(LongPrintExhibit, StoppedByCtrlCLeavesNothing)
 {
     const TemporaryFolder folder;
     const std::string views = folder / "views";
@@ -260,7 +260,7 @@ TEST(PrintQuilt, ThatDoesNotDivideIsCutFromTheBottomLeftAndSaysSo)
     for (const int k : {0, 2, 3, 5}) EXPECT_NEAR(viewShown(folder, k, 6), k, 0.3) << k;
 }
 
-TEST(PrintPictures, OfAnotherShapeAreCroppedFittedOrStretchedAndThatIsSaid)
+TEST(LongPrintPictures, OfAnotherShapeAreCroppedFittedOrStretchedAndThatIsSaid)
 {
     const TemporaryFolder folder;
     // White with a black half in the middle, so that the edge of the print shows how the view was fitted. Aspect ratio
@@ -288,7 +288,7 @@ TEST(PrintPictures, OfAnotherShapeAreCroppedFittedOrStretchedAndThatIsSaid)
     EXPECT_LT(stretched.at(stretched.width / 2, 3), 0.05);
 }
 
-TEST(PrintPictures, AreTurnedAndMovedByHand)
+TEST(LongPrintPictures, AreTurnedAndMovedByHand)
 {
     const TemporaryFolder folder;
     render::writePicture(folder / "a.png", render::Image(60, 40, 3, 0.0F), render::PictureFormat::png8);
@@ -393,7 +393,7 @@ TEST(PrintPictures, TakesASequenceBackAndForthInTheOrderOfItsNumbers)
     EXPECT_NEAR(viewShown(folder, 3, 12), 4, 0.5);
 }
 
-TEST(PrintPictures, FlipsPicturesOfAnySizeAndSaysSo)
+TEST(LongPrintPictures, FlipsPicturesOfAnySizeAndSaysSo)
 {
     const TemporaryFolder folder;
     render::writePicture(folder / "a.png", level(0, 2, 300, 100), render::PictureFormat::png16);

@@ -86,7 +86,7 @@ TEST(RecordCommand, AFramesTimeIsItsNumberOverTheRateAndItsPresetBringsItBack)
     EXPECT_GT(differenceOf(third, render::readImage(folder / "f/001.png")), 1e-3) << "the control: it melts";
 }
 
-TEST(RecordCommand, FramesOfOpenExrHoldLinearLightAndAreKept)
+TEST(LongRecordCommand, FramesOfOpenExrHoldLinearLightAndAreKept)
 {
     const TemporaryFolder folder;
     const Words film{"--alone", "--seconds", "0.5", "--path", "still"};
@@ -100,7 +100,7 @@ TEST(RecordCommand, FramesOfOpenExrHoldLinearLightAndAreKept)
     EXPECT_NE(again.out.find("kept 2"), std::string::npos) << again.out;
 }
 
-TEST(RecordCommand, FollowsATourAndSaysWhatItLeftOut)
+TEST(LongRecordCommand, FollowsATourAndSaysWhatItLeftOut)
 {
     const TemporaryFolder folder;
     Tour tour{"Short", {{"a", {}}, {"b", {}}}, false, Pace::constant};

@@ -140,7 +140,7 @@ TEST(RenderCommand, CountersDoNotDependOnTheRun)
     EXPECT_EQ(counters[0], counters[1]);
 }
 
-TEST(RenderCommand, EveryLocaleAndThreadCountGivesTheSameBytes)
+TEST(LongRenderCommand, EveryLocaleAndThreadCountGivesTheSameBytes)
 {
     const TemporaryFolder folder;
     const Words setting{"--alone", "--set", "morph=0.35", "--eye", "0.5,0.4,1.7"};
@@ -174,7 +174,7 @@ TEST(RenderCommand, APictureBringsItsLookBack)
     }
 }
 
-TEST(RenderCommand, SixteenBitsOfAnOpenExrAreHalfFloats)
+TEST(LongRenderCommand, SixteenBitsOfAnOpenExrAreHalfFloats)
 {
     const TemporaryFolder folder;
     // OpenEXR's list of channels: name, zero byte, and type, which is 1 for half floats and 2 for floats.
@@ -206,7 +206,7 @@ TEST(RenderCommand, APictureIsWrittenInTheFormatThatItsNameEndsIn)
     EXPECT_EQ(folder.files().size(), 1U);
 }
 
-TEST(RenderCommand, AWebpIsLosslessAndCarriesItsSettings)
+TEST(LongRenderCommand, AWebpIsLosslessAndCarriesItsSettings)
 {
     const TemporaryFolder folder;
     for (const Words& more : {Words{"--alone"}, Words{"--alone", "--transparent"}}) {
@@ -243,7 +243,7 @@ TEST(RenderCommand, StandardOutputTakesThePictureAlone)
     test::expectOneSentence(test::vitrine(rendering("sdf_morph", "-.gif", {"--alone"})), {".png"});
 }
 
-TEST(RenderCommand, ChannelsComeBackFromThePicture)
+TEST(LongRenderCommand, ChannelsComeBackFromThePicture)
 {
     const TemporaryFolder folder;
     const Ended made =
@@ -278,7 +278,7 @@ TEST(LongRenderCommand, APictureOfEveryExhibitAloneBringsItselfBackWithNothingEl
     EXPECT_GE(exhibits, 9);
 }
 
-TEST(RenderCommand, APictureAtItsPlaceBringsTheHallTheTimeAndTheTurnBack)
+TEST(LongRenderCommand, APictureAtItsPlaceBringsTheHallTheTimeAndTheTurnBack)
 {
     const TemporaryFolder folder;
     const std::string first = folder / "first.png";
@@ -406,7 +406,7 @@ TEST(RenderCommand, WhatCannotBeReadIsExit5)
     EXPECT_EQ(folder.files().size(), 2U);
 }
 
-TEST(RenderCommand, SeveralObjectsOfTheVisitorsStandInTheHallAndABadOneIsNamed)
+TEST(LongRenderCommand, SeveralObjectsOfTheVisitorsStandInTheHallAndABadOneIsNamed)
 {
     const TemporaryFolder folder;
     const std::string bear = render::asset("models/teddy.glb").string();

@@ -67,7 +67,7 @@ bool holdsOnlyWhole(const fs::path& picture)
     }
 }
 
-TEST(StopCommand, EveryCommandEndsWith130AndLeavesNothingHalfMade)
+TEST(LongStopCommand, EveryCommandEndsWith130AndLeavesNothingHalfMade)
 {
     const TemporaryFolder given;
     const render::Image image(600, 600, 3, 0.5F);

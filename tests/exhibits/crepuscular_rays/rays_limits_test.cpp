@@ -32,6 +32,8 @@ double worstOf(const Picture& p, const dvec3& white, const std::function<double(
     return worst;
 }
 
+using LongRays = Rays;
+
 TEST_F(Rays, AWhiteMaskIsWhiteForEverySetting)
 {
     RayShot shot(RayTechnique::screen);
@@ -182,7 +184,7 @@ std::vector<int> tenthsOfADegree()
     return tenths;
 }
 
-TEST_F(Rays, FadeToNothingBeforeTheSunComesToTheCamerasPlane)
+TEST_F(LongRays, FadeToNothingBeforeTheSunComesToTheCamerasPlane)
 {
     // Between two directions whose pictures differ by little there is no jump; where they differ, the tenths between
     // them are drawn, too. No pass runs behind the plane. Nothing but sky is visible, so only the fade is tested.

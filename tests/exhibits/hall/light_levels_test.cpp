@@ -27,6 +27,8 @@ const Hall& hall()
     return built;
 }
 
+using LongLightLevels = LightLevels;
+
 TEST_F(LightLevels, TheMapOfBouncedLightIsThatOfFloat64)
 {
     Shot shot;
@@ -97,7 +99,7 @@ render::Image wallsWith(const ParameterValues& values, const std::function<void(
 
 // Parts of the hall that are marked as out of all sunlight are not looked up in its shadow map. No pixel may change by
 // that.
-TEST_F(LightLevels, WithTheShadowMapAskedEverywhereAreTheSame)
+TEST_F(LongLightLevels, WithTheShadowMapAskedEverywhereAreTheSame)
 {
     Shot shot;
     shot.hall().set(hallTable().reflectionProbe, false);

@@ -61,7 +61,9 @@ const Picture& areaLight()
     return drawn;
 }
 
-TEST_F(SunDisk, MakesTheHalfShadowOfAnAreaLight)
+using LongSunDisk = SunDisk;
+
+TEST_F(LongSunDisk, MakesTheHalfShadowOfAnAreaLight)
 {
     const Picture& truth = areaLight();
     const Picture disk = floorShot(ShadowFilter::disk).take();

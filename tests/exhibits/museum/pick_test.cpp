@@ -43,7 +43,9 @@ void expectWhatIsDrawn(Shot& shot, const char* where)
     EXPECT_LT(wrong, compared / 33) << where << ": " << wrong << " of " << compared;
 }
 
-TEST_F(PickTest, PointsAtWhatIsDrawn)
+using LongPickTest = PickTest;
+
+TEST_F(LongPickTest, PointsAtWhatIsDrawn)
 {
     Shot shot;
     shot.inHall().size(96, 54);

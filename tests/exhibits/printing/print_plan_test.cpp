@@ -21,6 +21,8 @@ using test::degree;
 
 class PrintPlans : public test::SetUpPrint {};
 
+using LongPrintPlans = PrintPlans;
+
 TEST_F(PrintPlans, NumbersFollowTheClosedFormsWhenLpiDpiAndDistanceChange)
 {
     std::mt19937 random(3);
@@ -127,7 +129,7 @@ TEST_F(PrintPlans, StoppingOrFailingLeavesTheOldFilesAsTheyWere)
     EXPECT_EQ(folder_.files(), std::vector<std::string>{"print.tif"});
 }
 
-TEST_F(PrintPlans, ChartsArePreviewedAndWrittenAsThePrintsAre)
+TEST_F(LongPrintPlans, ChartsArePreviewedAndWrittenAsThePrintsAre)
 {
     values_.set(table_.width, 0.1);
     values_.set(table_.height, 0.06);

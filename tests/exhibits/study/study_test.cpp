@@ -355,7 +355,7 @@ TEST(StudyChooser, TheBestWithinATimeIsTheOneThatAnExhaustiveSweepFinds)
     }
 }
 
-TEST(StudyChooser, NoiseOfTheClockIsNotTakenForASaving)
+TEST(LongStudyChooser, NoiseOfTheClockIsNotTakenForASaving)
 {
     // Rays change neither error nor work here. Everything else takes 100 ms, compared with which the steps are little.
     KnownLaw law = sumOfParts();

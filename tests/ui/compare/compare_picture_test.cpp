@@ -71,7 +71,7 @@ private slots:
         QVERIFY(isB(0.6));
     }
 
-    void aBThatCannotBeDrawnIsNotShownAsTheFormerOne()
+    void longABThatCannotBeDrawnIsNotShownAsTheFormerOne()
     {
         for (QDockWidget* dock : window_->docks().all())
             if (dock->objectName() == "frame-report") dock->show();
@@ -104,7 +104,7 @@ private slots:
         QVERIFY(isB(0.6));
     }
 
-    void aFileThatBAloneNamesIsWatched()
+    void longAFileThatBAloneNamesIsWatched()
     {
         const QString path = home_->filePath("sky.png");
         const auto write = [&](int width) {
@@ -131,7 +131,7 @@ private slots:
         QCOMPARE(controller().other().name(), QString("Snapshot of A"));
     }
 
-    void ofBNothingIsDrawnThatNothingShowsAndTheFrameReportSaysSo()
+    void longOfBNothingIsDrawnThatNothingShowsAndTheFrameReportSaysSo()
     {
         for (QDockWidget* dock : window_->docks().all())
             if (dock->objectName() == "frame-report") dock->show();
@@ -150,7 +150,7 @@ private slots:
         QTRY_VERIFY2(frameReport.sumsText().contains("B: 2 steps, 17.80 ms"), qPrintable(frameReport.sumsText()));
     }
 
-    void theFrameReportShowsWhatBothCostAndWhatOnlyOneRuns()
+    void longTheFrameReportShowsWhatBothCostAndWhatOnlyOneRuns()
     {
         for (QDockWidget* dock : window_->docks().all())
             if (dock->objectName() == "frame-report") dock->show();

@@ -129,7 +129,9 @@ private slots:
     {
         // Further exhibits cost a software renderer time in every picture of the hall.
         const QByteArray test = QTest::currentTestFunction();
-        openMuseum(test == "anInputShowsAnotherExhibit" ? 1 : test == "anExhibitIsCopiedAsAShaderOfOnesOwn" ? 2 : 0);
+        openMuseum(test == "longAnInputShowsAnotherExhibit"            ? 1
+                   : test == "longAnExhibitIsCopiedAsAShaderOfOnesOwn" ? 2
+                                                                       : 0);
         makeHome();
         makeWindow({});
         showWindow({1000, 700});
@@ -256,7 +258,7 @@ private slots:
         QVERIFY(std::abs(number("centerY") + 0.5) < 0.02);
     }
 
-    void theButtonOfAnEventPressesItForOneStep()
+    void longTheButtonOfAnEventPressesItForOneStep()
     {
         show("count.fs", R"(/*{"INPUTS": [{"NAME": "flash", "TYPE": "event"}],
             "PASSES": [{"TARGET": "sum", "PERSISTENT": true, "FLOAT": true}, {}]}*/
@@ -285,7 +287,7 @@ private slots:
         set("animate", 0.0);
     }
 
-    void anInputShowsAnotherExhibit()
+    void longAnInputShowsAnotherExhibit()
     {
         show("shown.fs", R"(/*{"INPUTS": [{"NAME": "inputImage", "TYPE": "image"}]}*/
             void main() { gl_FragColor = vec4(IMG_NORM_PIXEL(inputImage, vec2(0.5)).rgb, 1.0); })");
@@ -303,7 +305,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(std::abs(brightness(viewport().pictures().shown().image()) - testPicture) < 1, 60000);
     }
 
-    void inputsVaryAtRandom()
+    void longInputsVaryAtRandom()
     {
         show("vary.fs", R"(/*{"INPUTS": [{"NAME": "level", "TYPE": "float", "DEFAULT": 0.5},
             {"NAME": "tint", "TYPE": "color", "DEFAULT": [1, 1, 1, 1]}]}*/
@@ -349,7 +351,7 @@ private slots:
         QCOMPARE(text("keys"), std::string("87@2-2 32@2-2 65@2-2"));
     }
 
-    void twoFilesStandSideBySideWithTheirCosts()
+    void longTwoFilesStandSideBySideWithTheirCosts()
     {
         CompareController& compared = window_->comparison();
         show("dark.glsl",
@@ -389,7 +391,7 @@ private slots:
         compared.letGo();
     }
 
-    void anExhibitIsCopiedAsAShaderOfOnesOwn()
+    void longAnExhibitIsCopiedAsAShaderOfOnesOwn()
     {
         QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
         QToolButton* copy = nullptr;

@@ -397,7 +397,7 @@ private slots:
     }
 
     /// A recording as small as its draft has about the forecast size.
-    void aRecordingShowsFramesOfItsPathAndForecastsItsFile() { recordAndCompareWithForecasts({"a.gif"}); }
+    void longARecordingShowsFramesOfItsPathAndForecastsItsFile() { recordAndCompareWithForecasts({"a.gif"}); }
     void longRecordingsOfOtherFormatsAreAsForecast() { recordAndCompareWithForecasts({"a.mp4", "a.apng"}); }
 
     /// A sphere: a coarse mesh says how many triangles, bytes and seconds a fine one will take.

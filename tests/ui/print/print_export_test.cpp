@@ -146,7 +146,7 @@ private slots:
         QVERIFY2(said().contains("absent.png"), qPrintable(said()));
     }
 
-    void chartsAreWrittenToo()
+    void longChartsAreWrittenToo()
     {
         QTabBar* tabs = dialog_->findChild<QTabBar*>();
         tabs->setCurrentIndex(1);

@@ -89,7 +89,7 @@ private slots:
         QVERIFY(!a.name(4).isEmpty());
     }
 
-    void aBookmarkBringsBackWhereItWasSetAlsoInTheNextSession()
+    void longABookmarkBringsBackWhereItWasSetAlsoInTheNextSession()
     {
         stand(0.5);
         const render::Camera kept = camera();

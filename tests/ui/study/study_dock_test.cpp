@@ -187,7 +187,7 @@ private slots:
         QCOMPARE(history_->stack().count(), 0);
     }
 
-    void theCheapestWithinAnErrorIsAppliedAsOneStep()
+    void longTheCheapestWithinAnErrorIsAppliedAsOneStep()
     {
         auto* field = dock_->findChildren<QLineEdit*>().front();
         field->setText(QStringLiteral("0.05"));
@@ -570,7 +570,7 @@ private slots:
                  pdf.mid(pdf.indexOf("/MediaBox"), 60).constData());
     }
 
-    void bothSettingsAreMeasuredIntoOneChart()
+    void longBothSettingsAreMeasuredIntoOneChart()
     {
         SettingsB other(*history_);
         dock_->offerBoth(other);

@@ -250,7 +250,7 @@ private slots:
         QVERIFY(std::abs(page->values()[printing::printTable().width] - 0.03) < 1e-9);
     }
 
-    void aPictureWithSettingsThatHaveAName()
+    void longAPictureWithSettingsThatHaveAName()
     {
         key(window_->viewport(), Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
         auto* dialog = opened<ExportDialog>();
@@ -276,7 +276,7 @@ private slots:
         QCOMPARE(qAlpha(picture.pixel(0, 0)), 0);
     }
 
-    void thePictureOnTheScreen()
+    void longThePictureOnTheScreen()
     {
         begin();
         press(&window_->viewport(), Qt::Key_F12);
@@ -284,7 +284,7 @@ private slots:
         end("Screenshot", 1);
     }
 
-    void aPresetIsKeptAndUsedFromAnotherExhibit()
+    void longAPresetIsKeptAndUsedFromAnotherExhibit()
     {
         const std::size_t morph = *museum_->subject(mug_).parameters().find("morph");
         window_->history().set(mug_, morph, 0.25, newGesture());
@@ -311,7 +311,7 @@ private slots:
         QCOMPARE(window_->chosen(), mug_);
     }
 
-    void recentPresetsOfTheHallEndNoVisitAndRoomIsKeptForThePresetsOfTheExhibit()
+    void longRecentPresetsOfTheHallEndNoVisitAndRoomIsKeptForThePresetsOfTheExhibit()
     {
         window_->visit(0);
         QTRY_VERIFY(window_->viewport().pictures().schedule().still());

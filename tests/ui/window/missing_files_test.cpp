@@ -296,7 +296,7 @@ private slots:
         }
     }
 
-    void brokenFilesThatAreTypedStayInTheFieldAndAreSaidOnce()
+    void longBrokenFilesThatAreTypedStayInTheFieldAndAreSaidOnce()
     {
         const QStringList broken = writeBrokenFiles();
         openWindow();
@@ -410,7 +410,7 @@ private slots:
         QVERIFY(!QFile::exists(path("given-up.png")));
     }
 
-    void exportPictureTakesANewNameAfterEachExportAndEscapeCancelsFirst()
+    void longExportPictureTakesANewNameAfterEachExportAndEscapeCancelsFirst()
     {
         openWindow();
         const jobs::Job& job = *jobs::findJob("render");
@@ -583,7 +583,7 @@ private slots:
         QVERIFY(found);
     }
 
-    void aComparisonWithTheSettingsBIsAFolderWithAPage()
+    void longAComparisonWithTheSettingsBIsAFolderWithAPage()
     {
         openWindow();
         window_->visit(fur_);

@@ -143,7 +143,7 @@ private slots:
         QVERIFY2(window_->viewport().width() * 10 > window_->width() * 4, "the picture keeps its room");
     }
 
-    void aPrintOfWhatIsShownIsRenderedAndCancelLeavesNothing()
+    void longAPrintOfWhatIsShownIsRenderedAndCancelLeavesNothing()
     {
         window_->dialogs().openPrint();
         window_->dialogs().openPrint();
@@ -247,7 +247,7 @@ private slots:
         QVERIFY2(share < 0.005, qPrintable(QStringLiteral("%1 % of a processor").arg(100 * share)));
     }
 
-    void theFrameReportsSwitchRunsEverythingAndChangesNoPixel()
+    void longTheFrameReportsSwitchRunsEverythingAndChangesNoPixel()
     {
         // All effects of all exhibits are drawn.
         vitrine::test::drawCheaply(*window_, {.scale = 0.25});
@@ -264,7 +264,7 @@ private slots:
         QTRY_VERIFY(frameReport->reasonText().startsWith("Done ("));
     }
 
-    void aStudyInTheWindowLeavesThePictureAloneUntilAPointIsClicked()
+    void longAStudyInTheWindowLeavesThePictureAloneUntilAPointIsClicked()
     {
         vitrine::test::drawCheaply(*window_, {.samples = 2, .scale = 1});  // The study draws at this scale, too.
         window_->visit(exhibit_);

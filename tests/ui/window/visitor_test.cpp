@@ -498,7 +498,7 @@ private slots:
         QVERIFY(std::abs(std::tan(drawn / 2) * aspect - std::tan(fov / 2) * 1.5) < 1e-9);
     }
 
-    void aPausedJumpStandsStillWhileItIsRefined()
+    void longAPausedJumpStandsStillWhileItIsRefined()
     {
         window_->viewport().pictures().setLimits(asTheHallRequests, 0);
         gallery_->exhibit().movesFor = 3;

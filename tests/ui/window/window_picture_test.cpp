@@ -61,7 +61,7 @@ private slots:
         QVERIFY(window_->findChild<FrameGraph*>()->summary().contains("frame"));
     }
 
-    void aChangeDoesNotWaitForWhatChangesByItselfMuchLater()
+    void longAChangeDoesNotWaitForWhatChangesByItselfMuchLater()
     {
         window_->choose(1);
         gallery_->exhibit().changesIn = 3600;
@@ -129,7 +129,7 @@ private slots:
         QTRY_VERIFY(window_->viewport().pictures().shown().pictures() > drawn);
     }
 
-    void aNewWindowAroundThePictureShowsItAndLeavesWhatDrawsItAlone()
+    void longANewWindowAroundThePictureShowsItAndLeavesWhatDrawsItAlone()
     {
         // Without shared contexts a new top-level window means a new context for the widget.
         const QColor before = window_->viewport().grabFramebuffer().pixelColor(20, 20);
@@ -260,7 +260,7 @@ private slots:
         QCOMPARE(viewport.scene().preparations(), before + 1);
     }
 
-    void whatMovesFarAwayNeitherCoarsensNorRestartsThePicture()
+    void longWhatMovesFarAwayNeitherCoarsensNorRestartsThePicture()
     {
         window_->choose(1);
         SceneState alight = window_->history().sceneState();  // A shadow on the floor would move, too.
@@ -326,7 +326,7 @@ private slots:
         QVERIFY(std::none_of(requests.begin(), requests.end(), [](const FrameRequest& r) { return r.finished; }));
     }
 
-    void aFileThatTakesLongToReadIsNamedAndHoldsUpNothing()
+    void longAFileThatTakesLongToReadIsNamedAndHoldsUpNothing()
     {
         settle();
         const QString path = home_->filePath("panorama.hdr");
