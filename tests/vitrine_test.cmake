@@ -5,10 +5,9 @@ find_package(GTest REQUIRED)
 find_package(rapidcheck QUIET)
 
 # Tests compile in half the time without optimization, and most of them wait for the program anyway. OPTIMIZED is for those
-# that compute by themselves: references in float64, pictures of many pixels. -O1 compiles in six tenths of the time of -O2.
+# that compute by themselves (-O1): references in float64, pictures of many pixels.
 # _FORTIFY_SOURCE warns without optimization.
 set(vitrine_unoptimized "$<$<CONFIG:Release>:-O0;-U_FORTIFY_SOURCE>")
-set(vitrine_little_optimized "$<$<CONFIG:Release>:-O1>")
 
 # Cache of compiled shader programs, shared by all tests that draw.
 set(vitrine_program_caches ${PROJECT_BINARY_DIR}/tests/exhibits/caches/llvmpipe)
