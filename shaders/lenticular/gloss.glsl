@@ -39,9 +39,7 @@ vec3 ribs(vec2 place, vec2 pixel)
 }
 
 // Radiance that the plastic reflects towards `toEye`, for light from direction `l` with this irradiance on a plane that
-// faces it: the highlight of lib/surface.glsl with a width across the lenses and another along them. `alpha` has both;
-// with equal ones, it is that highlight. Burley 2012, "Physically Based Shading at Disney", for the distribution, and
-// Heitz 2014, equation 86, for the masking.
+// faces it: the highlight of lib/surface.glsl with a width across the lenses and another along them.
 vec3 highlight(Surface s, vec3 across, vec2 alpha, vec3 toEye, vec3 l, vec3 irradiance)
 {
     float cosL = dot(s.normal, l);
@@ -49,13 +47,11 @@ vec3 highlight(Surface s, vec3 across, vec2 alpha, vec3 toEye, vec3 l, vec3 irra
     vec3 h = safeNormalize(l + toEye, s.normal);
     vec3 t = safeNormalize(across - s.normal * dot(s.normal, across), across);
     mat3 local = mat3(t, cross(s.normal, t), s.normal);
-    vec3 stretch = vec3(max(alpha, vec2(0.002)), 1.0);
-    vec3 slope = (h * local) / stretch;
-    float d = 1.0 / (PI * stretch.x * stretch.y * max(dot(slope, slope) * dot(slope, slope), 1.0e-7));
-    float cosV = max(dot(s.normal, toEye), 1.0e-3);
-    float v = 0.5 / (cosL * length(stretch * (toEye * local)) + cosV * length(stretch * (l * local)));
+    vec3 eye = toEye * local;
+    eye.z = max(eye.z, 1.0e-3);
+    float lobe = highlightLobe(max(alpha, vec2(0.002)), h * local, l * local, eye);
     vec3 f = fresnelSchlick(surfaceF0(s), clamp(dot(toEye, h), 0.0, 1.0));
-    return min(f * (d * v), vec3(64.0)) * irradiance * cosL;
+    return limitedHighlight(f * lobe) * irradiance * cosL;
 }
 
 // Irradiance of the lamp on a plane that faces it.

@@ -35,6 +35,32 @@ vec2 environmentBrdf(float roughness, float cosNV)
     return max(vec2(-1.04, 1.04) * a + r.zw, vec2(0.0));
 }
 
+// Highlight of a GGX surface for irradiance 1 on a plane that faces the light, over the cosine of the light and without
+// Fresnel's reflectance. `widths` are its roughness squared along two perpendicular directions in the surface; half
+// vector, light and eye are in the frame of these directions and the normal. Burley 2012, "Physically Based Shading at
+// Disney", for the distribution, and Heitz 2014, equation 86, for the masking.
+float highlightLobe(vec2 widths, vec3 h, vec3 toLight, vec3 toEye)
+{
+    vec3 stretch = vec3(widths, 1.0);
+    vec3 slope = h / stretch;
+    float steep = dot(slope, slope);
+    float d = 1.0 / (PI * stretch.x * stretch.y * steep * steep);
+    float v = 0.5 / (toLight.z * length(stretch * toEye) + toEye.z * length(stretch * toLight));
+    return d * v;
+}
+
+// Unit vector with this cosine to the normal, for a highlight of equal widths, which depends on nothing else.
+vec3 atCosine(float cosine)
+{
+    return vec3(safeSqrt(1.0 - cosine * cosine), 0.0, cosine);
+}
+
+// The peak of a near-mirror is limited, because averaging cannot remove an unbounded sample.
+vec3 limitedHighlight(vec3 highlight)
+{
+    return min(highlight, vec3(64.0));
+}
+
 // Radiance reflected towards `toEye`, for light from direction `l` with this irradiance on a plane that faces it.
 vec3 lightReflected(Surface s, vec3 toEye, vec3 l, vec3 irradiance)
 {
@@ -45,13 +71,10 @@ vec3 lightReflected(Surface s, vec3 toEye, vec3 l, vec3 irradiance)
     float cosV = max(dot(s.normal, toEye), 1e-3);
     float cosH = clamp(dot(s.normal, h), 0.0, 1.0);
     float a = max(s.roughness * s.roughness, 0.003);
-    float a2 = a * a;
-    float d = a2 / (PI * pow(max(cosH * cosH * (a2 - 1.0) + 1.0, 1e-7), 2.0));
-    float v = 0.5 / (cosL * sqrt(cosV * cosV * (1.0 - a2) + a2) + cosV * sqrt(cosL * cosL * (1.0 - a2) + a2));
+    float lobe = highlightLobe(vec2(a), atCosine(cosH), atCosine(cosL), atCosine(cosV));
     vec3 f = fresnelSchlick(surfaceF0(s), clamp(dot(toEye, h), 0.0, 1.0));
     vec3 diffuse = s.baseColor * (1.0 - s.metalness) * (1.0 - f) / PI;
-    // The peak of a near-mirror is limited, because averaging cannot remove an unbounded sample.
-    return (diffuse + min(f * (d * v), vec3(64.0))) * irradiance * cosL;
+    return (diffuse + limitedHighlight(f * lobe)) * irradiance * cosL;
 }
 
 // The same for the sun's light.
