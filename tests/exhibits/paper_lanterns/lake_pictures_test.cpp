@@ -5,8 +5,10 @@
 #include "tests/support/planned.h"
 #include "tests/support/temporary_folder.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace vitrine {
 namespace {
@@ -291,6 +293,72 @@ double lakeShimmer(int samples)
 TEST_F(LakePictures, ShimmerLittleMoreWithOneSampleThanWith16)
 {
     EXPECT_LT(lakeShimmer(1), 1.5 * lakeShimmer(16));
+}
+
+/// Returns the exponent of a power law: the number of values above `b` falls as `b` to the power of the negative of it.
+/// The maximum-likelihood estimate of Hill 1975 ("A Simple General Approach to Inference About the Tail of a
+/// Distribution") for the values above `least`; its standard deviation is the exponent over the root of their number.
+double exponentAbove(const std::vector<double>& values, double least, int& count)
+{
+    double sum = 0;
+    count = 0;
+    for (const double value : values) {
+        if (value <= least) continue;
+        sum += std::log(value / least);
+        ++count;
+    }
+    return count / sum;
+}
+
+/// Returns the light of each star in a picture of the sky overhead: the sum of the pixels around each maximum.
+std::vector<double> starsOverhead()
+{
+    LakeShot shot;
+    shot.inTheDark().set(rows().crowding, 0.0).size(640, 640);
+    shot.from({0, 3, 0}, {0.3, 103, -0.2}, 1.1);
+    const Picture without = shot.take();
+    shot.set(rows().stars, 1.0);
+    const Picture with = shot.take();
+    const auto light = [&](int x, int y) { return with.luminance(x, y) - without.luminance(x, y); };
+    std::vector<double> stars;
+    constexpr int reach = 2;
+    for (int y = reach; y < with.height() - reach; ++y)
+        for (int x = reach; x < with.width() - reach; ++x) {
+            const double here = light(x, y);
+            double sum = 0;
+            bool isLargest = here > 0;
+            for (int j = -reach; j <= reach; ++j)
+                for (int i = -reach; i <= reach; ++i) {
+                    const double there = light(x + i, y + j);
+                    sum += there;
+                    isLargest = isLargest && (there < here || (i == 0 && j == 0));
+                }
+            if (isLargest) stars.push_back(sum);
+        }
+    return stars;
+}
+
+TEST_F(LakePictures, StarsOfTheSkyAreAsManyForEachMagnitudeAsAboveTheEarth)
+{
+    // 3.16 times as many stars with each magnitude (a factor of 2.512): an exponent of log 3.16 / log 2.512.
+    const double expected = std::log(3.16) / std::log(2.512);
+    std::vector<double> stars = starsOverhead();
+    ASSERT_GT(stars.size(), 800U);
+    std::sort(stars.begin(), stars.end());
+    // The faintest ones are lost among the others.
+    for (const double share : {0.4, 0.7}) {
+        const double least = stars[static_cast<std::size_t>(share * static_cast<double>(stars.size()))];
+        int count = 0;
+        const double exponent = exponentAbove(stars, least, count);
+        EXPECT_NEAR(exponent, expected, 3 * expected / std::sqrt(count)) << count << " stars above " << least;
+    }
+    // Control: stars of uniform brightness, and a law with half the exponent, are told apart.
+    for (const double other : {0.5 * expected, 2 * expected}) {
+        std::vector<double> drawn;
+        for (int i = 0; i < 500; ++i) drawn.push_back(std::pow((i + 0.5) / 500, -1 / other));
+        int count = 0;
+        EXPECT_GT(std::abs(exponentAbove(drawn, 1.0, count) - expected), 3 * expected / std::sqrt(500.0));
+    }
 }
 
 TEST_F(LakePictures, PlanLeavesOutWhatNoSettingCallsFor)
