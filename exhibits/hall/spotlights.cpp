@@ -34,25 +34,30 @@ render::LocalLight spotAt(const glm::dvec3& position, const glm::dvec3& target, 
     return light;
 }
 
-/// Returns whether the place is a frame in a side wall.
-bool inWall(const Place& place)
-{
-    return std::abs(place.worldFromPlace[3].x) > 5.5;
-}
-
 /// Returns the light of a place whose irradiance on its target is 1.
-render::LocalLight spotOf(const Place& place)
+render::LocalLight spotOf(const Place& place, const HallModel& model)
 {
     const glm::dvec3 origin(place.worldFromPlace[3]);
     const auto world = [&](const glm::dvec3& p) { return glm::dvec3(place.worldFromPlace * glm::dvec4(p, 1)); };
-    // Frames in the walls face along z: a picture light hangs in front of them and reaches the plaque.
-    if (inWall(place)) return spotAt(world({0, 2.1, 1.5}), world({0, -0.2, 0}), {20, 50}, 1.8);
+    // Frames in walls face along z: a picture light hangs in front of them and reaches the plaque.
+    if (isInWall(place, model.room())) return spotAt(world({0, 2.1, 1.5}), world({0, -0.2, 0}), {20, 50}, 1.8);
     // The other spotlights hang in the vault, on the entrance's side of their exhibit.
     const glm::dvec3 target(origin.x, 0.4 * std::max(origin.y, 0.0), origin.z);
     return spotAt({0.7 * origin.x, 6.6, origin.z + 1.6}, target, {11, 27}, 2.5);
 }
 
 }  // namespace
+
+bool isInWall(const Place& place, const render::Box& room)
+{
+    constexpr double tolerance = 0.2;  // Meters: a frame stands out of its wall, or lies in a niche.
+    const glm::dvec3 origin(place.worldFromPlace[3]), outOfWall(place.worldFromPlace[2]);
+    for (const int axis : {0, 2}) {
+        const double wall = outOfWall[axis] > 0 ? room.low[axis] : room.high[axis];
+        if (std::abs(outOfWall[axis]) > 0.9 && std::abs(origin[axis] - wall) < tolerance) return true;
+    }
+    return false;
+}
 
 std::vector<render::LocalLight> spotlights(const HallModel& model, const std::vector<ExhibitSlot>& slots,
                                            const HallTable& table, const ParameterValues& values)
@@ -67,9 +72,9 @@ std::vector<render::LocalLight> spotlights(const HallModel& model, const std::ve
     for (const ExhibitSlot& slot : slots) {
         const Place* place = model.place(slot.place);
         if (!place) continue;
-        const double share = inWall(*place) && !slot.shines ? pictures : lamps.share;
+        const double share = isInWall(*place, model.room()) && !slot.shines ? pictures : lamps.share;
         if (!(share > 0)) continue;
-        render::LocalLight light = spotOf(*place);
+        render::LocalLight light = spotOf(*place, model);
         light.intensity *= blackBodyColor(spotTemperature) * (strength * share);
         lights.push_back(light);
     }

@@ -1,15 +1,22 @@
 // Elements that the building's file describes by the names of its nodes.
 #include "exhibits/fur/coat.h"
+#include "exhibits/hall/spotlights.h"
 #include "render/files/assets.h"
 #include "render/scene/gltf.h"
 #include "tests/support/museum_on_paper.h"
 
 #include <gtest/gtest.h>
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace vitrine {
 namespace {
+
+using std::numbers::pi;
 
 TEST(HallModel, HasAnOpeningInTheFarWallAndOneInTheVault)
 {
@@ -59,6 +66,23 @@ TEST(HallModel, HasThePitThatTheFurIsMadeFor)
     EXPECT_NEAR(box.low.x, -pitRadius, 1e-6);
     EXPECT_NEAR(box.low.y, 0, 1e-6);
     EXPECT_NEAR(box.high.y, pitRim, 1e-6);
+}
+
+TEST(HallModel, KnowsWhichPlacesAreFramesInItsWalls)
+{
+    const HallModel& hall = test::building();
+    for (const auto& [number, place] : hall.places())
+        EXPECT_EQ(isInWall(place, hall.room()), number >= 5 && number != freePlinthPlace) << number;
+    // A frame on the wall of the door, which is not where any of the others hangs.
+    Place door;
+    door.worldFromPlace =
+        glm::rotate(glm::translate(glm::dmat4(1), glm::dvec3(2, 1.65, hall.room().high.z)), pi, glm::dvec3(0, 1, 0));
+    EXPECT_TRUE(isInWall(door, hall.room()));
+    Place turned = door, away = door;
+    turned.worldFromPlace = glm::rotate(door.worldFromPlace, pi, glm::dvec3(0, 1, 0));
+    EXPECT_FALSE(isInWall(turned, hall.room()));
+    away.worldFromPlace = glm::translate(door.worldFromPlace, glm::dvec3(0, 0, 1));
+    EXPECT_FALSE(isInWall(away, hall.room()));
 }
 
 }  // namespace
