@@ -217,7 +217,7 @@ def _bench(m, nodes, index, x, z, yaw, length):
     nodes.solid_box(f"bench_{index}", (x, 0.225, z), (h, 0.225, d), yaw)
 
 
-LEAN = 18.5                   # degrees by which the card leans back; cardLean in exhibits/lenticular
+LEAN = 18.5                   # degrees by which the card leans back: cardLean in exhibits/lenticular; a test compares both
 
 
 def stand(m):

@@ -1,6 +1,8 @@
 // Elements that the building's file describes by the names of its nodes.
 #include "exhibits/fur/coat.h"
 #include "exhibits/hall/spotlights.h"
+#include "exhibits/lenticular/card_sheet.h"
+#include "exhibits/lenticular/lenticular.h"
 #include "render/files/assets.h"
 #include "render/scene/gltf.h"
 #include "tests/support/museum_on_paper.h"
@@ -83,6 +85,36 @@ TEST(HallModel, KnowsWhichPlacesAreFramesInItsWalls)
     EXPECT_FALSE(isInWall(turned, hall.room()));
     away.worldFromPlace = glm::translate(door.worldFromPlace, glm::dvec3(0, 0, 1));
     EXPECT_FALSE(isInWall(away, hall.room()));
+}
+
+TEST(HallModel, HasABarThatTheCardLeansAgainst)
+{
+    // The bar's front: the largest face behind the middle of the card that leans back and faces the visitor.
+    double largest = 0;
+    glm::dvec3 normal(0), place(0);
+    const Place& card = *test::building().place(2);
+    for (const render::MeshInstance& part : card.stand) {
+        const glm::dmat4 placeFromPart = glm::inverse(card.worldFromPlace) * part.modelFromPart;
+        const std::vector<std::uint32_t>& indices = part.mesh->indices;
+        for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+            const auto corner = [&](std::size_t k) {
+                return glm::dvec3(placeFromPart * glm::dvec4(part.mesh->vertices[indices[i + k]].position, 1));
+            };
+            const glm::dvec3 a = corner(0), across = glm::cross(corner(1) - a, corner(2) - a);
+            const double area = 0.5 * glm::length(across);
+            const glm::dvec3 n = area > 0 ? across / (2 * area) : glm::dvec3(0);
+            if (std::abs(n.x) > 1e-3 || n.y < 0.1 || n.z < n.y || area <= largest) continue;
+            if (std::abs(a.y - cardMiddle().y) > 0.1) continue;
+            largest = area;
+            normal = n;
+            place = a;
+        }
+    }
+    ASSERT_GT(largest, 1e-3);  // Square meters.
+    EXPECT_NEAR(std::atan2(normal.y, normal.z), cardLean, 1e-3) << "LEAN in assets/models/hall_props.py";
+    // It touches the back of the card, which is 5 mm thick.
+    const glm::dvec3 onCard(glm::inverse(exhibitFromCard()) * glm::dvec4(place, 1));
+    EXPECT_NEAR(onCard.z, -2 * lenticular::cardHalfSize.z, 1e-3);
 }
 
 }  // namespace
