@@ -4057,10 +4057,6 @@ Zeiten nach: %2.</translation>
         <translation>Helligkeit des ganzen Bildes: Jede Blende verdoppelt sie.</translation>
     </message>
     <message>
-        <source>Broken by the banner</source>
-        <translation>Vom Banner gebrochen</translation>
-    </message>
-    <message>
         <location filename="render/scene/gltf_sources.cpp"/>
         <source>Buffer {1} names no data; it is zeros.</source>
         <translation>Puffer {1} nennt keine Daten; er besteht aus Nullen.</translation>
@@ -10114,10 +10110,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <location filename="exhibits/sdf_morph/sdf_morph_table.h"/>
         <source>into the mug, along its wall</source>
         <translation>in die Tasse, an ihrer Wand entlang</translation>
-    </message>
-    <message>
-        <source>Into the window</source>
-        <translation>Ins Fenster hinein</translation>
     </message>
     <message>
         <location filename="exhibits/hall/hall.cpp"/>
@@ -16472,14 +16464,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Referenz: Umgebungsspiegelung 1</translation>
     </message>
     <message>
-        <source>Reference: environment mapping 2</source>
-        <translation>Referenz: Umgebungsspiegelung 2</translation>
-    </message>
-    <message>
-        <source>Reference: field</source>
-        <translation>Referenz: Feld</translation>
-    </message>
-    <message>
         <source>Reference: fractal noise</source>
         <translation>Referenz: fraktales Rauschen</translation>
     </message>
@@ -16518,10 +16502,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Reference: tori</source>
         <translation>Referenz: Tori</translation>
-    </message>
-    <message>
-        <source>Reference: unions</source>
-        <translation>Referenz: Vereinigungen</translation>
     </message>
     <message>
         <source>Reference: waves</source>

@@ -154,17 +154,12 @@ TEST(ReferencePreset, OfThePixelArtHasItsStrengths)
 TEST(ReferencePreset, OfTheNoiseHasItsConstants)
 {
     const NoiseTable t;
-    const ParameterValues field = preset("noise", "reference-field", t);
     const ParameterValues sum = preset("noise", "reference-fractal-sum", t);
-    for (const ParameterValues& v : {field, sum}) {
-        EXPECT_EQ(v[t.kind], NoiseKind::value);
-        EXPECT_EQ(v[t.frequency], 1);
-        EXPECT_EQ(v[t.stepLimit], 256);
-        EXPECT_EQ(v[t.drift], -1);  // The camera moves forward by a unit per second.
-    }
-    // noise - 0.3, with noise from 0 to 1. This noise is from -1 to 1 and solid above: (0.5 - 0.3) x 2.
-    EXPECT_NEAR(field[t.threshold], 0.4, 1e-9);
-    // fbm - 0.35, with octaves that begin at 0.5: (0.484 - 0.35) / 0.484.
+    EXPECT_EQ(sum[t.kind], NoiseKind::value);
+    EXPECT_EQ(sum[t.frequency], 1);
+    EXPECT_EQ(sum[t.stepLimit], 256);
+    EXPECT_EQ(sum[t.drift], -1);  // The camera moves forward by a unit per second.
+    // fbm - 0.35, with octaves that begin at 0.5: (0.484 - 0.35) / 0.484. This noise is solid above the threshold.
     EXPECT_NEAR(sum[t.threshold], (0.484375 - 0.35) / 0.484375, 1e-3);
     EXPECT_EQ(sum[t.octaves], 5);
     EXPECT_EQ(sum[t.gain], 0.5);
@@ -173,10 +168,7 @@ TEST(ReferencePreset, OfTheNoiseHasItsConstants)
     const ParameterValues sea = preset("noise", "reference-sea", t);
     EXPECT_EQ(sea[t.work], NoiseWork::sea);
     EXPECT_EQ(sea[t.stepLimit], 100);
-    const ParameterValues clouds = preset("noise", "reference-clouds", t);
-    EXPECT_EQ(clouds[t.cloudSteps], 65);
-    EXPECT_EQ(clouds[t.lightSteps], 5);
-    for (const ParameterValues& v : {field, sum, sea, clouds}) EXPECT_EQ(v[t.look], NoiseLook::reference);
+    for (const ParameterValues& v : {sum, sea}) EXPECT_EQ(v[t.look], NoiseLook::reference);
 }
 
 TEST(ReferencePreset, OfThePaperLanternsHasItsNumbers)
