@@ -1954,6 +1954,16 @@ Zeiten nach: %2.</translation>
         <translation>Ein Netz mit Zellen von {=1} m bräuchte etwa {=2} GB Speicher, mehr als {=3} GB; geben Sie --cell {=4}m oder mehr an, oder einen kleineren Teil.</translation>
     </message>
     <message>
+        <location filename="exhibits/museum/museum_plan.cpp"/>
+        <source>a mirror shows it</source>
+        <translation>ein Spiegel zeigt es</translation>
+    </message>
+    <message>
+        <location filename="exhibits/hall/hall_probe.cpp"/>
+        <source>a mirror shows the works behind the openings</source>
+        <translation>ein Spiegel zeigt die Werke hinter den Öffnungen</translation>
+    </message>
+    <message>
         <location filename="render/image/image_write.cpp"/>
         <source>a name that ends in &quot;{1}&quot; does not fit the format {2}</source>
         <translation>ein Name, der auf „{=1}“ endet, passt nicht zum Format {2}</translation>
@@ -2066,6 +2076,11 @@ Zeiten nach: %2.</translation>
         <location filename="exhibits/museum/picture.cpp"/>
         <source>A picture of </source>
         <translation>Ein Bild von </translation>
+    </message>
+    <message>
+        <location filename="exhibits/museum/museum_plan.cpp"/>
+        <source>a picture on a screen does not show them</source>
+        <translation>ein Bild auf einem Schirm zeigt sie nicht</translation>
     </message>
     <message>
         <location filename="exhibits/printing/view_rig.cpp"/>
@@ -13044,6 +13059,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>auf diesen Frame folgt keine Bewegung</translation>
     </message>
     <message>
+    <message>
+        <location filename="exhibits/museum/museum_plan.cpp"/>
+        <source>no mirror in view is large enough to show them</source>
+        <translation>kein Spiegel im Bild ist groß genug, um sie zu zeigen</translation>
+    </message>
         <location filename="ui/tree/tree_dock.cpp"/>
         <source>No node matches.</source>
         <translation>Kein Knoten passt.</translation>
@@ -13207,6 +13227,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>kein Werk verwendet gebackenes Rauschen</translation>
     </message>
     <message>
+    <message>
+        <location filename="exhibits/museum/museum_plan.cpp"/>
+        <source>no work hangs behind an opening</source>
+        <translation>hinter keiner Öffnung hängt ein Werk</translation>
+    </message>
         <location filename="exhibits/sdf_scenes/tree_reader.cpp"/>
         <source>node under &quot;nodes&quot;</source>
         <translation>Knoten unter „nodes“</translation>
@@ -22344,6 +22369,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <location filename="exhibits/hall/bounced_light.cpp"/>
         <source>there is no hall to bounce it</source>
+        <location filename="exhibits/museum/museum_plan.cpp"/>
         <translation>es gibt keine Halle, die es zurückwirft</translation>
     </message>
     <message>
@@ -22428,6 +22454,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>es gibt keinen Shader „{1}“{2} schreiben Sie den Namen einer Datei des Exponats</translation>
     </message>
     <message>
+    <message>
+        <location filename="exhibits/museum/museum_plan.cpp"/>
+        <source>there is no reflection probe</source>
+        <translation>es gibt keine Reflexionssonde</translation>
+    </message>
         <location filename="exhibits/printing/sheet_list.cpp"/>
         <source>There is no sheet &quot;{1}&quot;; choose one of the list.</source>
         <translation>Eine Folie „{=1}“ gibt es nicht; wählen Sie eine aus der Liste.</translation>

@@ -6,8 +6,11 @@
 #include "render/scene/cube_views.h"
 #include "shaders/lib/bindings.glsl"
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 namespace vitrine {
 namespace {
@@ -122,6 +125,24 @@ struct ProbeCapture {
     std::uint64_t key = 0;
 };
 
+/// Returns the draws of the works that the view may contain.
+std::vector<render::Draw> workDraws(std::span<const ReflectedWork> works, const render::View& view)
+{
+    std::vector<render::Draw> draws;
+    for (const ReflectedWork& work : works) {
+        const render::Box flat{{-1, -1, 0}, {1, 1, 0}};
+        if (!view.mayContain(flat.transformed(work.worldFromOpening))) continue;
+        render::Draw draw;
+        draw.mesh = boxMesh();
+        draw.object = render::std140Bytes(
+            ProbeWork{.worldFromBox = glm::mat4(glm::scale(work.worldFromOpening, glm::dvec3(1, 1, 1e-3))),
+                      .pictureFromWorld = glm::mat4(work.clipFromWorld)});
+        draw.inputs = {{UNIT_SOURCE, work.image}};
+        draws.push_back(std::move(draw));
+    }
+    return draws;
+}
+
 void planFace(const HallScene& scene, const SceneLighting& hallLight, const Surroundings& around, int face,
               const ProbeCapture& capture, render::FramePlan& plan)
 {
@@ -143,11 +164,11 @@ void planFace(const HallScene& scene, const SceneLighting& hallLight, const Surr
                     .fragment = "kit/surface.frag",
                     .defines = {"BASE_COLOR_MAP", "ORM_MAP", "FLAT_PROBE"}};
     walls.colors = {Attachment::slice("probe.captured", face)};
-    walls.depth = Attachment::cleared("probe.depth");
+    walls.depth = Attachment::clearedSlice("probe.depth", face);
     walls.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::none};
     Pass things = walls;
     things.name = "probe/things/" + std::to_string(face);
-    things.depth = Attachment::whole("probe.depth");
+    things.depth = Attachment::slice("probe.depth", face);
     walls.draws = around.walls;
     bindLightmaps(scene, hallLight, walls);
     hallLight.bindLighting(walls);
@@ -158,7 +179,7 @@ void planFace(const HallScene& scene, const SceneLighting& hallLight, const Surr
     plan.add(std::move(things));
 }
 
-void planLevel(int level, const ProbeCapture& capture, const render::ContributionBound& bound, render::FramePlan& plan)
+Pass levelPass(int level, const ProbeCapture& capture, const render::ContributionBound& bound)
 {
     const auto [size, levels, samples, key] = capture;
     const int side = std::max(size >> level, 1);
@@ -177,7 +198,25 @@ void planLevel(int level, const ProbeCapture& capture, const render::Contributio
     pass.groups = {(side + 7) / 8, (side + 7) / 8, 6};
     pass.bound = bound;
     pass.contentHash = key;
-    plan.add(std::move(pass));
+    return pass;
+}
+
+/// Plans what is visible of the works through their openings: premultiplied, with coverage in alpha.
+void planWorks(const HallScene& scene, std::span<const ReflectedWork> works, const ProbeCapture& capture,
+               const render::ContributionBound& bound, render::FramePlan& plan)
+{
+    for (int face = 0; face < 6; ++face) {
+        Pass pass = capturePass("works", face, probePosition(scene), capture.size, capture.key);
+        pass.reason = "a mirror shows the works behind the openings";
+        pass.bound = bound;
+        pass.shader = {.vertex = "hall/probe_work.vert", .fragment = "hall/probe_work.frag"};
+        pass.colors = {Attachment::clearedSlice("probe.works", face)};
+        pass.depth = Attachment::slice("probe.depth", face);
+        pass.state = {.depthTest = render::DepthTest::nearer, .cull = render::Cull::none};
+        pass.draws = workDraws(works, *pass.view);
+        if (face == 5) pass.mipmaps = {"probe.works"};
+        plan.add(std::move(pass));
+    }
 }
 
 /// Returns a hash of everything that the probe sees.
@@ -217,6 +256,22 @@ std::optional<render::LocalLighting> probeLamps(const HallScene& scene)
     return lighting;
 }
 
+std::optional<render::View> viewThrough(const HallScene& scene, const glm::dmat4& worldFromOpening)
+{
+    const glm::dvec3 eye = probePosition(scene), center(worldFromOpening[3]);
+    const glm::dvec3 across(worldFromOpening[0]), up(worldFromOpening[1]);
+    const glm::dvec3 normal = glm::normalize(glm::dvec3(worldFromOpening[2]));
+    const glm::dvec2 half(glm::length(across), glm::length(up));
+    const double away = glm::dot(eye - center, normal);
+    if (!(away > 0.5)) return std::nullopt;  // Meters.
+    const glm::dvec2 aside(glm::dot(center - eye, across / half.x), glm::dot(center - eye, up / half.y));
+    const double perMeter = scene.values[scene.table.probeSize] / away;
+    render::Raster raster;
+    raster.size = glm::clamp(glm::ivec2(glm::ceil(2.0 * half * perMeter)), glm::ivec2(1), glm::ivec2(1024));
+    return render::makeView(
+        {.eye = eye, .target = eye - normal, .fovY = 2 * std::atan(half.y / away), .lensShift = aside / away}, raster);
+}
+
 void planProbe(const HallScene& scene, const SceneLighting& light, render::FramePlan& plan)
 {
     if (!scene.values[scene.table.reflectionProbe]) {
@@ -247,13 +302,17 @@ void planProbe(const HallScene& scene, const SceneLighting& light, render::Frame
                 .persistent = true,
                 .nearest = true});
     if (!scene.alone)
-        plan.image(
-            {.name = "probe.depth", .format = render::Format::depth32f, .size = glm::ivec2(size), .persistent = true});
+        plan.image({.name = "probe.depth",
+                    .format = render::Format::depth32f,
+                    .type = render::TextureType::array,
+                    .size = glm::ivec2(size),
+                    .layers = 6,
+                    .persistent = true});
     const SceneLighting hallLight = lightOfHallAlone(scene, light, lamps);
     const Surroundings around = scene.alone ? Surroundings() : Surroundings{wallDraws(scene), thingDraws(scene)};
     const ProbeCapture capture{size, levels, scene.values[scene.table.probeSamples], key};
     for (int face = 0; face < 6; ++face) planFace(scene, hallLight, around, face, capture, plan);
-    for (int level = 0; level < levels; ++level) planLevel(level, capture, light.probeLight, plan);
+    for (int level = 0; level < levels; ++level) plan.add(levelPass(level, capture, light.probeLight));
 
     // A level of 16 texels contains everything that nine coefficients can represent.
     const int level = std::max(allLevels - 5, 0);
@@ -270,6 +329,37 @@ void planProbe(const HallScene& scene, const SceneLighting& light, render::Frame
     sum.contentHash = key;
     sum.bound = light.probeLight;
     plan.add(std::move(sum));
+}
+
+void planMirroredWorks(const HallScene& scene, SceneLighting& light, std::span<const ReflectedWork> works,
+                       render::FramePlan& plan)
+{
+    const int size = scene.values[scene.table.probeSize];
+    render::Hash hash;
+    hash.addValue(keyOf(scene, probeLamps(scene)));
+    for (const ReflectedWork& work : works) hash.addValue(work.worldFromOpening).addValue(work.key);
+    const ProbeCapture capture{size, probeLevels(size), scene.values[scene.table.probeSamples], hash.value()};
+    render::ImageInfo info{.name = "probe.works",
+                           .format = render::Format::rgba16f,
+                           .type = render::TextureType::cube,
+                           .size = glm::ivec2(size),
+                           .levels = static_cast<int>(std::bit_width(static_cast<unsigned>(size))),
+                           .persistent = true};
+    plan.image(info);
+    info.name = mirroredWorksImage;
+    info.levels = capture.levels;
+    plan.image(info);
+    planWorks(scene, works, capture, light.probeLight, plan);
+    for (int level = 0; level < capture.levels; ++level) {
+        Pass pass = levelPass(level, capture, light.probeLight);
+        pass.name = "probe/mirrored/" + std::to_string(level);
+        pass.reason = "a mirror shows the works behind the openings";
+        pass.shader.defines = {"WORKS"};
+        pass.storage = {{.image = mirroredWorksImage, .level = level}};
+        pass.inputs.push_back({UNIT_EXHIBIT_A, std::string("probe.works")});
+        plan.add(std::move(pass));
+    }
+    light.hasMirroredWorks = true;
 }
 
 }  // namespace vitrine

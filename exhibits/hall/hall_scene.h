@@ -59,6 +59,14 @@ struct OwnObject {
     std::vector<Collider> colliders = {};             ///< Keep the walking user off the object and its plinth.
 };
 
+/// Picture of a work behind an opening in the wall, for the reflection probe.
+struct ReflectedWork {
+    glm::dmat4 worldFromOpening{1};  ///< The opening is the square from -1 to 1 on z = 0, and faces +z.
+    glm::dmat4 clipFromWorld{1};     ///< View of the picture, from the place of the probe.
+    std::string image;               ///< Radiance of the work.
+    std::uint64_t key = 0;           ///< Hash of everything that the picture depends on.
+};
+
 /// State from which the passes of the hall are planned.
 struct HallScene {
     const HallModel& model;
@@ -151,6 +159,8 @@ using ToldUnreadable = std::function<void(std::size_t which, const Message& why)
 /// Returns the objects that could be read, each at its place. On the floor, they are moved out of walls and furniture.
 [[nodiscard]] std::vector<OwnObject> objectsAt(const HallModel&, const HallTable&, const ParameterValues&,
                                                const std::array<PreparedObject, mostOwnObjects>&);
+/// Returns whether a part of the object may be a mirror.
+[[nodiscard]] bool isMirror(const OwnObject&);
 /// Returns the name of an object's pass: "hall/visitor", "hall/visitor/2", ...
 [[nodiscard]] std::string ownPassName(std::size_t which);
 /// Plans the passes of each object, or the reasons for skipping them.
@@ -177,6 +187,13 @@ void planFloor(const HallScene&, const SceneLighting&, const Channels&, render::
 /// Plans the reflection probe: captured from inside the hall (or the environment alone), blurred by roughness, and
 /// summed up as nine spherical-harmonic coefficients. It is kept until something in it changes.
 void planProbe(const HallScene&, const SceneLighting&, render::FramePlan&);
+/// Plans a second probe for mirrors, in which the works are visible, and makes `SceneLighting::mirrorWorks` read it.
+/// Call after `planProbe`, which it extends; it is kept until something in it changes, and left out if nothing reads
+/// it.
+void planMirroredWorks(const HallScene&, SceneLighting&, std::span<const ReflectedWork>, render::FramePlan&);
+/// Returns the view from the probe that shows exactly what is visible through an opening (`ReflectedWork`), with two
+/// pixels for each texel of the probe. Returns nothing if the probe is behind the opening, or too near.
+[[nodiscard]] std::optional<render::View> viewThrough(const HallScene&, const glm::dmat4& worldFromOpening);
 /// Returns the number of mip levels of a probe with `size` texels along a face; each is for one roughness.
 [[nodiscard]] int probeLevels(int size);
 /// Returns the point from which the probe is captured, world space.

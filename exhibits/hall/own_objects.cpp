@@ -132,6 +132,7 @@ void planOwnObject(const HallScene& scene, const OwnObject& object, const SceneL
         channels,
         {"BASE_COLOR_MAP", "VERTEX_COLOR", "NORMAL_MAP", "ORM_MAP", "OCCLUSION_MAP", "EMISSIVE_MAP", "ALPHA_MASK"});
     pass.state.cull = render::Cull::none;
+    if (isMirror(object)) light.mirrorWorks(pass);
     for (const MeshInstance& part : object.model->parts)
         if (part.material) addMaterialDefines(*part.material, pass.shader.defines);
     pass.depthOnly.reset();  // Alpha-masked textures cut holes into its depth.
@@ -171,6 +172,13 @@ std::string whyNone(const HallScene& scene, std::size_t which)
 }
 
 }  // namespace
+
+bool isMirror(const OwnObject& object)
+{
+    return std::any_of(object.model->parts.begin(), object.model->parts.end(), [](const MeshInstance& part) {
+        return part.material && static_cast<double>(part.material->roughness) < mirrorRoughness;
+    });
+}
 
 std::string ownPassName(std::size_t which)
 {

@@ -123,6 +123,12 @@ std::vector<OfferedComparison> SdfExhibit::comparisons() const
              {{"shownAs", number(SdfShown::field)}, {"heatMap", number(SdfHeatMap::evaluations)}}}};
 }
 
+bool SdfExhibit::mirrors(const ParameterValues& values) const
+{
+    const SdfMaterialParameters* material = materialParameters();
+    return material && values[material->roughness] < mirrorRoughness;
+}
+
 SdfScene SdfExhibit::sceneOf(const PlanContext& context, const SdfBody& now) const
 {
     const SdfMaterialParameters* material = materialParameters();
@@ -133,6 +139,7 @@ SdfScene SdfExhibit::sceneOf(const PlanContext& context, const SdfBody& now) con
             rows(),
             glass,
             glass && spreads,
+            mirrors(now.values),
             context,
             now,
             resized(now.box, now.values[rows().boxSize]),

@@ -54,7 +54,7 @@ struct SdfScene;
 /// An exhibit that is a signed distance field. It supplies the field (`SdfShaders`, `body`), parameters with
 /// SdfParameters, and a material. This class provides sphere tracing with its cone pre-pass, its shadow, the bounding
 /// box with its overlay, the rasterized mesh, and heat maps.
-class SdfExhibit : public Exhibit, public CastsGlassShadow, public OffersComparisons {
+class SdfExhibit : public Exhibit, public CastsGlassShadow, public MirrorsSurroundings, public OffersComparisons {
 public:
     [[nodiscard]] render::Box bounds(const ParameterValues&) const final;
     [[nodiscard]] std::shared_ptr<const PreparedPart> prepare(const PrepareContext&) const final;
@@ -65,6 +65,8 @@ public:
     [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;
     void planShadow(const PlanContext&, render::FramePlan&) const final;
     [[nodiscard]] bool castsGlassShadow(const ParameterValues& values) const final { return isGlass(values); }
+    /// Returns whether its material is smooth.
+    [[nodiscard]] bool mirrors(const ParameterValues&) const final;
     void plan(const PlanContext&, render::FramePlan&) const final;
     /// Offers comparisons of field and mesh, and of the picture and its cost.
     [[nodiscard]] std::vector<OfferedComparison> comparisons() const override;

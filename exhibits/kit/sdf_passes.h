@@ -15,8 +15,9 @@ namespace vitrine {
 struct SdfScene {
     std::string_view exhibit;  ///< Passes are "EXHIBIT/march", images "EXHIBIT.cone".
     const SdfParameters& table;
-    bool glass;  ///< Whether rays pass through it.
-    bool rough;  ///< Whether it is glass that scatters them.
+    bool glass;    ///< Whether rays pass through it.
+    bool rough;    ///< Whether it is glass that scatters them.
+    bool mirrors;  ///< Whether it is a mirror.
     const PlanContext& context;
     const SdfBody& body;
     render::Box box;  ///< Rays are marched inside it.

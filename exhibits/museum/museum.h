@@ -114,6 +114,9 @@ private:
     [[nodiscard]] std::vector<Present> presentIn(const Prepared&, const FrameRequest&, const HallScene&,
                                                  const render::View&) const;
     [[nodiscard]] HallScene sceneOf(const Prepared&, bool alone) const;
+    /// Returns why mirrors need not show the works behind openings in the walls; empty if they do.
+    [[nodiscard]] static std::string whyNoWorks(const Prepared&, const FrameRequest&, const HallScene&,
+                                                const render::View&, const std::vector<Present>&);
     [[nodiscard]] std::vector<render::LocalLight> lampsOf(const Prepared&, const std::vector<Present>&,
                                                           bool alone) const;
 

@@ -44,6 +44,25 @@ std::string whyHiddenOf(const std::string& hidden, const ParameterValues& values
     return values.motions().empty() ? hidden : hidden + ": its animated parameters do not trigger new frames";
 }
 
+constexpr const char* noMirror = "no mirror in view is large enough to show them";
+
+/// Returns whether a mirror with these bounds is large enough to show works behind openings in the walls. At fewer
+/// pixels, each of them would be smaller than a few pixels.
+bool isLargeMirror(const render::Box& box, const render::View& view)
+{
+    constexpr double fewest = 128;  // Pixels of the picture's height.
+    const double radius = glm::length(box.halfSize());
+    const double away = std::max(glm::distance(box.center(), view.eye), radius);
+    return view.raster.size.y * radius > fewest * view.tanHalfFov.y * away;
+}
+
+/// Returns whether the exhibit is a work behind an opening in a wall: its bounds are flat and face into the room.
+bool isBehindOpening(const render::Box& bounds)
+{
+    const glm::dvec3 size = bounds.high - bounds.low;
+    return size.z == 0 && size.x > 0 && size.y > 0;
+}
+
 /// Returns a view that covers all samples and tiles of the picture, with a small margin.
 render::View widened(const render::View& view)
 {
@@ -89,6 +108,11 @@ struct Museum::Frame {
     [[nodiscard]] std::uint64_t castersKey() const;
     [[nodiscard]] render::FramePlan planOfView(const render::View&) const;
     void planSeen(std::size_t i, const PlanContext&, const render::PersistentState* kept, render::FramePlan&) const;
+    void planReflectedWorks(const render::PersistentState& kept);
+    void drawReflectedWork(const MuseumExhibit&, const ParameterValues& still, const render::View&,
+                           const std::string& image);
+    [[nodiscard]] std::optional<ReflectedWork> planReflectedWork(const MuseumExhibit&,
+                                                                 const render::PersistentState& kept);
     [[nodiscard]] std::uint64_t pictureKey() const;
     [[nodiscard]] std::optional<ShownPicture> planPicture(const Present& by, const std::string& source,
                                                           const render::PersistentState* kept,
@@ -171,6 +195,22 @@ std::vector<Museum::Present> Museum::presentIn(const Prepared& prepared, const F
     return present;
 }
 
+std::string Museum::whyNoWorks(const Prepared& prepared, const FrameRequest& request, const HallScene& scene,
+                               const render::View& view, const std::vector<Present>& present)
+{
+    if (scene.alone) return "there is no hall";
+    // While the window is opening, it is enough to draw what is in view.
+    if (request.mostExhibits < std::numeric_limits<int>::max()) return othersFirst;
+    const bool mirrored = std::any_of(present.begin(), present.end(), [&](const Present& p) {
+        const auto* mirror = p.hidden.empty() ? capability<MirrorsSurroundings>(p.exhibit) : nullptr;
+        return mirror && mirror->mirrors(prepared.sceneState.values[p.index]) && isLargeMirror(p.box, view);
+    });
+    const bool own = std::any_of(scene.objects.begin(), scene.objects.end(), [&](const OwnObject& object) {
+        return isMirror(object) && view.mayContain(object.box) && isLargeMirror(object.box, view);
+    });
+    return mirrored || own ? std::string() : noMirror;
+}
+
 Prepared Museum::prepare(const SceneState& sceneState, const FrameRequest& request) const
 {
     Prepared made{atMoment(sceneState, request),
@@ -200,6 +240,9 @@ Prepared Museum::prepare(const SceneState& sceneState, const FrameRequest& reque
     };
     mark(present, scene.alone);
     mark(presentIn(made, request, scene, widened(view)), scene.alone);
+    if (whyNoWorks(made, request, scene, view, present).empty())
+        for (const auto& [i, exhibit] : exhibits_)
+            if (isInHall(i) && isBehindOpening(boundsOf(made, exhibit, i))) made.exhibits[i].seen = true;
     const std::vector<std::vector<Present>> pictures = Present::ofPictures(*this, made, request, present);
     for (const std::vector<Present>& shown : pictures) mark(shown, false);
     for (const auto& [i, exhibit] : exhibits_) {
@@ -235,6 +278,7 @@ void Museum::Frame::planRest(const render::PersistentState& kept)
     planBouncedLight(scene, light, plan);
     planAirLight(scene, light, plan);
     planProbe(scene, light, plan);
+    planReflectedWorks(kept);
     if (!alone && !request.cutOut) planContactShadows(scene, plan);
     planBuilding(plan);
     planExhibits(kept);
@@ -484,6 +528,86 @@ void Museum::Frame::planSeen(std::size_t i, const PlanContext& context, const re
     }
     if (kept && continues) return continues->planFrom(context, *kept, into);
     p.exhibit.plan(context, into);
+}
+
+/// Plans small pictures of the works behind openings in the walls, as the reflection probe sees them, for mirrors.
+/// Animations and the clock stand at 0: like other movement, theirs is not visible in reflections.
+void Museum::Frame::planReflectedWorks(const render::PersistentState& kept)
+{
+    std::string why = museum.whyNoWorks(prepared, request, scene, plan.view, present);
+    if (isPicture) why = "a picture on a screen does not show them";
+    if (!light.light.hasProbe) why = "there is no reflection probe";
+    std::vector<ReflectedWork> works;
+    if (why.empty())
+        for (const MuseumExhibit& shown : museum.exhibits_)
+            if (museum.isInHall(shown.index) && prepared.exhibits[shown.index].seen)
+                if (auto work = planReflectedWork(shown, kept)) works.push_back(std::move(*work));
+    if (why.empty() && works.empty()) why = "no work hangs behind an opening";
+    if (why.empty())
+        planMirroredWorks(scene, light, works, plan);
+    else
+        plan.skip("probe/works", why);
+}
+
+/// Plans the radiance of a work in a view of the reflection probe, as the image `image`/radiance.
+void Museum::Frame::drawReflectedWork(const MuseumExhibit& shown, const ParameterValues& still,
+                                      const render::View& view, const std::string& image)
+{
+    render::FramePlan inner;
+    inner.view = view;
+    inner.seed = plan.seed;
+    declareImages(inner);
+    clearPicture(inner);
+    const PlanContext context{.values = still,
+                              .lighting = light,
+                              .worldFromExhibit = museum.worldFromExhibit(shown.index),
+                              .prepared = prepared.state(shown.index).prepared};
+    const auto* shows = capability<ShowsPictures>(shown.exhibit);
+    if (shows && !shows->shownPictures(still).empty())
+        shows->planShowing(context, {}, {}, inner);  // Pictures of other exhibits are dark in reflections.
+    else
+        shown.exhibit.plan(context, inner);
+    inner.prune({radianceImage});
+    render::embed(plan, inner, {.passPrefix = image + '/', .imagePrefix = image + '/', .reason = "a mirror shows it"});
+}
+
+/// Returns nothing if the exhibit is no work behind an opening that faces the probe.
+std::optional<ReflectedWork> Museum::Frame::planReflectedWork(const MuseumExhibit& shown,
+                                                              const render::PersistentState& kept)
+{
+    const auto& [i, exhibit] = shown;
+    const render::Box bounds = museum.boundsOf(prepared, exhibit, i);
+    if (!isBehindOpening(bounds)) return std::nullopt;
+    ReflectedWork work;
+    work.worldFromOpening = glm::scale(glm::translate(museum.worldFromExhibit(i), bounds.center()),
+                                       glm::dvec3(glm::dvec2(bounds.halfSize()), 1));
+    const std::optional<render::View> view = viewThrough(scene, work.worldFromOpening);
+    if (!view) return std::nullopt;
+    work.clipFromWorld = view->clipFromWorld;
+    work.image = std::string(exhibit.name()) + "/reflected";
+    const ParameterValues still = valuesAtEnd(prepared.sceneState.values[i], 0);
+    const PreparedPart* part = prepared.state(i).prepared;
+    render::Hash key;
+    derive::addToKey(key, still);
+    key.addValue(i).addValue(view->clipFromWorld).addValue(view->raster.size).addValue(lightKey(scene));
+    work.key = key.addValue(part ? part->filesId : 0).addValue(plan.seed).value();
+    const auto held = kept.passes.find(work.image);
+    // While values are being changed in the window, the last picture stays: it would be made again for every step.
+    if (request.nonBlocking && !request.idle && held != kept.passes.end()) work.key = held->second;
+    if (request.runEverything || held == kept.passes.end() || held->second != work.key)
+        drawReflectedWork(shown, still, *view, work.image);
+    plan.image({.name = work.image, .format = render::Format::rgba16f, .size = view->raster.size, .persistent = true});
+    render::Pass pass;
+    pass.name = work.image;
+    pass.reason = "a mirror shows it";
+    pass.phase = render::PassPhase::simulate;
+    pass.shader = {.vertex = "lib/fullscreen.vert", .fragment = "lib/copy.frag", .defines = {"COVERAGE"}};
+    pass.inputs = {{UNIT_SOURCE, work.image + '/' + radianceImage}};
+    pass.colors = {render::Attachment::cleared(work.image)};
+    pass.draws = {render::Draw{}};
+    pass.contentHash = work.key;
+    plan.add(std::move(pass));
+    return work;
 }
 
 /// Returns a hash of everything that the picture depends on.

@@ -1,6 +1,7 @@
 // Computes one mip level of a reflection probe: the captured cube map convolved with a GGX lobe whose normal and view
 // direction are the lookup direction (Karis 2013). Importance sampling reads the mip level whose texels are as wide as
-// the distance between samples (Krivanek and Colbert 2008).
+// the distance between samples (Krivanek and Colbert 2008). Permutation: WORKS (with the works behind openings in the
+// walls).
 #include "lib/bindings.glsl"
 #include "lib/cube.glsl"
 #include "lib/hash.glsl"
@@ -13,9 +14,22 @@ layout(std140, binding = BLOCK_OBJECT) uniform Object {
 };
 
 layout(binding = UNIT_SOURCE) uniform samplerCube captured;
+#ifdef WORKS
+layout(binding = UNIT_EXHIBIT_A) uniform samplerCube works;
+#endif
 layout(rgba16f, binding = 0) uniform writeonly imageCube filtered;
 
 const float PI = 3.14159265358979;
+
+vec3 capturedRadiance(vec3 direction, float mip)
+{
+    vec3 radiance = textureLod(captured, direction, mip).rgb;
+#ifdef WORKS
+    vec4 work = textureLod(works, direction, mip);
+    radiance = radiance * (1.0 - work.a) + work.rgb;
+#endif
+    return radiance;
+}
 
 void main()
 {
@@ -26,7 +40,7 @@ void main()
     float roughness = object.roughness;
     int count = object.samples;
     if (roughness <= 0.0 || count <= 1) {
-        imageStore(filtered, texel, vec4(textureLod(captured, n, 0.0).rgb, 1.0));
+        imageStore(filtered, texel, vec4(capturedRadiance(n, 0.0), 1.0));
         return;
     }
     vec3 t = normalize(abs(n.y) < 0.99 ? cross(vec3(0.0, 1.0, 0.0), n) : cross(vec3(1.0, 0.0, 0.0), n));
@@ -49,7 +63,7 @@ void main()
         float denominator = cosH * cosH * (a * a - 1.0) + 1.0;
         float density = a * a / (PI * denominator * denominator) * 0.25;
         float mip = max(0.5 * log2(1.0 / (float(count) * density * texelSolidAngle)) + 1.0, 0.0);
-        sum += textureLod(captured, l, mip).rgb * cosL;
+        sum += capturedRadiance(l, mip) * cosL;
         weights += cosL;
     }
     imageStore(filtered, texel, vec4(sum / max(weights, 1e-4), 1.0));

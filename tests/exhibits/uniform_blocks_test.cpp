@@ -159,6 +159,7 @@ const std::map<std::string, Described>& blocksOfCpp()
         {"AntialiasingBlock", described<AntialiasingBlock>()},
         {"BounceBlock", described<BounceBlock>()},
         {"ProbeLevel", described<ProbeLevel>()},
+        {"ProbeWork", described<ProbeWork>()},
         {"RaysBlock", described<RaysBlock>()},
         {"NoiseBlock", described<NoiseBlock>()},
         {"PixelBlock", described<PixelBlock>()},

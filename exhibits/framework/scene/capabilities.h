@@ -104,6 +104,17 @@ public:
     [[nodiscard]] virtual std::vector<StandingShape> reflectedShapes(const ParameterValues&) const = 0;
 };
 
+/// Capability: its surface may be a mirror, in which works behind openings in the walls are recognized.
+class MirrorsSurroundings {
+public:
+    virtual ~MirrorsSurroundings() = default;
+    /// Returns whether it is a mirror with these values. Its passes then call SceneLighting::mirrorWorks.
+    [[nodiscard]] virtual bool mirrors(const ParameterValues&) const = 0;
+};
+
+/// Largest roughness of a mirror: above it, reflected pictures are blurred beyond recognition.
+inline constexpr double mirrorRoughness = 0.3;
+
 /// Capability: rotates the objects that the building hangs at its place.
 class TurnsHangings {
 public:

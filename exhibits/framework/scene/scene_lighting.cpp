@@ -10,6 +10,13 @@
 
 namespace vitrine {
 
+void SceneLighting::mirrorWorks(render::Pass& pass) const
+{
+    if (!hasMirroredWorks) return;
+    for (render::SampledTexture& input : pass.inputs)
+        if (input.unit == UNIT_PROBE) input.source = std::string(mirroredWorksImage);
+}
+
 void SceneLighting::bindLighting(render::Pass& pass) const
 {
     pass.blocks[BLOCK_LIGHT] = render::std140Bytes(light);

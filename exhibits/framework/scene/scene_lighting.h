@@ -15,6 +15,8 @@ namespace vitrine {
 
 /// Shadow maps of the local lights; render::LocalLighting gives the layers of each light.
 inline constexpr const char* localShadowImage = "shadow.local";
+/// The reflection probe with the works behind openings in the walls, for mirrors.
+inline constexpr const char* mirroredWorksImage = "probe.mirrored";
 
 #include "shaders/lib/light_block.glsl"
 
@@ -72,8 +74,14 @@ struct SceneLighting {
     /// either all of them run, or none.
     std::uint64_t exhibitShadowKey = 0;
 
+    /// The works behind openings in the walls are in the image "probe.mirrored", which is otherwise the probe.
+    bool hasMirroredWorks = false;
+
     /// Gives a pass the light block and all textures that shaders/lib/light.glsl samples.
     void bindLighting(render::Pass&) const;
+    /// Makes a pass with `bindLighting`, which draws a mirror, reflect the works behind openings in the walls, if there
+    /// are any in this frame.
+    void mirrorWorks(render::Pass&) const;
 };
 
 /// Returns the axis along which an opening is flat: 0, 1 or 2.

@@ -1,6 +1,7 @@
 // Light levels in the hall: bounced light, the film curve, and unlit parts.
 #include "exhibits/hall/hall.h"
 #include "exhibits/kit/exhibit_pass.h"
+#include "exhibits/noise/noise_table.h"
 #include "tests/exhibits/hall/bounced_light.h"
 #include "tests/support/degree.h"
 #include "tests/support/gallery.h"
@@ -162,6 +163,38 @@ TEST_F(LightLevels, AreReflectedByWhatStandsAroundButNotByWhatStandsWhereTheProb
     const auto around = probeSidesWith({standingBox({probe - 0.3, probe + 0.3}, red)});
     EXPECT_EQ(around[0], none[0]);
     EXPECT_EQ(around[1], none[1]);
+}
+
+/// Returns the mug in the hall, with this roughness, while the work behind the frame of Noise has this color.
+Picture mugBeside(const glm::dvec3& color, double roughness)
+{
+    static const NoiseTable table;
+    Shot shot;
+    shot.inHall().size(320, 200).see({-1.1, 1.6, 1.0}, {0, 1.45, 0});
+    shot.request.frame.averageIn = AverageIn::radiance;
+    shot.hall().set(hallTable().probeSize, 128);
+    shot.values().set(sdfTable().roughness, roughness);
+    ParameterValues& noise = shot.sceneState.values[*gallery().museum.find("noise")];
+    noise.set(table.work, NoiseWork::field);
+    noise.set(table.threshold, -0.4);
+    noise.set(table.albedo, ColorValue{color});
+    return shot.take();
+}
+
+TEST_F(LightLevels, OfWorksOnTheWallsAreInTheMirrorsOfTheHall)
+{
+    const glm::dvec3 red(0.9, 0.02, 0.02), green(0.02, 0.9, 0.02);
+    const auto turned = [&](double roughness) {
+        const Picture reds = mugBeside(red, roughness), greens = mugBeside(green, roughness);
+        int pixels = 0;
+        reds.each([&](int x, int y) {
+            const glm::dvec3 more = reds.color(x, y) - greens.color(x, y);
+            pixels += more.r > 5e-4 && more.g < -5e-4;
+        });
+        return pixels;
+    };
+    EXPECT_GT(turned(0.03), 40) << "pixels of the mug that turn from red to green with the work";
+    EXPECT_EQ(turned(0.6), 0) << "control: the work itself is out of view, and chalk mirrors nothing";
 }
 
 TEST_F(LightLevels, OfASunThatShinesInNowhereAreThoseOfNoSun)

@@ -2,6 +2,7 @@
 
 #include "exhibits/hall/hall_scene.h"
 #include "exhibits/hall/walk.h"
+#include "exhibits/noise/noise_table.h"
 #include "exhibits/sdf_morph/sdf_morph.h"
 #include "render/image/image.h"
 #include "tests/stability/fields.h"
@@ -236,6 +237,60 @@ TEST(MuseumPlan, ProbeAndHallShadowAreKeptWhileTheLightIsTheSame)
     scene.hall().set(test::hallTable().sunElevation, 0.4);
     const FramePlan third = scene.plan(kept);
     for (const auto& [pass, key] : kept.passes) EXPECT_EQ(reasonFor(third, pass), "it ran") << pass;
+}
+
+TEST(MuseumPlan, WorksOnTheWallsAreDrawnForMirrorsThatCanShowThemAndKeptUntilTheyChange)
+{
+    const std::vector<std::string> works{"sdf_scenes/reflected", "noise/reflected", "pixel_art/reflected",
+                                         "paper_lanterns/reflected", "your_shader/reflected"};
+    Scene scene;
+    EXPECT_EQ(reasonFor(scene.plan(), "probe/works"), "no mirror in view is large enough to show them");
+    scene.request.raster.size = {640, 360};
+    const FramePlan first = scene.plan();
+    for (const std::string& work : works) EXPECT_EQ(reasonFor(first, work), "it ran");
+    EXPECT_TRUE(first.errors().empty());
+    // The probe itself, which everything else reads, does not contain them.
+    for (const render::Pass& pass : first.passes()) {
+        if (!pass.name.starts_with("probe/blur/") && !pass.name.starts_with("hall/")) continue;
+        for (const std::string& image : inputsOf(pass))
+            EXPECT_TRUE(image != "probe.works" && image != "probe.mirrored") << pass.name;
+    }
+
+    const render::PersistentState kept = keptAfter(first);
+    static const NoiseTable table;
+    const auto ofNoise = [](Scene& s) -> ParameterValues& { return s.sceneState.values[*museum().find("noise")]; };
+    const auto changed = [&](const auto& change) {
+        Scene other = scene;
+        change(other);
+        return other.plan(kept);
+    };
+    const FramePlan later = changed([&](Scene& s) {
+        s.request.time = 5;
+        s.see({0.6, 1.7, 1.9}, {0, 1.45, 0});
+        ofNoise(s).set(table.animate, true);
+    });
+    for (const std::string& work : works)
+        EXPECT_EQ(runs(later, work), work == "noise/reflected") << work << ": its own switch was changed";
+    const FramePlan same = changed([&](Scene& s) { s.request.time = 5; });
+    for (const std::string& work : works) EXPECT_EQ(reasonFor(same, work), "unchanged since it last ran") << work;
+    for (const char* pass : {"probe/works/0", "probe/mirrored/0"})
+        EXPECT_EQ(reasonFor(same, pass), "unchanged since it last ran");
+
+    const FramePlan dusk = changed([&](Scene& s) { ofNoise(s).set(table.haze, 0.9); });
+    EXPECT_TRUE(runs(dusk, "noise/reflected"));
+    EXPECT_TRUE(runs(dusk, "probe/works/0"));
+    EXPECT_FALSE(runs(dusk, "pixel_art/reflected"));
+    EXPECT_FALSE(runs(dusk, "probe/things/0"));
+    // While a value is dragged in the window, the last pictures stay.
+    const FramePlan dragged = changed([&](Scene& s) {
+        ofNoise(s).set(table.haze, 0.9);
+        s.request.nonBlocking = true;
+    });
+    EXPECT_FALSE(runs(dragged, "noise/reflected"));
+    EXPECT_FALSE(runs(dragged, "probe/works/0"));
+    // Chalk shows no pictures.
+    const FramePlan chalk = changed([](Scene& s) { s.object().set(test::sdfTable().roughness, 0.9); });
+    EXPECT_EQ(reasonFor(chalk, "probe/works"), "no mirror in view is large enough to show them");
 }
 
 TEST(MuseumPlan, TheExhibitsShadowIsKeptWhileNothingInItMoves)

@@ -135,6 +135,24 @@ bool outOfView(const Skipped& s)
     return !s.inView(glm::dvec3(world * glm::dvec4(middle, 1)));
 }
 
+/// Claims that every mirror of the plan is lower than 128 pixels.
+bool noLargeMirror(const Skipped& s)
+{
+    return std::none_of(museum().exhibits().begin(), museum().exhibits().end(), [&](const MuseumExhibit& e) {
+        const std::string name(e.exhibit.name());
+        const ParameterValues& values = s.picture.sceneState.values[e.index];
+        const auto* mirror = capability<MirrorsSurroundings>(e.exhibit);
+        if (!mirror || !mirror->mirrors(values) || (!s.plan.find(name + "/march") && !s.plan.find(name + "/mesh")))
+            return false;
+        glm::dmat4 world = museum().worldFromExhibit(e.index);
+        if (s.picture.frame.subject == e.index) world = world * s.picture.frame.exhibitTransform;
+        const render::Box box = e.exhibit.bounds(values).transformed(world);
+        const double away = glm::distance(box.center(), s.plan.view.eye);
+        // The sphere around the box is at least as high as the mirror.
+        return s.plan.view.raster.size.y * glm::length(box.halfSize()) / (s.plan.view.tanHalfFov.y * away) > 130;
+    });
+}
+
 bool noLightAtAll(const Skipped& s)
 {
     return s.sun().strength == 0 && (s.alone() || s.ofHall("skyStrength") == 0);
@@ -188,6 +206,8 @@ const std::map<std::string, Claim>& claims()
         // Reasons of the hall.
         {"there is no hall", isAlone},
         {"there is no hall to cast it", isAlone},
+        {"there is no reflection probe", [](const Skipped& s) { return s.plan.findSkipped("probe") != nullptr; }},
+        {"no mirror in view is large enough to show them", noLargeMirror},
         {"there is no hall to bounce it", isAlone},
         {"sun shadows are switched off", [](const Skipped& s) { return s.ofHall("sunShadows") == 0; }},
         {"baked light is switched off", [](const Skipped& s) { return s.ofHall("bakedLight") == 0; }},
