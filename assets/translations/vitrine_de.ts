@@ -10773,6 +10773,12 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>eigene</translation>
     </message>
     <message>
+        <location filename="exhibits/noise/noise_table.h"/>
+        <source>its own by day</source>
+        <extracomment>tables</extracomment>
+        <translation>eigene am Tag</translation>
+    </message>
+    <message>
         <location filename="render/image/oiio/pdf_reader.cpp"/>
         <source>its picture is broken</source>
         <translation>das Bild darin ist beschädigt</translation>
@@ -13054,16 +13060,16 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>kein Netz wurde erzeugt</translation>
     </message>
     <message>
+        <location filename="exhibits/museum/museum_plan.cpp"/>
+        <source>no mirror in view is large enough to show them</source>
+        <translation>kein Spiegel im Bild ist groß genug, um sie zu zeigen</translation>
+    </message>
+    <message>
         <location filename="exhibits/hall/hall_antialiasing.cpp"/>
         <source>no motion follows this frame</source>
         <translation>auf diesen Frame folgt keine Bewegung</translation>
     </message>
     <message>
-    <message>
-        <location filename="exhibits/museum/museum_plan.cpp"/>
-        <source>no mirror in view is large enough to show them</source>
-        <translation>kein Spiegel im Bild ist groß genug, um sie zu zeigen</translation>
-    </message>
         <location filename="ui/tree/tree_dock.cpp"/>
         <source>No node matches.</source>
         <translation>Kein Knoten passt.</translation>
@@ -13222,16 +13228,16 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Vom Lesezeichen „{=1}“ zu „{=2}“ fand sich kein Weg um Wände und Objekte herum; setzen Sie ein weiteres dazwischen.</translation>
     </message>
     <message>
+        <location filename="exhibits/museum/museum_plan.cpp"/>
+        <source>no work hangs behind an opening</source>
+        <translation>hinter keiner Öffnung hängt ein Werk</translation>
+    </message>
+    <message>
         <location filename="exhibits/noise/noise.cpp"/>
         <source>no work uses baked noise</source>
         <translation>kein Werk verwendet gebackenes Rauschen</translation>
     </message>
     <message>
-    <message>
-        <location filename="exhibits/museum/museum_plan.cpp"/>
-        <source>no work hangs behind an opening</source>
-        <translation>hinter keiner Öffnung hängt ein Werk</translation>
-    </message>
         <location filename="exhibits/sdf_scenes/tree_reader.cpp"/>
         <source>node under &quot;nodes&quot;</source>
         <translation>Knoten unter „nodes“</translation>
@@ -19156,9 +19162,9 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <location filename="exhibits/noise/noise_table.h"/>
-        <source>Source of the sun's direction: angles of the work's own, or the hall's sun.</source>
+        <source>Source of the sun's direction: angles of the work's own, the hall's sun, or angles of its own by day, until the hall's sun sets. A moon then stands at these angles.</source>
         <extracomment>tables</extracomment>
-        <translation>Quelle der Sonnenrichtung: eigene Winkel des Werks oder die Sonne der Halle.</translation>
+        <translation>Quelle der Sonnenrichtung: eigene Winkel des Werks, die Sonne der Halle oder eigene Winkel am Tag, bis die Sonne der Halle untergeht. Dann steht dort ein Mond.</translation>
     </message>
     <message>
         <location filename="ui/presets/preset_preview.cpp"/>
@@ -22363,13 +22369,13 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <location filename="exhibits/hall/bounced_light.cpp"/>
         <location filename="exhibits/hall/hall_light.cpp"/>
+        <location filename="exhibits/museum/museum_plan.cpp"/>
         <source>there is no hall</source>
         <translation>es gibt keine Halle</translation>
     </message>
     <message>
         <location filename="exhibits/hall/bounced_light.cpp"/>
         <source>there is no hall to bounce it</source>
-        <location filename="exhibits/museum/museum_plan.cpp"/>
         <translation>es gibt keine Halle, die es zurückwirft</translation>
     </message>
     <message>
@@ -22449,16 +22455,16 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Vor Ihnen ist kein roter Knopf.</translation>
     </message>
     <message>
+        <location filename="exhibits/museum/museum_plan.cpp"/>
+        <source>there is no reflection probe</source>
+        <translation>es gibt keine Reflexionssonde</translation>
+    </message>
+    <message>
         <location filename="exhibits/framework/files/lesson_markup.cpp"/>
         <source>there is no shader &quot;{1}&quot;{2} write the name of a file of the exhibit</source>
         <translation>es gibt keinen Shader „{1}“{2} schreiben Sie den Namen einer Datei des Exponats</translation>
     </message>
     <message>
-    <message>
-        <location filename="exhibits/museum/museum_plan.cpp"/>
-        <source>there is no reflection probe</source>
-        <translation>es gibt keine Reflexionssonde</translation>
-    </message>
         <location filename="exhibits/printing/sheet_list.cpp"/>
         <source>There is no sheet &quot;{1}&quot;; choose one of the list.</source>
         <translation>Eine Folie „{=1}“ gibt es nicht; wählen Sie eine aus der Liste.</translation>

@@ -8,8 +8,10 @@
 #include "render/hash.h"
 #include "shaders/lib/bindings.glsl"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,14 +19,15 @@
 namespace vitrine {
 namespace {
 
-/// Returns the direction towards the work's sun, in the work's world.
-glm::dvec3 towardsSunOf(const NoiseTable& t, const PlanContext& context)
+/// Returns the light of the work, in its world. Alone, there is no hall whose evening it could share.
+NoiseLight lightOf(const NoiseTable& t, const PlanContext& context)
 {
-    if (context.values[t.sunBy] == NoiseSun::hall)
-        return glm::normalize(glm::transpose(glm::dmat3(context.worldFromExhibit)) * context.lighting.towardsSun);
-    const double up = context.values[t.sunElevation];
-    const double right = context.values[t.sunAzimuth];
-    return {std::sin(right) * std::cos(up), std::sin(up), -std::cos(right) * std::cos(up)};
+    const glm::dvec3& hallSun = context.lighting.towardsSun;
+    if (context.values[t.sunBy] != NoiseSun::hall)
+        return noiseLight(t, context.values,
+                          context.alone ? std::numbers::pi / 2 : std::asin(std::clamp(hallSun.y, -1.0, 1.0)));
+    const glm::dvec3 towards = glm::normalize(glm::transpose(glm::dmat3(context.worldFromExhibit)) * hallSun);
+    return {towards, std::asin(std::clamp(towards.y, -1.0, 1.0))};
 }
 
 /// Plans a pass that bakes noise into a volume, which repeats; kept once made.
@@ -195,10 +198,10 @@ void Noise::plan(const PlanContext& context, render::FramePlan& plan) const
     const bool baked = bakedBy(t, values).has_value();
     const WorkShader shader = shaderOf(work);
     render::Pass pass = portalPass(shader.name, "in view", values, shader.fragment, noisePortal(t, values), context);
-    const glm::dvec3 towardsSun = towardsSunOf(t, context);
-    NoiseBlock block = noiseBlock(t, values, noiseTime(t, values, context.time), towardsSun, plan.sample);
-    const std::shared_ptr<const SkyView> sky = noiseSky(t, values, towardsSun);
-    lightBy(*sky, block);
+    const NoiseLight light = lightOf(t, context);
+    NoiseBlock block = noiseBlock(t, values, noiseTime(t, values, context.time), light.towards, plan.sample);
+    const std::shared_ptr<const SkyView> sky = noiseSky(t, values, light);
+    lightBy(*sky, light, block);
     pass.blocks[BLOCK_EXHIBIT] = render::std140Bytes(block);
     pass.inputs.push_back({UNIT_ENVIRONMENT, sky->radiance});
     addPermutation(t, values, pass);

@@ -231,26 +231,47 @@ std::string noiseMotionGlsl(const NoiseTable& t, const ParameterValues& values)
            shift("weatherShift", WEATHER_SCALE, CLOUD_REPEAT);
 }
 
-std::shared_ptr<const SkyView> noiseSky(const NoiseTable& t, const ParameterValues& values,
-                                        const glm::dvec3& towardsSun)
+NoiseLight noiseLight(const NoiseTable& t, const ParameterValues& values, double hallSunElevation)
+{
+    constexpr double degree = std::numbers::pi / 180;
+    constexpr double sinksFrom = 4 * degree;  // Elevations of the hall's sun.
+    constexpr double moonFrom = -4 * degree, moonTo = -10 * degree;
+    const glm::dvec3 moonlight = 2e-3 * glm::dvec3(0.8, 0.9, 1);
+    const double up = values[t.sunElevation], right = values[t.sunAzimuth];
+    const auto at = [right](double elevation) {
+        return glm::dvec3(std::sin(right) * std::cos(elevation), std::sin(elevation),
+                          -std::cos(right) * std::cos(elevation));
+    };
+    if (values[t.sunBy] != NoiseSun::ownByDay || hallSunElevation >= sinksFrom) return {at(up), up};
+    const double day = glm::smoothstep(moonFrom, sinksFrom, hallSunElevation);
+    const double sun = glm::mix(std::min(up, hallSunElevation), up, day);
+    const double night = 1 - glm::smoothstep(moonTo, moonFrom, hallSunElevation);
+    if (night <= 0) return {at(sun), sun};
+    return {at(std::max(up, 0.0)), sun, moonlight * night};
+}
+
+std::shared_ptr<const SkyView> noiseSky(const NoiseTable& t, const ParameterValues& values, const NoiseLight& light)
 {
     // The parameter is a share of the haze that hides the horizon: 28 times that of clear air.
     const double haze = values[t.haze];
-    return skyView({.sunElevation = std::asin(std::clamp(towardsSun.y, -1.0, 1.0)), .haze = 1 + 27.7 * haze * haze});
+    return skyView({.sunElevation = light.sunElevation,
+                    .haze = 1 + 27.7 * haze * haze,
+                    .night = glm::dvec3(0.12, 0.2, 0.42) * light.moon});
 }
 
-void lightBy(const SkyView& sky, NoiseBlock& block)
+void lightBy(const SkyView& sky, const NoiseLight& light, NoiseBlock& block)
 {
     constexpr double initial = 5;        // Exposure of a day on which the level ground sends `day`.
     constexpr double day = 0.12;         // Radiance, for sunlight of 1 above the air.
     constexpr double adaptation = 0.55;  // Share of stops by which the exposure follows the light.
     const glm::dvec3 luminance(0.2126, 0.7152, 0.0722);
     const double up = std::max(static_cast<double>(block.sunDirection.y), 0.0);
-    const double level = glm::dot(luminance, sky.above + sky.sun * (up / std::numbers::pi));
+    const glm::dvec3 sun = sky.sun + light.moon;
+    const double level = glm::dot(luminance, sky.above + sun * (up / std::numbers::pi));
     const double exposure = initial * std::pow(day / std::max(level, 1e-6), adaptation);
     block.skyScale = static_cast<float>(exposure);
-    block.sunLight = glm::vec3(sky.sun * exposure);
-    block.sunOnClouds = glm::vec3(sky.sunOnClouds * exposure);
+    block.sunLight = glm::vec3(sun * exposure);
+    block.sunOnClouds = glm::vec3((sky.sunOnClouds + light.moon) * exposure);
     block.skyAbove = glm::vec3(sky.above * exposure);
     block.skyAround = glm::vec3(sky.around * exposure);
 }

@@ -29,11 +29,21 @@ namespace vitrine {
 /// shader reads. They use only members that the shader of the shown work reads.
 [[nodiscard]] std::string noiseMotionGlsl(const NoiseTable&, const ParameterValues&);
 
-/// Returns the clear sky of the works, for a sun of irradiance 1 above the air.
-[[nodiscard]] std::shared_ptr<const SkyView> noiseSky(const NoiseTable&, const ParameterValues&,
-                                                      const glm::dvec3& towardsSun);
+/// Light in the work's world, by day or by night. The sun has irradiance 1 above the air.
+struct NoiseLight {
+    glm::dvec3 towards{0, 1, 0};  ///< Direction of the sun or the moon, unit.
+    double sunElevation = 0;      ///< Radians above the horizon.
+    glm::dvec3 moon{0};           ///< Irradiance of the moon.
+};
+
+/// Returns the light at the elevation of the hall's sun, in radians. A sun of the work's own sinks with it while it
+/// sets, and gives its place to a moon.
+[[nodiscard]] NoiseLight noiseLight(const NoiseTable&, const ParameterValues&, double hallSunElevation);
+
+/// Returns the clear sky of the works under a light.
+[[nodiscard]] std::shared_ptr<const SkyView> noiseSky(const NoiseTable&, const ParameterValues&, const NoiseLight&);
 /// Sets the light of the block. It is exposed as a photographer would: longer at a low sun, so that dusk is darker than
 /// day, but not black.
-void lightBy(const SkyView&, NoiseBlock&);
+void lightBy(const SkyView&, const NoiseLight&, NoiseBlock&);
 
 }  // namespace vitrine

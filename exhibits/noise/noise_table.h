@@ -11,7 +11,7 @@ enum class NoiseKind : int { value, gradient, simplex, cellular };
 enum class NoiseSumKind : int { fbm, ridged, billow, turbulence };
 enum class NoiseMarch : int { halved, bounded };
 enum class NoiseNormal : int { differences, derivative };
-enum class NoiseSun : int { own, hall };
+enum class NoiseSun : int { own, hall, ownByDay };
 enum class NoiseLookup : int { evaluated, baked };
 
 /// All parameters of the works behind the noise frame. Lengths are in meters of the work's own world.
@@ -74,15 +74,17 @@ struct NoiseTable final : Parameters {
 
     Group light = group("Light");
     Choice<NoiseSun> sunBy =
-        choice("sunBy", NoiseSun::own, {"its own", "the hall's"},
-               "Source of the sun's direction: angles of the work's own, or the hall's sun.", physical);
-    Real sunElevation =
-        real("sunElevation", degrees(9), degree, Range{degrees(-5), degrees(90)}.soft(0, degrees(70)),
-             "Height of the work's own sun above the horizon.", physical and when(sunBy, NoiseSun::own), essential());
+        choice("sunBy", NoiseSun::ownByDay, {"its own", "the hall's", "its own by day"},
+               "Source of the sun's direction: angles of the work's own, the hall's sun, or angles of its own by day, "
+               "until the hall's sun sets. A moon then stands at these angles.",
+               physical);
+    const Condition ownAngles = when(sunBy, {NoiseSun::own, NoiseSun::ownByDay});
+    Real sunElevation = real("sunElevation", degrees(9), degree, Range{degrees(-5), degrees(90)}.soft(0, degrees(70)),
+                             "Height of the work's own sun above the horizon.", physical and ownAngles, essential());
     Real sunAzimuth =
         real("sunAzimuth", degrees(14), degree, Range{degrees(-180), degrees(180)},
              "Horizontal direction of the work's own sun, seen through the frame: negative is to the left.",
-             physical and when(sunBy, NoiseSun::own));
+             physical and ownAngles);
     Real haze =
         real("haze", 0.35, none, {0, 1}, "Density of the haze: 0 is clear to the horizon, 1 hides it.", physical);
     Color albedo =

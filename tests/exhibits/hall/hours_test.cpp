@@ -1,4 +1,5 @@
 // Sky through the day, as the window shows it, and the world outside.
+#include "exhibits/noise/noise_table.h"
 #include "tests/support/gallery.h"
 
 #include <gtest/gtest.h>
@@ -69,6 +70,40 @@ TEST_F(Hours, ThereIsAWorldOutsideTheWindow)
     const double sky = mean(outsideAt(14, {0.1, 0.35, -1}));
     EXPECT_LT(mean(outsideAt(14, {0.5, 0.05, -1})), 0.6 * sky) << "trees are darker than the sky";
     EXPECT_LT(mean(outsideAt(14, {0.1, -0.2, -1})), 0.6 * sky) << "and so is the lawn";
+}
+
+/// Returns the mean luminance of the noise behind its frame at an hour.
+double seaAt(double hour, NoiseSun sunBy, bool inHall = true)
+{
+    static const NoiseTable table;
+    Shot shot("noise");
+    if (inHall) shot.inHall();
+    shot.request.frame.averageIn = AverageIn::display;
+    shot.size(64, 40);
+    shot.values().set(table.sunBy, sunBy);
+    shot.hall().set(hallTable().sunBy, SunBy::hour);
+    shot.hall().set(hallTable().timeOfDay, hour);
+    const Picture p = shot.take();
+    double sum = 0;
+    for (int y = 10; y < 30; ++y)  // The frame is around it.
+        for (int x = 20; x < 44; ++x) sum += p.luminance(x, y);
+    return sum / (20 * 24);
+}
+
+TEST_F(Hours, OfTheHallAreThoseOfTheSeaBehindItsFrame)
+{
+    EXPECT_NEAR(seaAt(12, NoiseSun::ownByDay) / seaAt(12, NoiseSun::own), 1, 1e-6) << "by day its sun is its own";
+    double last = seaAt(12, NoiseSun::ownByDay);
+    for (const double hour : {18.3, 21.0}) {
+        const double light = seaAt(hour, NoiseSun::ownByDay);
+        EXPECT_LT(light, 0.95 * last) << hour;
+        last = light;
+    }
+    EXPECT_LT(last, 0.3 * seaAt(12, NoiseSun::ownByDay));
+    EXPECT_GT(last, 0.003) << "the moon shines on it";
+    // Controls: light of its own does not set, and alone there is no hall.
+    EXPECT_GT(seaAt(21, NoiseSun::own), 0.8 * seaAt(12, NoiseSun::own));
+    EXPECT_EQ(seaAt(21, NoiseSun::ownByDay, false), seaAt(12, NoiseSun::ownByDay, false));
 }
 
 /// Returns the share of pixels of the hall at an hour with level 8 or less on an 8-bit display.
