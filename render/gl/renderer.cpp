@@ -338,7 +338,7 @@ struct Renderer::State {
         if (!report.stopped.empty())
             return report.skipped.push_back({pass.name, message("the time is over").english(), pass.work});
         report.stopped = pass.name;
-        kept.stopped.insert(*pass.unbounded);
+        if (unbounded.isTooSlow(*pass.unbounded)) kept.stopped.insert(*pass.unbounded);
         report.unfinished = true;
     }
 

@@ -53,7 +53,8 @@ public:
     /// Limits the time that the unbounded passes of a frame take together (Pass::unbounded). They are drawn in bands
     /// of rows, and between two bands the frame can be abandoned, too. When the time is over, the remaining bands and
     /// unbounded passes are not drawn, FrameReport::stopped names the first of them, and PersistentState::stopped has
-    /// it. Infinity, the initial value: they are drawn like all others.
+    /// it, on a graphics card after the second such frame in a row. Time of other programs does not count
+    /// (UnboundedTime). Infinity, the initial value: they are drawn like all others.
     void stopUnboundedAfter(double seconds);
     [[nodiscard]] Image read(const std::string& image) override;
     /// Returns the content of a buffer of the last frame. Throws std::out_of_range for a name that was not used.
