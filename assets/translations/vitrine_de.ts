@@ -21626,13 +21626,13 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <location filename="exhibits/your_shader/shader_compiler.cpp"/>
-        <source>The shader could not be read: the GLSL compiler answered nonsense; install or build Vitrine again.</source>
-        <translation>Der Shader ließ sich nicht lesen: Der GLSL-Compiler gab eine unverständliche Antwort; installieren oder bauen Sie Vitrine neu.</translation>
+        <source>The shader could not be read: another program, or the system for want of memory, ended the GLSL compiler two times. Save the file again to try it again.</source>
+        <translation>Der Shader ließ sich nicht lesen: Ein anderes Programm oder, bei Speichermangel, das System hat den GLSL-Compiler zweimal beendet. Speichern Sie die Datei noch einmal, um es erneut zu versuchen.</translation>
     </message>
     <message>
         <location filename="exhibits/your_shader/shader_compiler.cpp"/>
-        <source>The shader could not be read: the GLSL compiler did not answer in time; save the file again when the computer is less busy.</source>
-        <translation>Der Shader konnte nicht gelesen werden: Der GLSL-Compiler hat nicht rechtzeitig geantwortet; speichern Sie die Datei noch einmal, wenn der Computer weniger zu tun hat.</translation>
+        <source>The shader could not be read: the GLSL compiler answered nonsense; install or build Vitrine again.</source>
+        <translation>Der Shader ließ sich nicht lesen: Der GLSL-Compiler gab eine unverständliche Antwort; installieren oder bauen Sie Vitrine neu.</translation>
     </message>
     <message>
         <location filename="exhibits/your_shader/shader_compiler.cpp"/>
@@ -21641,13 +21641,23 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <location filename="exhibits/your_shader/shader_compiler.cpp"/>
-        <source>The shader could not be read: the GLSL compiler needs more than 2 s for it; make it shorter.</source>
-        <translation>Der Shader ließ sich nicht lesen: Der GLSL-Compiler braucht mehr als 2 s dafür; kürzen Sie ihn.</translation>
+        <source>The shader could not be read: the GLSL compiler hangs; it did nothing for {1} s, two times. Save the file again to try it again.</source>
+        <translation>Der Shader ließ sich nicht lesen: Der GLSL-Compiler hängt; zweimal tat er {1} s lang nichts. Speichern Sie die Datei noch einmal, um es erneut zu versuchen.</translation>
     </message>
     <message>
         <location filename="exhibits/your_shader/shader_compiler.cpp"/>
         <source>The shader could not be read: the GLSL compiler needs more than 512 MB for it; make it shorter.</source>
         <translation>Der Shader ließ sich nicht lesen: Der GLSL-Compiler braucht mehr als 512 MB dafür; kürzen Sie ihn.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/shader_compiler.cpp"/>
+        <source>The shader could not be read: the GLSL compiler needs more than {1} s of processor time for it; make it shorter.</source>
+        <translation>Der Shader ließ sich nicht lesen: Der GLSL-Compiler braucht dafür mehr als {1} s Prozessorzeit; kürzen Sie ihn.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/your_shader/shader_check.cpp"/>
+        <source>The shader could not be read: the GLSL compiler needs more than {1} s of processor time for its passes together; make them shorter.</source>
+        <translation>Der Shader ließ sich nicht lesen: Der GLSL-Compiler braucht für alle Durchgänge zusammen mehr als {1} s Prozessorzeit; kürzen Sie sie.</translation>
     </message>
     <message>
         <location filename="exhibits/your_shader/reading.cpp"/>

@@ -3,9 +3,9 @@
 #include "exhibits/your_shader/guest_glsl.h"
 #include "exhibits/your_shader/guest_work.h"
 #include "render/failure.h"
+#include "render/files/number_text.h"
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 
 namespace vitrine::guest {
@@ -59,8 +59,14 @@ private:
     }
     bool translate(const PassText& text, const Pass& pass)
     {
-        ShaderCompiler::Result result = compiler_.compile({text.vertex, text.fragment, forWeb_}, end_);
+        ShaderCompiler::Result result = compiler_.compile({text.vertex, text.fragment, forWeb_});
         if (!result.problem.empty()) return fail(pass, std::move(result.problem));
+        processorSeconds_ += result.processorSeconds;
+        if (processorSeconds_ > compiler_.limits().secondsOfAllPasses)
+            return fail(pass,
+                        message("The shader could not be read: the GLSL compiler needs more than {1} s of processor "
+                                "time for its passes together; make them shorter.",
+                                render::shortNumber(compiler_.limits().secondsOfAllPasses)));
         CompilerAnswer& answer = result.answer;
         if (!answer.log.empty()) {
             checked_.errors = findingsOf(*checked_.shader, answer.log);
@@ -82,7 +88,7 @@ private:
     CheckedShader& checked_;
     ShaderCompiler& compiler_;
     const bool forWeb_;
-    const std::chrono::steady_clock::time_point end_ = std::chrono::steady_clock::now() + ShaderCompiler::mostTime;
+    double processorSeconds_ = 0;
     std::map<std::string, PassProgram> done_;
 };
 

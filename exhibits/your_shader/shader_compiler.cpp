@@ -1,6 +1,7 @@
 #include "exhibits/your_shader/shader_compiler.h"
 
 #include "render/failure.h"
+#include "render/files/number_text.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -9,11 +10,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <ctime>
 #include <filesystem>
 
 extern char** environ;  // NOLINT: POSIX declares it nowhere.
@@ -36,50 +39,6 @@ std::filesystem::path compilerFile()
                   message("Cannot start {1}, which translates shaders: it is not beside the program; install or "
                           "build Vitrine again.",
                           name));
-}
-
-/// Waits until the socket can be read, or the time is over.
-bool waitFor(int socket, Clock::time_point end)
-{
-    for (;;) {
-        const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
-        if (left <= 0) return false;
-        pollfd descriptor{.fd = socket, .events = POLLIN, .revents = 0};
-        const int ready = ::poll(&descriptor, 1, static_cast<int>(left));
-        if (ready < 0 && errno == EINTR) continue;
-        return ready > 0;
-    }
-}
-
-bool send(int socket, const std::string& bytes)
-{
-    for (std::size_t at = 0; at < bytes.size();) {
-        const ssize_t sent = ::send(socket, bytes.data() + at, bytes.size() - at, MSG_NOSIGNAL);
-        if (sent < 0 && errno == EINTR) continue;
-        if (sent <= 0) return false;
-        at += static_cast<std::size_t>(sent);
-    }
-    return true;
-}
-
-enum class Received { all, ended, late };
-
-Received receive(int socket, void* to, std::size_t size, Clock::time_point end)
-{
-    for (auto* at = static_cast<char*>(to); size > 0;) {
-        if (!waitFor(socket, end)) return Received::late;
-        const ssize_t got = ::read(socket, at, size);
-        if (got < 0 && errno == EINTR) continue;
-        if (got <= 0) return Received::ended;
-        at += got;
-        size -= static_cast<std::size_t>(got);
-    }
-    return Received::all;
-}
-
-Message tooLong()
-{
-    return message("The shader could not be read: the GLSL compiler needs more than 2 s for it; make it shorter.");
 }
 
 }  // namespace
@@ -127,7 +86,12 @@ Message ShaderCompiler::endOfProcess()
     }
     process_ = -1;
     stop();
-    if (WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL)) return tooLong();
+    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL) return {};
+    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGPROF)
+        return message(
+            "The shader could not be read: the GLSL compiler needs more than {1} s of processor time for it; make it "
+            "shorter.",
+            mostProcessorSeconds);
     if (WIFEXITED(status) && WEXITSTATUS(status) == outOfMemoryCode)
         return message(
             "The shader could not be read: the GLSL compiler needs more than 512 MB for it; make it shorter.");
@@ -136,34 +100,96 @@ Message ShaderCompiler::endOfProcess()
         "nested brackets.");
 }
 
-ShaderCompiler::Result ShaderCompiler::compile(const CompilerRequest& request, Clock::time_point end)
+double ShaderCompiler::processorSeconds() const
+{
+    clockid_t clock{};
+    timespec time{};
+    if (::clock_getcpuclockid(process_, &clock) != 0 || ::clock_gettime(clock, &time) != 0) return 0;
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+bool ShaderCompiler::waitFor(short event)
+{
+    const auto look =
+        std::clamp(limits_.longestStall / 4, std::chrono::milliseconds(1), std::chrono::milliseconds(1000));
+    double used = processorSeconds();
+    for (auto since = Clock::now();;) {
+        pollfd descriptor{.fd = socket_, .events = event, .revents = 0};
+        if (::poll(&descriptor, 1, static_cast<int>(look.count())) > 0) return true;
+        const double now = processorSeconds();
+        if (now == used && Clock::now() - since >= limits_.longestStall) return false;
+        if (now != used) since = Clock::now();
+        used = now;
+    }
+}
+
+ShaderCompiler::End ShaderCompiler::send(const std::string& bytes)
+{
+    for (std::size_t at = 0; at < bytes.size();) {
+        if (!waitFor(POLLOUT)) return End::hung;  // A process that hangs reads nothing.
+        const ssize_t sent = ::send(socket_, bytes.data() + at, bytes.size() - at, MSG_NOSIGNAL | MSG_DONTWAIT);
+        if (sent < 0 && (errno == EINTR || errno == EAGAIN)) continue;
+        if (sent <= 0) return End::ended;
+        at += static_cast<std::size_t>(sent);
+    }
+    return End::answered;
+}
+
+ShaderCompiler::End ShaderCompiler::receive(void* to, std::size_t size)
+{
+    for (auto* at = static_cast<char*>(to); size > 0;) {
+        if (!waitFor(POLLIN)) return End::hung;
+        const ssize_t got = ::read(socket_, at, size);
+        if (got < 0 && errno == EINTR) continue;
+        if (got <= 0) return End::ended;
+        at += got;
+        size -= static_cast<std::size_t>(got);
+    }
+    return End::answered;
+}
+
+ShaderCompiler::End ShaderCompiler::tryOnce(const CompilerRequest& request, Result& result)
 {
     if (process_ < 0) start();
+    const double before = processorSeconds();
     const std::string bytes = packed(request);
     const auto size = static_cast<std::uint32_t>(bytes.size());
-    if (!send(socket_, std::string(reinterpret_cast<const char*>(&size), sizeof size) + bytes))
-        return {.answer = {}, .problem = endOfProcess()};
     std::uint32_t length = 0;
     std::string answer;
-    Received received = receive(socket_, &length, sizeof length, end);
-    if (received == Received::all && length <= mostMessageBytes) {
+    End end = send(std::string(reinterpret_cast<const char*>(&size), sizeof size) + bytes);
+    if (end == End::answered) end = receive(&length, sizeof length);
+    if (end == End::answered && length <= mostMessageBytes) {
         answer.resize(length);
-        received = receive(socket_, answer.data(), length, end);
+        end = receive(answer.data(), length);
     }
-    if (received == Received::late) {
-        stop();
-        return {.answer = {},
-                .problem =
-                    message("The shader could not be read: the GLSL compiler did not answer in time; save the file "
-                            "again when the computer is less busy.")};
+    if (end == End::hung) stop();
+    if (end == End::ended) result.problem = endOfProcess();
+    if (end != End::answered) return end;
+    result.processorSeconds = processorSeconds() - before;
+    if (auto unpacked = unpackedAnswer(answer)) {
+        result.answer = std::move(*unpacked);
+        return end;
     }
-    if (received == Received::ended) return {.answer = {}, .problem = endOfProcess()};
-    auto unpacked = unpackedAnswer(answer);
-    if (unpacked) return {.answer = std::move(*unpacked), .problem = {}};
     stop();
-    return {.answer = {},
-            .problem = message(
-                "The shader could not be read: the GLSL compiler answered nonsense; install or build Vitrine again.")};
+    result.problem =
+        message("The shader could not be read: the GLSL compiler answered nonsense; install or build Vitrine again.");
+    return end;
+}
+
+ShaderCompiler::Result ShaderCompiler::compile(const CompilerRequest& request)
+{
+    Result result;
+    End end = End::hung;
+    for (int i = 0; i < 2 && end != End::answered && result.problem.empty(); ++i) end = tryOnce(request, result);
+    if (end == End::answered || !result.problem.empty()) return result;
+    result.problem =
+        end == End::hung
+            ? message("The shader could not be read: the GLSL compiler hangs; it did nothing for {1} s, two times. "
+                      "Save the file again to try it again.",
+                      render::shortNumber(std::chrono::duration<double>(limits_.longestStall).count()))
+            : message("The shader could not be read: another program, or the system for want of memory, ended the "
+                      "GLSL compiler two times. Save the file again to try it again.");
+    return result;
 }
 
 }  // namespace vitrine::guest

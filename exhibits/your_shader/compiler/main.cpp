@@ -14,10 +14,12 @@
 #include <spirv_cross_c.h>
 
 #include <sys/resource.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <memory>
 #include <new>
 #include <span>
@@ -28,7 +30,6 @@ namespace {
 using namespace vitrine::guest;
 
 constexpr rlim_t mostMemory = rlim_t{512} << 20U;
-constexpr rlim_t secondsPerRequest = 2;
 
 void limitMemory()
 {
@@ -40,14 +41,21 @@ void limitMemory()
     ::setrlimit(RLIMIT_CORE, &none);
 }
 
-/// Gives the next request two to three seconds of processor time. SIGXCPU then ends the process.
+/// Lets SIGPROF end the process, whatever the program that started it does with that signal.
+void obeyTimer()
+{
+    ::signal(SIGPROF, SIG_DFL);
+    sigset_t timer;
+    ::sigemptyset(&timer);
+    ::sigaddset(&timer, SIGPROF);
+    ::sigprocmask(SIG_UNBLOCK, &timer, nullptr);
+}
+
+/// Starts the processor time of the next request. RLIMIT_CPU would count in whole seconds.
 void limitTime()
 {
-    rusage used{};
-    ::getrusage(RUSAGE_SELF, &used);
-    const auto now = static_cast<rlim_t>(used.ru_utime.tv_sec + used.ru_stime.tv_sec);
-    const rlimit time{now + secondsPerRequest + 1, RLIM_INFINITY};  // Whole seconds, rounded down above.
-    ::setrlimit(RLIMIT_CPU, &time);
+    const itimerval time{.it_interval = {}, .it_value = {.tv_sec = mostProcessorSeconds, .tv_usec = 0}};
+    ::setitimer(ITIMER_PROF, &time, nullptr);
 }
 
 bool readAll(void* to, std::size_t size)
@@ -209,6 +217,7 @@ bool serveOne()
 int main()
 {
     limitMemory();
+    obeyTimer();
     try {
         if (glslang_initialize_process() == 0) return 1;
         while (serveOne()) {

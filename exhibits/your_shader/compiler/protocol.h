@@ -14,6 +14,8 @@ namespace vitrine::guest {
 inline constexpr std::uint32_t mostMessageBytes = 64U << 20U;
 /// Exit code of a compiler whose memory was not enough.
 inline constexpr int outOfMemoryCode = 12;
+/// Processor time of the compiler for one request, in seconds. SIGPROF ends its process after that.
+inline constexpr int mostProcessorSeconds = 2;
 
 /// Shader source that the compiler process translates.
 struct CompilerRequest {
