@@ -54,12 +54,8 @@ Study::Study(const Museum& museum, render::RenderBackend& backend, StudyRequest 
     for (const StudyAxis& axis : request_.axes)
         result_.exact.push_back(exactness(parameterOf(request_.sceneState, axis)).exact);
     findDependentPasses();
-    for (std::size_t view = 0; view < views_.size(); ++view) addReference(view, true);
-    if (request_.axes.size() > 2) {
-        search_.advance();
-        return;
-    }
-    std::vector<Setting> grid(1);
+    const bool searches = request_.axes.size() > 2;
+    std::vector<Setting> grid(searches ? 0 : 1);
     for (const StudyAxis& axis : request_.axes) {
         std::vector<Setting> longer;
         for (const Setting& start : grid)
@@ -69,7 +65,12 @@ Study::Study(const Museum& museum, render::RenderBackend& backend, StudyRequest 
             }
         grid = std::move(longer);
     }
-    for (const Setting& setting : grid) addSetting(setting);
+    for (const Setting& setting : grid) addPoint(setting);
+    for (std::size_t view = 0; view < views_.size(); ++view) addReference(view, true);
+    if (searches) search_.advance();
+    for (const Setting& setting : grid)
+        for (std::size_t view = 0; view < result_.views.size(); ++view)
+            if (views_[view].setting != setting) addShot(setting, view);
 }
 
 Study::~Study() = default;
@@ -149,7 +150,7 @@ void Study::renewErrors()
 
 bool Study::refineReference()
 {
-    renewErrors();
+    if (doublings_ > 0) renewErrors();  // Before, every error was measured with the present reference.
     judge();
     const bool tellsAll = std::none_of(result_.points.begin(), result_.points.end(),
                                        [](const StudyPoint& point) { return point.uncertain; });
@@ -162,24 +163,21 @@ bool Study::refineReference()
     result_.exact = doubled;
     for (std::size_t view = 0; view < result_.views.size(); ++view) {
         views_[view].neighbors = {views_[view].reference};
+        views_[view].changes.clear();
         addReference(view, false);
     }
     return true;
 }
 
-double Study::uncertainty() const
+double Study::uncertainty()
 {
     std::vector<double> uncertainties;
     for (std::size_t view = 0; view < result_.views.size(); ++view) {
-        const View& v = views_[view];
-        if (v.reference.empty()) continue;
-        for (std::size_t i = 0; i < v.neighbors.size(); ++i) {
-            const double change = judge_.errorsOf(v.reference, v.neighbors[i])[request_.metric];
-            if (i == 0)
-                uncertainties.push_back(change);
-            else
-                uncertainties.back() = std::max(uncertainties.back(), change);
-        }
+        View& v = views_[view];
+        if (v.reference.empty() || v.neighbors.empty()) continue;
+        while (v.changes.size() < v.neighbors.size())
+            v.changes.push_back(judge_.errorOf(v.reference, v.neighbors[v.changes.size()]));
+        uncertainties.push_back(*std::max_element(v.changes.begin(), v.changes.end()));
     }
     return judge_.pooled(uncertainties);
 }
@@ -202,7 +200,7 @@ void Study::tryCandidate()
                     "held-out view " + views_[view].view.name, sceneState, pictureRequest(sceneState, view)},
                    [this, view, sceneState](const StudyMeasure& measure) {
                        StudyChoice& choice = *result_.choice;
-                       const double error = judge_.errorsOf(views_[view].reference, measure.picture)[request_.metric];
+                       const double error = judge_.errorOf(views_[view].reference, measure.picture);
                        choice.heldOutError = std::max(choice.heldOutError, error);
                        if (request_.maxError) choice.holds = choice.holds && error <= *request_.maxError;
                        if (!request_.maxMilliseconds) return;
@@ -230,8 +228,7 @@ void Study::addExactReferences()
                    [this, view](StudyMeasure measure) {
                        views_[view].exact = std::move(measure.picture);
                        for (StudyPoint& point : result_.points)
-                           point.shots[view].modelError =
-                               judge_.errorsOf(views_[view].exact, point.shots[view].picture)[request_.metric];
+                           point.shots[view].modelError = judge_.errorOf(views_[view].exact, point.shots[view].picture);
                    });
     }
 }
@@ -370,13 +367,18 @@ void Study::addPicture(PictureJob job, std::function<void(StudyMeasure)> take)
     addMeasure(
         std::move(key), std::move(name),
         [this, job = std::move(job), maker = std::move(none)]() mutable -> std::optional<StudyMeasure> {
-            if (!maker) maker = std::make_shared<PictureMaker>(museum_, backend_, job.sceneState, job.wanted);
-            maker->step();
-            if (!maker->finished()) return std::nullopt;
-            const render::Image& picture = maker->picture();
-            const bool scaled = picture.width != request_.size.x || picture.height != request_.size.y;
-            StudyMeasure measure{.picture = scaled ? resampled(picture, request_.size) : picture};
-            noteClock(maker->report(), measure);  // Before anything is timed: a chart's axis depends on the clock.
+            StudyMeasure measure;
+            // A part of a study may have no reference.
+            if (job.isReference) measure.picture = views_[*job.timedView].reference;
+            if (measure.picture.empty()) {
+                if (!maker) maker = std::make_shared<PictureMaker>(museum_, backend_, job.sceneState, job.wanted);
+                maker->step();
+                if (!maker->finished()) return std::nullopt;
+                const render::Image& picture = maker->picture();
+                const bool scaled = picture.width != request_.size.x || picture.height != request_.size.y;
+                measure.picture = scaled ? resampled(picture, request_.size) : picture;
+                noteClock(maker->report(), measure);  // Before anything is timed: a chart's axis depends on the clock.
+            }
             if (!job.timedView) return measure;
             const render::FrameReport report = drawTimed(job.sceneState, *job.timedView);
             measure.counters = report.counters;
@@ -385,6 +387,20 @@ void Study::addPicture(PictureJob job, std::function<void(StudyMeasure)> take)
             return measure;
         },
         std::move(take));
+}
+
+std::optional<Setting> Study::settingShownBy(const std::vector<double>& axisValues, std::size_t view,
+                                             const SceneState& sceneState) const
+{
+    if (request_.axes.size() > 2 || studiesMotion()) return std::nullopt;
+    Setting setting;
+    for (std::size_t i = 0; i < axisValues.size(); ++i) {
+        const std::vector<double>& values = request_.axes[i].values;
+        const auto found = std::find(values.begin(), values.end(), axisValues[i]);
+        if (found == values.end()) return std::nullopt;
+        setting.push_back(static_cast<std::size_t>(found - values.begin()));
+    }
+    return sceneState == lookAt(axisValues, view) ? std::optional(setting) : std::nullopt;
 }
 
 void Study::addReference(std::size_t view, bool withNeighbors)
@@ -398,32 +414,53 @@ void Study::addReference(std::size_t view, bool withNeighbors)
                    views_[view].reference = std::move(measure.picture);
                });
     if (!withNeighbors || studiesMotion()) return;  // A converged picture does not depend on what is studied in motion.
+    // The timed frame of a setting follows its picture, so that it finds the same passes done.
+    views_[view].setting = settingShownBy(result_.exact, view, exact);
+    if (views_[view].setting) addShot(*views_[view].setting, view);
+    addNeighbors(view);
+}
+
+void Study::addNeighbors(std::size_t view)
+{
     int number = 0;
     for (const std::vector<double>& neighbor : neighborsOf(request_.sceneState, request_.axes, doublings_)) {
         const SceneState near = lookAt(neighbor, view);
+        if (const std::optional<Setting> shown = settingShownBy(neighbor, view, near)) {
+            views_[view].neighborSettings.push_back(*shown);
+            continue;
+        }
         addPicture(
-            {"check_" + place + "_" + std::to_string(number++), "check of the reference, " + views_[view].view.name,
-             near, pictureRequest(near, view)},
+            {"check_" + std::to_string(view) + "_" + std::to_string(doublings_) + "_" + std::to_string(number++),
+             "check of the reference, " + views_[view].view.name, near, pictureRequest(near, view)},
             [this, view](StudyMeasure measure) { views_[view].neighbors.push_back(std::move(measure.picture)); });
     }
 }
 
 void Study::addSetting(const Setting& setting)
 {
-    if (!known_.try_emplace(setting, result_.points.size()).second) return;
-    const std::size_t point = result_.points.size();
+    if (!addPoint(setting)) return;
+    for (std::size_t view = 0; view < result_.views.size(); ++view) addShot(setting, view);
+}
+
+bool Study::addPoint(const Setting& setting)
+{
+    if (!known_.try_emplace(setting, result_.points.size()).second) return false;
     result_.points.push_back({});
     result_.points.back().setting = setting;
     result_.points.back().shots.resize(result_.views.size());
-    for (std::size_t view = 0; view < result_.views.size(); ++view) {
-        const SceneState sceneState = lookAt(valuesOf(setting), view);
-        addPicture({"setting_" + std::to_string(point) + "_" + std::to_string(view),
-                    "setting " + std::to_string(point + 1) + ", " + views_[view].view.name, sceneState,
-                    pictureRequest(sceneState, view), view},
-                   [this, point, view, sceneState](StudyMeasure measure) {
-                       takeShot(point, view, sceneState, std::move(measure));
-                   });
-    }
+    return true;
+}
+
+void Study::addShot(const Setting& setting, std::size_t view)
+{
+    const std::size_t point = known_.at(setting);
+    const SceneState sceneState = lookAt(valuesOf(setting), view);
+    addPicture({"setting_" + std::to_string(point) + "_" + std::to_string(view),
+                "setting " + std::to_string(point + 1) + ", " + views_[view].view.name, sceneState,
+                pictureRequest(sceneState, view), view, views_[view].setting == setting},
+               [this, point, view, sceneState](StudyMeasure measure) {
+                   takeShot(point, view, sceneState, std::move(measure));
+               });
 }
 
 void Study::takeShot(std::size_t point, std::size_t view, const SceneState& sceneState, StudyMeasure measure)
@@ -439,6 +476,9 @@ void Study::takeShot(std::size_t point, std::size_t view, const SceneState& scen
     for (auto& [name, count] : shot.counters) count *= samples;
     shot.firstMilliseconds = measure.milliseconds.front() * samples;
     shot.errors = judge_.errorsOf(views_[view].reference, measure.picture);
+    const std::vector<Setting>& near = views_[view].neighborSettings;
+    if (std::find(near.begin(), near.end(), result_.points[point].setting) != near.end())
+        views_[view].neighbors.push_back(measure.picture);
     // A search keeps many pictures. Their colors are enough, unless the metric uses other channels.
     shot.picture =
         request_.axes.size() > 2 && goesByColor(request_) ? colorsOf(measure.picture) : std::move(measure.picture);

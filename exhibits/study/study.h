@@ -46,6 +46,9 @@ private:
         render::Image reference, exact;
         std::vector<render::Image> neighbors;  ///< Pictures with which the reference is checked.
         bool heldOut = false;
+        std::vector<double> changes = {};            ///< Differences of the reference from the first neighbors.
+        std::optional<Setting> setting = {};         ///< Setting whose picture is the first reference.
+        std::vector<Setting> neighborSettings = {};  ///< Settings whose pictures are neighbors.
     };
 
     // Functions that list the pictures to draw and the frames to time.
@@ -57,12 +60,20 @@ private:
         SceneState sceneState;
         PictureRequest wanted;
         std::optional<std::size_t> timedView = {};
+        bool isReference = false;  ///< The reference of the timed view, drawn just before, is the picture.
     };
     void addPicture(PictureJob, std::function<void(StudyMeasure)> take);
     /// Adds a job to the queue, and notes the clock of its measure.
     void addMeasure(std::string key, std::string name, StudyQueue::Measuring, std::function<void(StudyMeasure)> take);
     void addReference(std::size_t view, bool withNeighbors);
+    void addNeighbors(std::size_t view);
+    /// Returns the setting of the grid with these values, if its picture is the one of this scene state.
+    [[nodiscard]] std::optional<Setting> settingShownBy(const std::vector<double>& axisValues, std::size_t view,
+                                                        const SceneState&) const;
     void addSetting(const Setting&);
+    /// Adds a point without pictures. Returns false if it is known.
+    bool addPoint(const Setting&);
+    void addShot(const Setting&, std::size_t view);
     void takeShot(std::size_t point, std::size_t view, const SceneState&, StudyMeasure);
     void addExactReferences();
     void addTimes();
@@ -83,7 +94,7 @@ private:
     void renewErrors();
     bool refineReference();
     /// Returns the difference of the references from their neighbors.
-    [[nodiscard]] double uncertainty() const;
+    [[nodiscard]] double uncertainty();
     void judge();
     void tryCandidate();
 

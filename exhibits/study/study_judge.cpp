@@ -56,6 +56,11 @@ Errors StudyJudge::errorsOf(const render::Image& reference, const render::Image&
     return render::distances({reference, picture, request_.pixelsPerDegree});
 }
 
+double StudyJudge::errorOf(const render::Image& reference, const render::Image& picture) const
+{
+    return render::distance(request_.metric, reference, picture, request_.pixelsPerDegree).value_or(0);
+}
+
 double StudyJudge::pooled(const std::vector<double>& errors) const
 {
     return render::pooledError(request_.metric, errors);

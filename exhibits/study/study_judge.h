@@ -19,6 +19,8 @@ public:
     StudyJudge(Subjects subjects, const StudyRequest& request) : subjects_(subjects), request_(request) {}
 
     [[nodiscard]] Errors errorsOf(const render::Image& reference, const render::Image& picture) const;
+    /// The same by the request's metric alone; 0 if the pictures lack its channels.
+    [[nodiscard]] double errorOf(const render::Image& reference, const render::Image& picture) const;
     /// Returns one error for all views: the root mean square of RMS errors, the largest of maxima, otherwise the mean.
     [[nodiscard]] double pooled(const std::vector<double>& errors) const;
     /// Computes everything that follows from the points' shots and the reference's uncertainty. `doublings` is how

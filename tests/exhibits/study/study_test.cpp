@@ -209,6 +209,33 @@ TEST(Study, MeasuresFinishedPicturesThatDoNotBuildOnEachOther)
     EXPECT_EQ(subject.backend.provisional, 0);
 }
 
+TEST(Study, DrawsAPictureOfASettingAndOfAReferenceOnce)
+{
+    // In each of three views, a picture and two timed frames for each setting, and nothing for the reference, which is
+    // one of the settings. `shortcut` is exact by meaning.
+    SceneObject switched(sumOfParts());
+    StudyRequest request = switched.request({"shortcut"});
+    request.runs = 1;
+    request.modelError = false;
+    const StudyResult result = switched.run(request);
+    EXPECT_EQ(switched.backend.drawn, 3 * 2 * 3);
+    EXPECT_EQ(result.references[1].pixels, result.points[0].shots[1].picture.pixels);
+    EXPECT_EQ(result.points[0].error, 0);
+    EXPECT_GT(result.points[1].error, 0);
+    for (const StudyPoint& point : result.points) EXPECT_TRUE(isDrawn(point) && point.time);
+
+    // The picture with which the reference of 64 rays is checked, 32 rays, is a setting, too.
+    SceneObject counted(sumOfParts());
+    request = counted.request({"rays"});
+    request.axes[0].values = {1, 32, 64};
+    request.runs = 1;
+    request.modelError = false;
+    const StudyResult rays = counted.run(request);
+    EXPECT_EQ(counted.backend.drawn, 3 * 3 * 3);
+    EXPECT_DOUBLE_EQ(rays.uncertainty, rays.points[1].error);
+    EXPECT_EQ(rays.points[2].error, 0);
+}
+
 TEST(Study, OfTwoParametersIsEverySettingOfBoth)
 {
     SceneObject subject(sumOfParts());
