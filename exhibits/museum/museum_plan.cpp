@@ -556,6 +556,8 @@ void Museum::Frame::drawReflectedWork(const MuseumExhibit& shown, const Paramete
     render::FramePlan inner;
     inner.view = view;
     inner.seed = plan.seed;
+    inner.resetHistory = true;
+    inner.allSlices = true;  // It is small, and kept once it is drawn.
     declareImages(inner);
     clearPicture(inner);
     const PlanContext context{.values = still,
