@@ -13,7 +13,7 @@ namespace {
 
 using namespace test;
 
-class Plaques : public test::GlTest {};
+class LongPlaques : public test::GlTest {};
 
 /// Returns a shot of a plate from a distance of a meter, with nothing else in the picture.
 Shot plaqueShot(const glm::dmat4& worldFromPlaque)
@@ -35,8 +35,6 @@ double contrastOf(const Picture& p)
     std::sort(values.begin(), values.end());
     return values[values.size() * 98 / 100] / std::max(values[values.size() / 4], 1e-6);
 }
-
-using LongPlaques = Plaques;
 
 TEST_F(LongPlaques, CanBeReadInEveryLightOfTheDay)
 {
