@@ -145,7 +145,7 @@ private slots:
         QVERIFY2(std::abs(zoomOf() - std::pow(usual, 3)) < 1e-9, qPrintable(QString::number(zoomOf())));
     }
 
-    void longFewerSamplesAreDrawnAndStatusFrameReportAndCommandLineSaySo()
+    void fewerSamplesAreDrawnAndStatusFrameReportAndCommandLineSaySo()
     {
         test::takeFewSamples(*window_, 8);
         settle();
@@ -176,7 +176,7 @@ private slots:
         QVERIFY(!window_->viewport().pictures().reason().contains("preferences"));
     }
 
-    void longAPictureInMotionIsNeverCoarserThanIsPreferred()
+    void aPictureInMotionIsNeverCoarserThanIsPreferred()
     {
         QVERIFY(openDialog("Picture and mouse"));
         choose("Resolution in motion", "50 % at least");
