@@ -2,6 +2,7 @@
 
 #include "tests/ui/open_window.h"
 #include "tests/ui/preferences/fake_portal.h"
+#include "tests/ui/ui_main.h"
 
 #include "ui/kit/appearance.h"
 #include "ui/preferences/preferences_dialog.h"
@@ -79,9 +80,7 @@ template <typename Test> int runWithBus(int argc, char** argv)
 {
     const PrivateBus bus;
     qputenv("DBUS_SESSION_BUS_ADDRESS", bus.address().toLocal8Bit());
-    ui::Application app(argc, argv);
-    Test test;
-    return QTest::qExec(&test, argc, argv);
+    return runUnder<ui::Application, Test>(argc, argv);
 }
 
 }  // namespace vitrine::test
