@@ -88,7 +88,8 @@ double CrepuscularRays::firstHit(const ExhibitState& state, const render::Ray& r
 
 render::Camera CrepuscularRays::bestView(const ParameterValues&) const
 {
-    return {{-4.9, -0.85, 6.5}, {1.2, 0.4, -3.0}, 0.959931};
+    // The visitor stands where the banner hides the sun, and its shadow parts the beam.
+    return {{-3.5, -0.85, 10.3}, {-0.2, 0.35, -0.5}, 0.907571};
 }
 
 double CrepuscularRays::nextChange(const ParameterValues& values, double) const

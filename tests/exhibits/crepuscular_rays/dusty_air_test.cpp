@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -84,6 +85,28 @@ TEST_F(DustyAir, DriftsWhileTheDraftCarriesIt)
     shot.rays().set(raysTable().driftSpeed, 0.0);
     EXPECT_EQ(test::largestDifference(at(0).image, at(20).image), 0);
     EXPECT_EQ(nextChange(), test::never);
+}
+
+TEST_F(DustyAir, BrightensTheFirstViewOfTheBeams)
+{
+    test::Shot shot;
+    shot.inHall();
+    shot.size(160, 90);
+    const std::size_t index = *test::museum().find("crepuscular_rays");
+    ParameterValues& rays = shot.sceneState.values[index];
+    rays.resetParameter(raysTable().technique.row);
+    shot.request.frame.camera = test::museum().bestView(index, rays);
+    const auto tenthBrightest = [&shot] {
+        const Picture p = shot.take();
+        std::vector<double> luminances;
+        p.each([&](int x, int y) { luminances.push_back(p.luminance(x, y)); });
+        const auto found = luminances.begin() + static_cast<std::ptrdiff_t>(luminances.size() * 9 / 10);
+        std::nth_element(luminances.begin(), found, luminances.end());
+        return *found;
+    };
+    const double with = tenthBrightest();
+    rays.set(raysTable().technique, RayTechnique::none);
+    EXPECT_GT(with, 1.8 * tenthBrightest());
 }
 
 TEST_F(DustyAir, ShowsAShaftFromTheOculusAtNoon)
