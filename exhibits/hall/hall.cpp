@@ -5,6 +5,8 @@
 #include "exhibits/kit/panorama.h"
 #include "render/hash.h"
 
+#include <algorithm>
+
 namespace vitrine {
 
 Hall::Hall(std::shared_ptr<const HallModel> model, std::vector<ExhibitSlot> exhibits)
@@ -76,6 +78,15 @@ HallScene Hall::scene(const ParameterValues& values, bool alone, const PreparedH
         if (!alone) scene.objects = objectsAt(*model_, table_, values, prepared->objects);
     }
     return scene;
+}
+
+ParameterValues Hall::whileOpening(const ParameterValues& values) const
+{
+    constexpr int largestProbe = 64, largestShadowMap = 1024;  // Texels per side.
+    ParameterValues coarse = values;
+    coarse.set(table_.probeSize, std::min(values[table_.probeSize], largestProbe));
+    coarse.set(table_.shadowMapSize, std::min(values[table_.shadowMapSize], largestShadowMap));
+    return coarse;
 }
 
 }  // namespace vitrine

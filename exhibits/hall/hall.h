@@ -33,6 +33,10 @@ public:
     /// Returns the hall's state for these values, which must outlive it, and what was prepared for it (null: nothing).
     [[nodiscard]] HallScene scene(const ParameterValues&, bool alone, const PreparedHall* prepared) const;
 
+    /// Returns these values for the first pictures of a window, which are soon replaced: the reflection probe and the
+    /// sun's shadow map are limited in size, because drawing them takes longer than the rest of such a picture.
+    [[nodiscard]] ParameterValues whileOpening(const ParameterValues&) const;
+
 private:
     HallTable table_;
     std::shared_ptr<const HallModel> model_;

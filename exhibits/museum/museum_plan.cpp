@@ -29,6 +29,12 @@ namespace {
 
 constexpr const char* othersFirst = "the window is opening, and nearer exhibits are drawn first";
 
+/// Returns whether the picture is one of the first of a window.
+bool isOpening(const FrameRequest& request)
+{
+    return request.mostExhibits < std::numeric_limits<int>::max();
+}
+
 constexpr double shadowReach = 30;  ///< Meters behind an exhibit within which its shadow may fall on something.
 
 /// Returns why no shadow is drawn; empty if the sun may reach the box and the shadow may be visible.
@@ -200,7 +206,7 @@ std::string Museum::whyNoWorks(const Prepared& prepared, const FrameRequest& req
 {
     if (scene.alone) return "there is no hall";
     // While the window is opening, it is enough to draw what is in view.
-    if (request.mostExhibits < std::numeric_limits<int>::max()) return othersFirst;
+    if (isOpening(request)) return othersFirst;
     const bool mirrored = std::any_of(present.begin(), present.end(), [&](const Present& p) {
         const auto* mirror = p.hidden.empty() ? capability<MirrorsSurroundings>(p.exhibit) : nullptr;
         return mirror && mirror->mirrors(prepared.sceneState.values[p.index]) && isLargeMirror(p.box, view);
@@ -219,6 +225,7 @@ Prepared Museum::prepare(const SceneState& sceneState, const FrameRequest& reque
                   {},
                   std::vector<PreparedExhibit>(subjects_.size()),
                   {}};
+    if (isOpening(request)) made.sceneState.hall() = hall_->whileOpening(made.sceneState.hall());
     if (!request.alone) startReading();
     render::AssetStore assets = request.nonBlocking ? assets_->nonBlocking() : *assets_;
     const auto complainOf = [&](const PreparedPart* part) {

@@ -131,6 +131,26 @@ TEST(MuseumPlan, OfTheOnesInViewNoMoreAreDrawnThanAreAskedForTheNearestFirst)
     EXPECT_EQ(reasonFor(scene.plan(), "exhibits/shadow"), "the window is opening, and nearer exhibits are drawn first");
 }
 
+TEST(MuseumPlan, WhileTheWindowOpensTheProbeAndTheShadowMapAreSmall)
+{
+    Scene scene;
+    const auto sides = [&](int mostExhibits) {
+        scene.request.mostExhibits = mostExhibits;
+        const FramePlan plan = scene.plan();
+        return glm::ivec3(plan.images().at("probe").size.x, plan.images().at("probe.captured").size.x,
+                          plan.images().at("shadow.hall").size.x);
+    };
+    constexpr int all = std::numeric_limits<int>::max();
+    EXPECT_EQ(sides(all), glm::ivec3(256, 256, 2048));
+    EXPECT_EQ(sides(0), glm::ivec3(64, 64, 1024));
+    EXPECT_EQ(sides(3), glm::ivec3(64, 64, 1024));
+    // Sizes that are smaller already stay.
+    scene.hall().set(test::hallTable().probeSize, 16);
+    scene.hall().set(test::hallTable().shadowMapSize, 256);
+    EXPECT_EQ(sides(0), glm::ivec3(16, 16, 256));
+    EXPECT_EQ(sides(all), glm::ivec3(16, 16, 256));
+}
+
 TEST(MuseumPlan, OutOfViewTheHallIsPlannedAsIfItWereEmpty)
 {
     // The initial state, compared with a museum without exhibits, where no exhibit, stand or sunbeam is in view.
