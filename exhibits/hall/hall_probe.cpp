@@ -22,14 +22,30 @@ using render::Pass;
 
 constexpr int smallestFace = 4;  ///< Texels along a face of the mip level for the highest roughness.
 
-Pass capturePass(const char* what, int face, const glm::dvec3& eye, int size, std::uint64_t key)
+/// Sizes of a captured cube, the hash of what it contains, and why its passes run.
+struct ProbeCapture {
+    int size = 0;     ///< Texels along a side of a face.
+    int levels = 0;   ///< Number of blurred levels.
+    int samples = 0;  ///< Samples of each texel of a blurred level.
+    std::uint64_t key = 0;
+    const char* reason = "what the probe sees has changed";
+};
+
+/// Returns the sizes of both cubes, those of the hall and of the works.
+ProbeCapture captureOf(const HallScene& scene)
+{
+    const int size = scene.values[scene.table.probeSize];
+    return {.size = size, .levels = probeLevels(size), .samples = scene.values[scene.table.probeSamples]};
+}
+
+Pass capturePass(const char* what, int face, const HallScene& scene, const ProbeCapture& capture)
 {
     Pass pass;
     pass.name = std::string("probe/") + what + "/" + std::to_string(face);
-    pass.reason = "what the probe sees has changed";
+    pass.reason = capture.reason;
     pass.phase = render::PassPhase::probe;
-    pass.view = render::cubeFaceView(eye, face, size);
-    pass.contentHash = key;
+    pass.view = render::cubeFaceView(probePosition(scene), face, capture.size);
+    pass.contentHash = capture.key;
     return pass;
 }
 
@@ -117,14 +133,6 @@ struct Surroundings {
     std::vector<render::Draw> walls, things;
 };
 
-/// Sizes of the reflection probe, and the hash of what it sees.
-struct ProbeCapture {
-    int size = 0;     ///< Texels along a side of a face.
-    int levels = 0;   ///< Number of blurred levels.
-    int samples = 0;  ///< Samples of each texel of a blurred level.
-    std::uint64_t key = 0;
-};
-
 /// Returns the draws of the works that the view may contain.
 std::vector<render::Draw> workDraws(std::span<const ReflectedWork> works, const render::View& view)
 {
@@ -146,9 +154,7 @@ std::vector<render::Draw> workDraws(std::span<const ReflectedWork> works, const 
 void planFace(const HallScene& scene, const SceneLighting& hallLight, const Surroundings& around, int face,
               const ProbeCapture& capture, render::FramePlan& plan)
 {
-    const auto [size, levels, samples, key] = capture;
-    const glm::dvec3 eye = probePosition(scene);
-    Pass sky = capturePass("sky", face, eye, size, key);
+    Pass sky = capturePass("sky", face, scene, capture);
     sky.shader = {.vertex = "lib/fullscreen.vert", .fragment = "hall/sky.frag", .defines = {"CAPTURE"}};
     sky.colors = {Attachment::slice("probe.captured", face)};
     sky.draws = {render::Draw{}};
@@ -158,7 +164,7 @@ void planFace(const HallScene& scene, const SceneLighting& hallLight, const Surr
     plan.add(std::move(sky));
     if (scene.alone) return;
 
-    Pass walls = capturePass("walls", face, eye, size, key);
+    Pass walls = capturePass("walls", face, scene, capture);
     walls.bound = hallLight.probeLight;
     walls.shader = {.vertex = "kit/surface.vert",
                     .fragment = "kit/surface.frag",
@@ -179,26 +185,51 @@ void planFace(const HallScene& scene, const SceneLighting& hallLight, const Surr
     plan.add(std::move(things));
 }
 
-Pass levelPass(int level, const ProbeCapture& capture, const render::ContributionBound& bound)
+/// Images that a cube's blurred levels are made from, and written to.
+struct BlurredCube {
+    const char* name;             ///< Middle part of the names of its passes.
+    const char* image;            ///< Cube of the levels.
+    const char* works = nullptr;  ///< Cube of the works, which covers the captured hall.
+};
+
+/// Plans one pass for each level, for increasing roughness.
+void planLevels(const BlurredCube& cube, const ProbeCapture& capture, const render::ContributionBound& bound,
+                render::FramePlan& plan)
 {
-    const auto [size, levels, samples, key] = capture;
-    const int side = std::max(size >> level, 1);
-    const float t = levels > 1 ? static_cast<float>(level) / static_cast<float>(levels - 1) : 0.0F;
-    Pass pass;
-    pass.name = "probe/blur/" + std::to_string(level);
-    pass.reason = "what the probe sees has changed";
-    pass.phase = render::PassPhase::prepare;
-    pass.work = render::Work::compute;
-    pass.shader = {.compute = "hall/probe_prefilter.comp"};
-    pass.storage = {{.image = "probe", .level = level}};
-    pass.inputs = {{UNIT_SOURCE, std::string("probe.captured")}};
-    // The level is proportional to the square root of roughness (lib/light.glsl), so roughness is its square.
-    pass.blocks[BLOCK_OBJECT] =
-        render::std140Bytes(ProbeLevel{.roughness = t * t, .samples = level == 0 ? 1 : samples, .capturedSize = size});
-    pass.groups = {(side + 7) / 8, (side + 7) / 8, 6};
-    pass.bound = bound;
-    pass.contentHash = key;
-    return pass;
+    for (int level = 0; level < capture.levels; ++level) {
+        const int side = std::max(capture.size >> level, 1);
+        const float t = capture.levels > 1 ? static_cast<float>(level) / static_cast<float>(capture.levels - 1) : 0.0F;
+        Pass pass;
+        pass.name = std::string("probe/") + cube.name + "/" + std::to_string(level);
+        pass.reason = capture.reason;
+        pass.phase = render::PassPhase::prepare;
+        pass.work = render::Work::compute;
+        pass.shader = {.compute = "hall/probe_prefilter.comp"};
+        pass.storage = {{.image = cube.image, .level = level}};
+        pass.inputs = {{UNIT_SOURCE, std::string("probe.captured")}};
+        if (cube.works) {
+            pass.shader.defines = {"WORKS"};
+            pass.inputs.push_back({UNIT_EXHIBIT_A, std::string(cube.works)});
+        }
+        // The level is proportional to the square root of roughness (lib/light.glsl), so roughness is its square.
+        pass.blocks[BLOCK_OBJECT] = render::std140Bytes(
+            ProbeLevel{.roughness = t * t, .samples = level == 0 ? 1 : capture.samples, .capturedSize = capture.size});
+        pass.groups = {(side + 7) / 8, (side + 7) / 8, 6};
+        pass.bound = bound;
+        pass.contentHash = capture.key;
+        plan.add(std::move(pass));
+    }
+}
+
+/// Adds a cube in which passes draw or write their results, which stay until the key changes.
+void addCube(std::string name, int size, int levels, render::FramePlan& plan)
+{
+    plan.image({.name = std::move(name),
+                .format = render::Format::rgba16f,
+                .type = render::TextureType::cube,
+                .size = glm::ivec2(size),
+                .levels = levels,
+                .persistent = true});
 }
 
 /// Plans what is visible of the works through their openings: premultiplied, with coverage in alpha.
@@ -206,8 +237,7 @@ void planWorks(const HallScene& scene, std::span<const ReflectedWork> works, con
                const render::ContributionBound& bound, render::FramePlan& plan)
 {
     for (int face = 0; face < 6; ++face) {
-        Pass pass = capturePass("works", face, probePosition(scene), capture.size, capture.key);
-        pass.reason = "a mirror shows the works behind the openings";
+        Pass pass = capturePass("works", face, scene, capture);
         pass.bound = bound;
         pass.shader = {.vertex = "hall/probe_work.vert", .fragment = "hall/probe_work.frag"};
         pass.colors = {Attachment::clearedSlice("probe.works", face)};
@@ -279,23 +309,12 @@ void planProbe(const HallScene& scene, const SceneLighting& light, render::Frame
         return;
     }
     if (!plan.includeIfEffective(light.probeLight, {"probe"})) return;
-    const int size = scene.values[scene.table.probeSize];
-    const int levels = probeLevels(size);
+    ProbeCapture capture = captureOf(scene);
     const std::optional<render::LocalLighting> lamps = probeLamps(scene);
-    const std::uint64_t key = keyOf(scene, lamps);
-    const int allLevels = static_cast<int>(std::bit_width(static_cast<unsigned>(size)));
-    plan.image({.name = "probe.captured",
-                .format = render::Format::rgba16f,
-                .type = render::TextureType::cube,
-                .size = glm::ivec2(size),
-                .levels = allLevels,
-                .persistent = true});
-    plan.image({.name = "probe",
-                .format = render::Format::rgba16f,
-                .type = render::TextureType::cube,
-                .size = glm::ivec2(size),
-                .levels = levels,
-                .persistent = true});
+    capture.key = keyOf(scene, lamps);
+    const int allLevels = std::bit_width(static_cast<unsigned>(capture.size));
+    addCube("probe.captured", capture.size, allLevels, plan);
+    addCube("probe", capture.size, capture.levels, plan);
     plan.image({.name = "probe.irradiance",
                 .format = render::Format::rgba32f,
                 .size = {9, 1},
@@ -305,28 +324,27 @@ void planProbe(const HallScene& scene, const SceneLighting& light, render::Frame
         plan.image({.name = "probe.depth",
                     .format = render::Format::depth32f,
                     .type = render::TextureType::array,
-                    .size = glm::ivec2(size),
+                    .size = glm::ivec2(capture.size),
                     .layers = 6,
                     .persistent = true});
     const SceneLighting hallLight = lightOfHallAlone(scene, light, lamps);
     const Surroundings around = scene.alone ? Surroundings() : Surroundings{wallDraws(scene), thingDraws(scene)};
-    const ProbeCapture capture{size, levels, scene.values[scene.table.probeSamples], key};
     for (int face = 0; face < 6; ++face) planFace(scene, hallLight, around, face, capture, plan);
-    for (int level = 0; level < levels; ++level) plan.add(levelPass(level, capture, light.probeLight));
+    planLevels({.name = "blur", .image = "probe"}, capture, light.probeLight, plan);
 
     // A level of 16 texels contains everything that nine coefficients can represent.
     const int level = std::max(allLevels - 5, 0);
     Pass sum;
     sum.name = "probe/irradiance";
-    sum.reason = "what the probe sees has changed";
+    sum.reason = capture.reason;
     sum.phase = render::PassPhase::prepare;
     sum.work = render::Work::compute;
     sum.shader = {.compute = "hall/probe_irradiance.comp"};
     sum.storage = {Attachment::whole("probe.irradiance")};
     sum.inputs = {{UNIT_SOURCE, std::string("probe.captured")}};
     sum.blocks[BLOCK_OBJECT] =
-        render::std140Bytes(ProbeLevel{.capturedLevel = level, .capturedSize = std::max(size >> level, 1)});
-    sum.contentHash = key;
+        render::std140Bytes(ProbeLevel{.capturedLevel = level, .capturedSize = std::max(capture.size >> level, 1)});
+    sum.contentHash = capture.key;
     sum.bound = light.probeLight;
     plan.add(std::move(sum));
 }
@@ -334,31 +352,17 @@ void planProbe(const HallScene& scene, const SceneLighting& light, render::Frame
 void planMirroredWorks(const HallScene& scene, SceneLighting& light, std::span<const ReflectedWork> works,
                        render::FramePlan& plan)
 {
-    const int size = scene.values[scene.table.probeSize];
     render::Hash hash;
     hash.addValue(keyOf(scene, probeLamps(scene)));
     for (const ReflectedWork& work : works) hash.addValue(work.worldFromOpening).addValue(work.key);
-    const ProbeCapture capture{size, probeLevels(size), scene.values[scene.table.probeSamples], hash.value()};
-    render::ImageInfo info{.name = "probe.works",
-                           .format = render::Format::rgba16f,
-                           .type = render::TextureType::cube,
-                           .size = glm::ivec2(size),
-                           .levels = static_cast<int>(std::bit_width(static_cast<unsigned>(size))),
-                           .persistent = true};
-    plan.image(info);
-    info.name = mirroredWorksImage;
-    info.levels = capture.levels;
-    plan.image(info);
+    ProbeCapture capture = captureOf(scene);
+    capture.key = hash.value();
+    capture.reason = "a mirror shows the works behind the openings";
+    addCube("probe.works", capture.size, std::bit_width(static_cast<unsigned>(capture.size)), plan);
+    addCube(mirroredWorksImage, capture.size, capture.levels, plan);
     planWorks(scene, works, capture, light.probeLight, plan);
-    for (int level = 0; level < capture.levels; ++level) {
-        Pass pass = levelPass(level, capture, light.probeLight);
-        pass.name = "probe/mirrored/" + std::to_string(level);
-        pass.reason = "a mirror shows the works behind the openings";
-        pass.shader.defines = {"WORKS"};
-        pass.storage = {{.image = mirroredWorksImage, .level = level}};
-        pass.inputs.push_back({UNIT_EXHIBIT_A, std::string("probe.works")});
-        plan.add(std::move(pass));
-    }
+    planLevels({.name = "mirrored", .image = mirroredWorksImage, .works = "probe.works"}, capture, light.probeLight,
+               plan);
     light.hasMirroredWorks = true;
 }
 
