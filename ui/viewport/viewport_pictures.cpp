@@ -90,14 +90,6 @@ void ViewportPictures::resume()
     if (!orders_.isUnderway() && !timer_.isActive()) timer_.start(0);
 }
 
-void ViewportPictures::orderFirst()
-{
-    if (!shown_.image().isNull() || orders_.isUnderway()) return;
-    scene_.lookAgain();
-    advance(now());
-    if (const std::optional<DrawOrder> order = schedule_.next(now())) orderWhole(*order);
-}
-
 void ViewportPictures::tickSoon()
 {
     // The timer may wait for a change that is much later.

@@ -49,9 +49,6 @@ public:
     void setWhole(bool);
     /// Goes on after a time in which the viewport could not be seen. Call when it is painted.
     void resume();
-    /// Orders the first picture of a window that is laid out and not on the screen yet, so that it is drawn while the
-    /// desktop shows the window. Does nothing if a picture was ordered before.
-    void orderFirst();
 
 signals:
     void drawn(const vitrine::render::FrameReport& report, const QSize& pixels);

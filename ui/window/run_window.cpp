@@ -71,7 +71,6 @@ int runWindow(int& argc, char** argv, const WindowOptions& options)
         kiosk.emplace(window, *options.kiosk);
         window.show();
     }
-    window.viewport().pictures().orderFirst();
     const std::shared_ptr<void> kept = options.opened ? options.opened(window) : nullptr;
     return QApplication::exec();
 }

@@ -186,32 +186,6 @@ private slots:
         QCOMPARE(colors(), std::size_t(1));
     }
 
-    void theFirstPictureIsOrderedBeforeTheWindowIsOnTheScreen()
-    {
-        closeWindow();
-        gallery_ = std::make_unique<test::PaintedGallery>();
-        window_ = std::make_unique<MainWindow>(gallery_->museum(), *gallery_, makeWindowActions);
-        window_->show();
-        Viewport& viewport = window_->viewport();
-        viewport.pictures().orderFirst();
-        viewport.pictures().orderFirst();  // Is underway already.
-        // No event is processed meanwhile.
-        const auto start = std::chrono::steady_clock::now();
-        while (gallery_->requests().empty() &&
-               std::chrono::steady_clock::now() - start < std::chrono::milliseconds(test::patience))
-            std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        QVERIFY(!window_->windowHandle()->isExposed());
-        QVERIFY(viewport.pictures().shown().image().isNull());
-        const std::vector<FrameRequest> requests = gallery_->requests();
-        QCOMPARE(requests.size(), std::size_t(1));
-        QCOMPARE(requests.front().mostExhibits, 0);
-        const QSize half = viewport.size() * Opening::scale;
-        QVERIFY(std::abs(requests.front().raster.size.x - half.width()) <= 1);
-        QVERIFY(std::abs(requests.front().raster.size.y - half.height()) <= 1);
-        settle();
-        QVERIFY(viewport.pictures().finished());
-    }
-
     void aPictureThatTakesLongHoldsNothingUpAndTheNewestComesNext()
     {
         window_->choose(1);
