@@ -24,9 +24,10 @@ constexpr int smallestFace = 4;  ///< Texels along a face of the mip level for t
 
 /// Sizes of a captured cube, the hash of what it contains, and why its passes run.
 struct ProbeCapture {
-    int size = 0;     ///< Texels along a side of a face.
-    int levels = 0;   ///< Number of blurred levels.
-    int samples = 0;  ///< Samples of each texel of a blurred level.
+    int size = 0;            ///< Texels along a side of a face.
+    int capturedLevels = 0;  ///< Number of levels of what is drawn.
+    int levels = 0;          ///< Number of blurred levels.
+    int samples = 0;         ///< Samples of each texel of a blurred level.
     std::uint64_t key = 0;
     const char* reason = "what the probe sees has changed";
 };
@@ -35,7 +36,10 @@ struct ProbeCapture {
 ProbeCapture captureOf(const HallScene& scene)
 {
     const int size = scene.values[scene.table.probeSize];
-    return {.size = size, .levels = probeLevels(size), .samples = scene.values[scene.table.probeSamples]};
+    return {.size = size,
+            .capturedLevels = static_cast<int>(std::bit_width(static_cast<unsigned>(size))),
+            .levels = probeLevels(size),
+            .samples = scene.values[scene.table.probeSamples]};
 }
 
 Pass capturePass(const char* what, int face, const HallScene& scene, const ProbeCapture& capture)
@@ -312,8 +316,7 @@ void planProbe(const HallScene& scene, const SceneLighting& light, render::Frame
     ProbeCapture capture = captureOf(scene);
     const std::optional<render::LocalLighting> lamps = probeLamps(scene);
     capture.key = keyOf(scene, lamps);
-    const int allLevels = std::bit_width(static_cast<unsigned>(capture.size));
-    addCube("probe.captured", capture.size, allLevels, plan);
+    addCube("probe.captured", capture.size, capture.capturedLevels, plan);
     addCube("probe", capture.size, capture.levels, plan);
     plan.image({.name = "probe.irradiance",
                 .format = render::Format::rgba32f,
@@ -333,7 +336,7 @@ void planProbe(const HallScene& scene, const SceneLighting& light, render::Frame
     planLevels({.name = "blur", .image = "probe"}, capture, light.probeLight, plan);
 
     // A level of 16 texels contains everything that nine coefficients can represent.
-    const int level = std::max(allLevels - 5, 0);
+    const int level = std::max(capture.capturedLevels - 5, 0);
     Pass sum;
     sum.name = "probe/irradiance";
     sum.reason = capture.reason;
@@ -358,7 +361,7 @@ void planMirroredWorks(const HallScene& scene, SceneLighting& light, std::span<c
     ProbeCapture capture = captureOf(scene);
     capture.key = hash.value();
     capture.reason = "a mirror shows the works behind the openings";
-    addCube("probe.works", capture.size, std::bit_width(static_cast<unsigned>(capture.size)), plan);
+    addCube("probe.works", capture.size, capture.capturedLevels, plan);
     addCube(mirroredWorksImage, capture.size, capture.levels, plan);
     planWorks(scene, works, capture, light.probeLight, plan);
     planLevels({.name = "mirrored", .image = mirroredWorksImage, .works = "probe.works"}, capture, light.probeLight,
