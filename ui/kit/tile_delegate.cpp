@@ -113,7 +113,7 @@ void TileDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, 
     if (second.isEmpty() && metrics.horizontalAdvance(name) > words.width()) {
         drawInTwoLines(*painter, words, name);
     } else {
-        painter->drawText(words, (second.isEmpty() ? Qt::AlignVCenter : Qt::AlignTop) | Qt::AlignLeft,
+        painter->drawText(words, int((second.isEmpty() ? Qt::AlignVCenter : Qt::AlignTop) | Qt::AlignLeft),
                           metrics.elidedText(name, Qt::ElideRight, words.width()));
     }
     painter->setPen(colors.dim);

@@ -127,7 +127,7 @@ void PrintDialog::connectSetup()
         values.set(printing::printTable().places, std::string());
         setup_.change(tr("Change the origin of the views"), values);
     });
-    connect(&side_->source(), &SourceBar::filesChosen, this, &PrintDialog::open);
+    connect(&side_->source(), &SourceBar::filesChosen, this, &PrintDialog::openFiles);
     connect(&side_->sheets(), &SheetBar::failed, this,
             [this](const QString& why) { messages_->setProblems(QStringLiteral("sheets"), {why}); });
     connect(&results_->numbers(), &PrintNumbersView::fitAsked, this, [this](double strength) {
@@ -322,7 +322,7 @@ void PrintDialog::saveSettings(const QString& path)
     });
 }
 
-void PrintDialog::open(const QStringList& paths)
+void PrintDialog::openFiles(const QStringList& paths)
 {
     if (paths.isEmpty() || exporting_) return;
     if (paths.size() == 1 && QFileInfo(paths.front()).isFile()) {
@@ -354,7 +354,7 @@ void PrintDialog::dragEnterEvent(QDragEnterEvent* event)
 
 void PrintDialog::dropEvent(QDropEvent* event)
 {
-    open(localFiles(*event->mimeData()));
+    openFiles(localFiles(*event->mimeData()));
     event->acceptProposedAction();
 }
 

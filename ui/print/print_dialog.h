@@ -33,7 +33,7 @@ public:
     void change(const QString& undoText, const ParameterValues&);
     [[nodiscard]] QStringList files() const { return setup_.pictures(); }
     /// Opens views, or loads the settings of a print or its JSON. Used for drops on the dialog.
-    void open(const QStringList& paths);
+    void openFiles(const QStringList& paths);
     void setChart(bool);
     /// Sets the path of the print or of the chart, whichever is shown.
     void setPath(const QString&);

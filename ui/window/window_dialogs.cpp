@@ -126,7 +126,7 @@ QDialog* WindowDialogs::openExport(const QString& kind)
 void WindowDialogs::openPrint(const QString& print)
 {
     auto* dialog = static_cast<PrintDialog*>(openExport(QStringLiteral("print")));
-    if (!print.isEmpty()) dialog->open({print});
+    if (!print.isEmpty()) dialog->openFiles({print});
 }
 
 void WindowDialogs::openJob(const jobs::Job& job)

@@ -216,7 +216,7 @@ const std::map<std::string, Claim>& claims()
          [](const Skipped& s) { return s.ofHall("sunBy") == 1 && std::abs(s.ofHall("timeOfDay") - 12) >= 5.999; }},
         {"too little sunlight comes in through window and oculus", measuredByPictures},
         {"the sun is too high for lamps",
-         [pi](const Skipped& s) { return s.ofHall("lamps") == 0 && s.sun().elevation >= pi / 180 * 7.99; }},
+         [](const Skipped& s) { return s.ofHall("lamps") == 0 && s.sun().elevation >= pi / 180 * 7.99; }},
         {"the lamps are switched off", [](const Skipped& s) { return s.ofHall("lamps") == 2; }},
         {"the strength of the lamps is 0", [](const Skipped& s) { return s.ofHall("lampStrength") == 0; }},
         {"the reflection probe is switched off", [](const Skipped& s) { return s.ofHall("reflectionProbe") == 0; }},

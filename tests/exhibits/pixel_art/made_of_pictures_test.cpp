@@ -64,7 +64,7 @@ TEST_F(MadeOfPictures, TheTableOfMethodsHasALineForEachAndTheirErrors)
         for (std::size_t k = 4; k < 10; ++k) found[lines[i][3]].push_back(std::stod(lines[i][k]));
     }
     ASSERT_EQ(found.size(), 7U);
-    for (int i = 0; i < 4; ++i) EXPECT_EQ(found["9 tap"][i], found["9 plus tap"][i]);
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(found["9 tap"][i], found["9 plus tap"][i]);
     EXPECT_EQ(found["9 tap"][4], 13);
     EXPECT_EQ(found["9 plus tap"][4], 9);
     EXPECT_GT(found["3 tap"][2], found["vote"][2]);

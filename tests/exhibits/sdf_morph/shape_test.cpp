@@ -272,7 +272,8 @@ TEST_F(Shape, OutlineAndDepthAreThoseOfTheRasterizedTwin)
 
 TEST_F(Shape, NormalsGoByTheInverseTranspose)
 {
-    for (const auto& [name, transform] : transforms()) {
+    for (const auto& [name, placed] : transforms()) {
+        const dmat4 transform = placed;  // A lambda cannot capture a structured binding.
         Shot shot;
         shot.values().set(sdfTable().morph, 0.0);  // Smooth everywhere: differences cannot cross a crease.
         shot.values().set(sdfTable().hitTolerance, 0.02);

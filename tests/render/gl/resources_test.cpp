@@ -241,7 +241,6 @@ TEST_F(HistoryImage, CountsFramesUntilTheCameraJumps)
 TEST_F(HistoryImage, SaysWhereAPointOfTheWorldWas)
 {
     const glm::dvec3 point(0.5, -0.3, 1);
-    View last;
     const auto frame = [&](const glm::dvec3& eye, glm::dvec2 jitter) {
         FramePlan plan = planOf({8, 6});
         plan.view = makeView({eye, {0, 0, 0}}, {.size = {8, 6}, .jitter = jitter});

@@ -23,7 +23,7 @@ using vitrine::test::parameterOf;
 class HistoryTest : public QObject {
     Q_OBJECT
 
-    const test::SampleTable table_;
+    const test::SampleTable table_{};
     struct BlockRows {
         std::size_t file, document;
     };

@@ -33,7 +33,7 @@ private slots:
         QCOMPARE(warnings(), QString());
         QVERIFY(!button("Export")->isEnabled());
         QVERIFY(dialog_->findChild<SourceBar*>()->said().contains("drop"));
-        dialog_->open(solidViews(4));
+        dialog_->openFiles(solidViews(4));
         settle();
         QVERIFY(button("Export")->isEnabled());
         QVERIFY(dialog_->findChild<SourceBar*>()->said().contains("4 views"));
@@ -66,7 +66,7 @@ private slots:
         set("dotsPerInch", 90);
         QVERIFY2(warnings().contains("cannot separate"), qPrintable(warnings()));
         set("dotsPerInch", 720);
-        dialog_->open(solidViews(3));  // 3:2, for a print of 148 x 105.
+        dialog_->openFiles(solidViews(3));  // 3:2, for a print of 148 x 105.
         settle();
         QVERIFY2(warnings().contains("6 % of their width is cut off"), qPrintable(warnings()));
         set("fitting", 2);
@@ -89,7 +89,7 @@ private slots:
         auto* right = qobject_cast<QDoubleSpinBox*>(field("Shift of the view to the right"));
         QVERIFY(view && turn && right);
         QVERIFY(!view->isEnabled() && !turn->isEnabled());
-        dialog_->open(solidViews(5));
+        dialog_->openFiles(solidViews(5));
         settle();
         set("views", 3);  // Pictures 1, 3 and 5.
         QVERIFY(view->isEnabled() && turn->isEnabled());
@@ -123,7 +123,7 @@ private slots:
         QCOMPARE(places(), std::string());
         type(turn, "3");
         // Places belong to their pictures: other pictures have none.
-        dialog_->open(solidViews(4));
+        dialog_->openFiles(solidViews(4));
         settle();
         QCOMPARE(places(), std::string());
         dialog_->findChild<SourceBar*>()->showOrigin(printing::ViewOrigin::shown);
@@ -132,7 +132,7 @@ private slots:
 
     void aSheetThatCannotBeIsRefusedWithItsLimitAndNothingIsExported()
     {
-        dialog_->open(solidViews(4));
+        dialog_->openFiles(solidViews(4));
         settle();
         QVERIFY(button("Export")->isEnabled());
         set("width", 0.1575);  // Aspect ratio of the views.
@@ -146,7 +146,7 @@ private slots:
 
     void whatWasSetComesBackTheNextTime()
     {
-        dialog_->open(solidViews(5));
+        dialog_->openFiles(solidViews(5));
         settle();
         set("lensesPerInch", 50);
         set("phase", 0.1);
@@ -170,14 +170,14 @@ private slots:
         QVERIFY(other.open(QIODevice::WriteOnly));
         other.write("{\"format\": \"vitrine-job\", \"job\": \"sprite\"}");
         other.close();
-        dialog_->open({other.fileName()});
+        dialog_->openFiles({other.fileName()});
         QVERIFY2(said().contains("other.json"), qPrintable(said()));
         QVERIFY(dialog_->files().isEmpty());
     }
 
     void escClosesAndEveryControlIsReachedByTabAndHasAName()
     {
-        dialog_->open(solidViews(3));
+        dialog_->openFiles(solidViews(3));
         settle();
         QApplication::setActiveWindow(dialog_);
         QSet<QWidget*> reached;
@@ -206,7 +206,7 @@ private slots:
 
     void nothingIsClippedAtTheSmallestScreen()
     {
-        dialog_->open(solidViews(3));
+        dialog_->openFiles(solidViews(3));
         settle();
         QVERIFY2(dialog_->width() <= 1280 && dialog_->height() <= 690,
                  qPrintable(QString("%1 x %2").arg(dialog_->width()).arg(dialog_->height())));

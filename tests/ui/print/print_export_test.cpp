@@ -25,7 +25,7 @@ private slots:
     void exportWritesAPrintWhoseJsonIsTheSettings()
     {
         const QStringList views = solidViews(6);
-        dialog_->open(views);
+        dialog_->openFiles(views);
         set("phase", 0.25);
         set("width", 0.05);
         set("height", 0.03);
@@ -47,7 +47,7 @@ private slots:
         // After changing everything, dropping the print on the dialog restores all settings.
         set("phase", 0);
         set("lensesPerInch", 30);
-        dialog_->open({out + "/card.tif"});
+        dialog_->openFiles({out + "/card.tif"});
         settle();
         QVERIFY(dialog_->values() == before);
         QCOMPARE(dialog_->files(), views);
@@ -55,7 +55,7 @@ private slots:
 
     void nothingThatIsFinishedIsReplacedWithoutAQuestion()
     {
-        dialog_->open(solidViews(3));
+        dialog_->openFiles(solidViews(3));
         set("width", 0.02);
         set("height", 0.02);
         const QString out = home_->filePath("out");
@@ -101,7 +101,7 @@ private slots:
 
     void cancelAndEscapeLeaveNoFileAndTheDialogOpen()
     {
-        dialog_->open(solidViews(12));
+        dialog_->openFiles(solidViews(12));
         settle();
         set("width", 1.2);
         set("height", 1.2);  // 34,000 x 34,000 dots take several seconds.
@@ -127,7 +127,7 @@ private slots:
 
     void aFolderThatIsNotThereGivesAMessageAndNothingIsLost()
     {
-        dialog_->open(solidViews(3));
+        dialog_->openFiles(solidViews(3));
         settle();
         set("width", 0.03);
         set("height", 0.02);
@@ -141,7 +141,7 @@ private slots:
         QVERIFY(!QDir(home_->filePath("nowhere")).exists());
         QVERIFY(button("Export")->isEnabled());
         // The same for unreadable views.
-        dialog_->open({home_->filePath("absent.png"), home_->filePath("absent2.png")});
+        dialog_->openFiles({home_->filePath("absent.png"), home_->filePath("absent2.png")});
         settle();
         QVERIFY2(said().contains("absent.png"), qPrintable(said()));
     }
@@ -173,7 +173,7 @@ private slots:
 
     void whileAPrintIsWrittenNothingIsUndone()
     {
-        dialog_->open(solidViews(12));
+        dialog_->openFiles(solidViews(12));
         settle();
         set("width", 1.2);
         set("height", 1.2);

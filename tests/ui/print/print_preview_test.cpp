@@ -24,7 +24,7 @@ private slots:
     void draggingTurnsTheCardThroughItsViews()
     {
         const int count = 5;
-        dialog_->open(solidViews(count));
+        dialog_->openFiles(solidViews(count));
         settle();
         ParameterValues values = dialog_->values();
         values.setParameter(*values.table().find("distance"),
@@ -77,7 +77,7 @@ private slots:
     {
         QFETCH(const double, distance);
         const int count = 12;
-        dialog_->open(solidViews(count));
+        dialog_->openFiles(solidViews(count));
         set("distance", distance);
         auto* eyes = dialog_->findChild<EyesPreview*>();
         QTRY_VERIFY(!eyes->seen(1).isNull());
@@ -97,7 +97,7 @@ private slots:
 
     void theRasterIsZoomedByTheWheelAboutThePointer()
     {
-        dialog_->open(solidViews(3));
+        dialog_->openFiles(solidViews(3));
         settle();
         auto* strips = dialog_->findChild<StripPreview*>();
         QTRY_VERIFY(!strips->image().isNull());

@@ -92,7 +92,7 @@ private slots:
         QApplication::setActiveWindow(dialog_);
         const QStringList views = solidViews(4);
         const ParameterValues before = dialog_->values();
-        dialog_->open(views);
+        dialog_->openFiles(views);
         settle();
         const ParameterValues opened = dialog_->values();
         type("lensesPerInch", "40");

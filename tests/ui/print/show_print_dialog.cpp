@@ -46,7 +46,7 @@ int main(int argc, char** argv)
         dialog.setAttribute(Qt::WA_DeleteOnClose, false);
         dialog.setPath(QStringLiteral("/home/visitor/Pictures/lenticular-print.tif"));
         dialog.show();
-        dialog.open(views);
+        dialog.openFiles(views);
         dialog.findChild<ui::EyesPreview*>()->look(0.1, 0);
         waitUntilSettled(dialog);
         dialog.grab().save(folder + QStringLiteral("/print") + ending);

@@ -345,7 +345,7 @@ private slots:
         auto* dialog = window_->findChild<PrintDialog*>();
         panorama.save(path("view1.png"));
         panorama.save(path("view2.png"));
-        dialog->open({path("view1.png"), path("view2.png")});
+        dialog->openFiles({path("view1.png"), path("view2.png")});
         const auto set = [&](const char* row, double value) {
             ParameterValues values = dialog->values();
             values.setParameter(*values.table().find(row), value);

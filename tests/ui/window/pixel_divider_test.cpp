@@ -13,7 +13,7 @@ class PixelDividerTest : public test::OpenWindow {
     Q_OBJECT
 
     static constexpr std::size_t art = 2;
-    const PixelArt exhibit_;
+    const PixelArt exhibit_{};
     const PixelArtTable& t_ = exhibit_.parameters();
 
     std::unique_ptr<Exhibit> anotherExhibit() override { return std::make_unique<PixelArt>(); }

@@ -51,6 +51,10 @@ public:
 
 private:
     [[nodiscard]] int limit(int most) { return std::uniform_int_distribution<int>(0, most)(random_); }
+    template <typename Values> [[nodiscard]] auto oneOf(const Values& values)
+    {
+        return *(std::begin(values) + limit(static_cast<int>(std::size(values)) - 1));
+    }
 
     /// Returns the window that takes input now: the open menu, the dialog that waits, another dialog or the main
     /// window.
@@ -61,7 +65,7 @@ private:
         QWidgetList open{&window_};
         for (QWidget* top : QApplication::topLevelWidgets())
             if (top->isVisible() && top != &window_ && top->isWindow() && !top->isHidden()) open << top;
-        return open[limit(static_cast<int>(open.size()) - 1)];
+        return oneOf(open);
     }
 
     /// A new timer for each step, because Qt's timers do not run again within their own slot, where a menu may wait.
@@ -128,9 +132,9 @@ private:
         QWidget* focus = QApplication::focusWidget();
         if (!focus || !top.isAncestorOf(focus)) focus = &top;
         if (limit(4) == 0)
-            QTest::keyClick(focus, controls[limit(controls.size() - 1)], Qt::ControlModifier);
+            QTest::keyClick(focus, oneOf(controls), Qt::ControlModifier);
         else
-            QTest::keyClick(focus, keys[limit(keys.size() - 1)]);
+            QTest::keyClick(focus, oneOf(keys));
     }
 
     MainWindow& window_;
