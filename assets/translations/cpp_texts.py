@@ -1,10 +1,11 @@
 """The texts of C++ files: what `tr` and `message` are given, and the sentences that are put together of literals and
 values."""
 
+import functools
 import re
 
 TOKEN = re.compile(
-    r'//[^\n]*|/\*.*?\*/'
+    r'\s+|//[^\n]*|/\*.*?\*/'
     r'|(?:u8|u|U|L)?R"(?P<delim>[^(\s]*)\(.*?\)(?P=delim)"'
     r'|(?:u8|u|U|L)?"(?:\\.|[^"\\\n])*"'
     r"|'(?:\\.|[^'\\\n])+'"
@@ -34,6 +35,7 @@ class Token:
         self.kind, self.text, self.line = kind, text, line
 
 
+@functools.lru_cache(maxsize=None)
 def tokens(source):
     """Without comments, blanks and preprocessor lines; literals that stand side by side are one."""
     source = re.sub(r'^[ \t]*#(?:[^\n]*\\\n)*[^\n]*', '', source, flags=re.M)
