@@ -57,12 +57,14 @@ need() {
     $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $missing$(available $perhaps) >&2
 }
 
-# build TARGET...: configures once and builds, quietly unless something is to be done. From nothing, few large files take
-# two minutes less on two cores than many small ones; `cmake --preset release` alone configures for small changes.
-# VITRINE_PRESET=developer makes errors of warnings.
+# build PRESET TARGET...: configures once and builds in the preset's folder, quietly unless something is to be done. From nothing,
+# few large files take two minutes less on two cores than many small ones; `cmake --preset release` alone configures for small
+# changes. VITRINE_WARNINGS_AS_ERRORS=ON makes errors of warnings.
 build() {
-    if [ ! -f build/release/build.ninja ]; then
-        cmake --preset "${VITRINE_PRESET:-release}" -DVITRINE_UNITY_BUILD=ON >&2 || return 1
+    preset=$1
+    shift
+    if [ ! -f "build/$preset/build.ninja" ]; then
+        cmake --preset "$preset" -DVITRINE_UNITY_BUILD=ON -DVITRINE_WARNINGS_AS_ERRORS="${VITRINE_WARNINGS_AS_ERRORS:-OFF}" >&2 || return 1
     fi
-    cmake --build build/release --target "$@" >&2
+    cmake --build "build/$preset" --target "$@" >&2
 }
