@@ -203,7 +203,7 @@ glm::dvec3 cardMiddle()
 
 glm::dvec3 cardLamp()
 {
-    return cardMiddle() + glm::dvec3(-1.5, 5.5, 10.4);
+    return cardMiddle() + glm::dvec3(-1.5, 5.3, 10.4);
 }
 
 glm::dmat4 exhibitFromCard()

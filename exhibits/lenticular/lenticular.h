@@ -61,8 +61,8 @@ private:
 [[nodiscard]] glm::dvec3 cardMiddle();
 
 /// Angle by which the card leans back, in radians. Vertical lenses spread the reflection of a lamp to a streak at one
-/// height, as a mirror would show it. At this angle, that height is on the card: near its lower edge for the first
-/// view, and between its edges for a standing visitor 1.7 to 4.8 m away.
+/// height, as a mirror would show it. At this angle, that height is on the card: below the subject for the first view,
+/// and between its edges for a standing visitor 1.9 to 4.8 m away.
 inline constexpr double cardLean = 18.5 * std::numbers::pi / 180;
 
 /// Returns the position of the lamp that is aimed at the card, in exhibit space: in the hall, at the foot of the vault

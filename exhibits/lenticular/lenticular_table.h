@@ -126,8 +126,8 @@ struct LenticularTable final : Parameters {
     Group gloss = group("Light and gloss");
     Real lamp = real("lamp", 0.35, none, Range{0, 20}.soft(0, 3),
                      "Strength of the lamp in the vault that is aimed at the card: 0 leaves it to the hall's light.");
-    Real roughness = real("roughness", 0.048, none, {0, 1}, "Roughness of the plastic: low looks wet, high is matte.");
-    Real specular = real("specular", 0.4, none, {0, 1},
+    Real roughness = real("roughness", 0.03, none, {0, 1}, "Roughness of the plastic: low looks wet, high is matte.");
+    Real specular = real("specular", 0.25, none, {0, 1},
                          "Reflectance of the plastic: 0 is none, 0.5 is what its refractive index gives.");
     Real normalScale =
         real("normalScale", 0.6, none, Range{-16, 16}.soft(0, 4),

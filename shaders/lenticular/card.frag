@@ -116,9 +116,8 @@ void main()
         base = printed;
 #ifndef COUNT
         world = (object.worldFromCard * vec4(p.place, 0.0, 1.0)).xyz;
-        vec3 toEye = normalize(eye - vec3(p.place, 0.0));
         float visibility = sunVisibility(world, worldNormal);
-        vec4 mirrored = gloss(p.place, toEye, p.stepX, p.stepY, visibility, world);
+        vec4 mirrored = gloss(p.place, eye, p.stepX, p.stepY, visibility, world);
         // The paper under the plastic scatters the light that reaches it.
         float cosL = max(dot(worldNormal, light.sunDirection), 0.0);
         float into = 1.0 - fresnelDielectric(cosL, object.prints[0].index.g);

@@ -49,7 +49,7 @@ vec3 highlight(Surface s, vec3 across, vec2 alpha, vec3 toEye, vec3 l, vec3 irra
     mat3 local = mat3(t, cross(s.normal, t), s.normal);
     vec3 eye = toEye * local;
     eye.z = max(eye.z, 1.0e-3);
-    float lobe = highlightLobe(max(alpha, vec2(0.002)), h * local, l * local, eye);
+    float lobe = highlightLobe(max(alpha, vec2(0.0004)), h * local, l * local, eye);
     vec3 f = fresnelSchlick(surfaceF0(s), clamp(dot(toEye, h), 0.0, 1.0));
     return limitedHighlight(f * lobe) * irradiance * cosL;
 }
@@ -61,10 +61,12 @@ vec3 lampIrradiance(vec2 place)
     return vec3(1.0, 0.90, 0.76) * (parameters.lamp * dot(object.lamp, object.lamp) / dot(to, to));
 }
 
-// Reflected light and, in w, its share of all light.
-vec4 gloss(vec2 place, vec3 toEye, vec2 stepX, vec2 stepY, float visibility, vec3 worldPosition)
+// Reflected light and, in w, its share of all light. `eye` is in the card's space.
+vec4 gloss(vec2 place, vec3 eye, vec2 stepX, vec2 stepY, float visibility, vec3 worldPosition)
 {
     CardPrintBlock print = object.prints[0];
+    vec3 offset = eye - vec3(place, 0.0);
+    vec3 toEye = normalize(offset);
     vec2 across = object.across;
     vec2 along = object.along;
     vec2 pixel = vec2(abs(dot(stepX, across)) + abs(dot(stepY, across)), abs(dot(stepX, along)) + abs(dot(stepY, along)));
@@ -87,7 +89,9 @@ vec4 gloss(vec2 place, vec3 toEye, vec2 stepX, vec2 stepY, float visibility, vec
     // across the lenses only, and so does what is added.
     float gap = 2.0 * parameters.lensGloss * lensSlope(s, 0.5) * wide / float(normals);
     float added = 0.5 * rib.z + 0.25 * gap * gap;
-    vec2 alpha = vec2(sqrt(own * own * own * own + added), own * own);
+    // Along the lenses a narrow highlight is as wide as a pixel at least: the change of the half vector over the pixel.
+    float turn = 0.5 * pixel.y * (1.0 / length(offset) + 1.0 / length(object.lamp - vec3(place, 0.0)));
+    vec2 alpha = sqrt(own * own * own * own + vec2(added, turn * turn / 6.0));
     float roughness = clamp(sqrt(sqrt(alpha.x * alpha.y)), 0.03, 1.0);
     Surface surface;
     surface.position = worldPosition;
