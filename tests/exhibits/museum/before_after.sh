@@ -7,6 +7,7 @@
 set -e
 [ $# -ge 3 ] || { sed -n '2,6s/^# //p' "$0" >&2; exit 2; }
 before=$1 after=$2 folder=$3 size=${4:-640x360} samples=${5:-16}
+hours="12 17.6 21"
 mkdir -p "$folder"
 export LC_ALL=C
 
@@ -29,31 +30,90 @@ reference()
     esac
 }
 
+# File names and titles of all pictures, in the order of the page: the hall at its hours follows the hall.
+subjects()
+{
+    "$after" list --json | awk -F '"' -v hours="$hours" '
+        /^      "name"/ { name = $4 }
+        /^      "title"/ {
+            print name, $4
+            if (name != "hall") next
+            count = split(hours, hour, " ")
+            for (i = 1; i <= count; ++i) {
+                minutes = int(hour[i] * 60 + 0.5)
+                printf "hall-at-%s %s at %d:%02d\n", hour[i], $4, minutes / 60, minutes % 60
+            }
+        }'
+}
+
+# version PROGRAM: its name and commit.
+version() { "$1" --version | head -1; }
+
+# picture SIDE NAME: that picture with a caption, as a link to its file.
+picture()
+{
+    if [ -f "$folder/$1/$2.png" ]; then
+        printf '<figure><a href="%s/%s.png"><img src="%s/%s.png" alt="%s, %s" width="%s" height="%s"></a>' \
+            "$1" "$2" "$1" "$2" "$2" "$1" "${size%x*}" "${size#*x}"
+    else
+        printf '<figure><p class="none">Not in this build.</p>'
+    fi
+    printf '<figcaption>%s</figcaption></figure>\n' "$1"
+}
+
+# difference NAME: a sentence about the two pictures of that name.
+difference()
+{
+    [ -f "$folder/before/$1.png" ] && [ -f "$folder/after/$1.png" ] || return 0
+    "$after" compare "$folder/before/$1.png" "$folder/after/$1.png" --metric flip |
+        awk 'NR == 1 { if ($2 > 0) printf "Mean difference (FLIP): %.5f.", $2; else printf "No difference." }'
+}
+
 for side in before after; do
     program=$before
     [ "$side" = before ] || program=$after
     "$program" tour --size "$size" --samples "$samples" --out "$folder/$side" >&2
-    for hour in 12 17.6 21; do
-        "$program" render hall --set "sunBy=time of day" --set timeOfDay=$hour --size "$size" --samples "$samples" \
+    for hour in $hours; do
+        "$program" render hall --set "sunBy=time of day" --set timeOfDay="$hour" --size "$size" --samples "$samples" \
             --out "$folder/$side/hall-at-$hour.png" >&2
     done
 done
+subjects > "$folder/subjects.txt"
 {
-    echo '<!doctype html><meta charset="utf-8"><title>Before and after</title>'
-    echo '<style>body{font:16px sans-serif;background:#1f1f1e;color:#d8d4cc}img{width:49%}</style>'
-    printf '<h1>Before and after</h1><p>Left: %s. Right: %s. %s pixels, %s samples.</p>\n' \
-        "$("$before" --version | head -1)" "$("$after" --version | head -1)" "$size" "$samples"
-    for picture in "$folder"/after/*.png; do
-        name=$(basename "$picture" .png)
-        printf '<h2>%s</h2><p>Reference: %s. ' "$name" "$(reference "$name")"
-        if [ -f "$folder/before/$name.png" ]; then
-            "$after" compare "$folder/before/$name.png" "$picture" --metric flip |
-                awk 'NR == 1 { if ($2 > 0) printf "Mean difference (FLIP): %.5f.</p>", $2; else printf "No difference.</p>" }'
-            printf '<img src="before/%s.png" alt="before">' "$name"
-        else
-            printf 'New.</p>'
-        fi
-        printf '<img src="after/%s.png" alt="after">\n' "$name"
-    done
+    cat << 'EOF'
+<!doctype html>
+<html lang="en">
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width">
+<title>Before and after</title>
+<style>
+body { margin: 24px; background: #1f1f1e; color: #d8d4cc; font: 16px/1.5 sans-serif; }
+a { color: #d9a05b; }
+nav a { display: inline-block; margin-right: 16px; }
+h2 { margin: 40px 0 0; }
+p { margin: 4px 0 8px; }
+.pair { display: grid; grid-template-columns: repeat(2, minmax(0, max-content)); gap: 8px; }
+@media (max-width: 800px) { .pair { grid-template-columns: minmax(0, max-content); } }
+figure { margin: 0; }
+img { display: block; max-width: 100%; height: auto; }
+figcaption, code { color: #9a958c; font-size: 14px; }
+.none { border: 1px dashed #9a958c; padding: 16px; }
+</style>
+EOF
+    printf '<h1>Before and after</h1>\n<p>Before: %s. After: %s. %s pixels, samples per pixel: %s. ' \
+        "$(version "$before")" "$(version "$after")" "$size" "$samples"
+    printf 'A click on a picture opens it in full size.</p>\n<nav>'
+    while read -r name title; do
+        printf '<a href="#%s">%s</a> ' "$name" "$title"
+    done < "$folder/subjects.txt"
+    printf '</nav>\n'
+    while read -r name title; do
+        printf '<h2 id="%s">%s</h2>\n<p>Reference: %s. %s <code>%s</code></p>\n<div class="pair">\n' \
+            "$name" "$title" "$(reference "$name")" "$(difference "$name")" "$name.png"
+        picture before "$name"
+        picture after "$name"
+        printf '</div>\n'
+    done < "$folder/subjects.txt"
 } > "$folder/index.html"
+rm "$folder/subjects.txt"
 echo "$folder/index.html"
