@@ -126,7 +126,7 @@ constexpr const char* notEnglish =
     "\\b(der|die|das|ist|sind|Sie|und|oder|nicht|kein|keine|eine|einen|von|bis|mit|kann|gibt|hat|"
     "dieser|braucht|nimmt|kennt|Geben|geben)\\b";
 
-TEST(LanguageOfTheCommandLine, EveryErrorIsWholeInThatOfTheLocale)
+TEST(LongLanguageOfTheCommandLine, EveryErrorIsWholeInThatOfTheLocale)
 {
     const test::TemporaryFolder folder;
     for (const Words& words : wrongCalls(folder)) {

@@ -83,7 +83,7 @@ TEST(MergeCommand, APrintOfTwoPartsIsThePrintOfOne)
     EXPECT_EQ(test::bytesOf(out + ".json"), described);
 }
 
-TEST(MergeCommand, AStudyOfThreePartsFindsTheErrorsAndCountsOfOne)
+TEST(LongMergeCommand, AStudyOfThreePartsFindsTheErrorsAndCountsOfOne)
 {
     const TemporaryFolder folder;
     const std::string out = folder / "study";

@@ -215,7 +215,7 @@ double viewShown(const TemporaryFolder& folder, int k, int count)
     return static_cast<double>(seen.at(seen.width / 2, seen.height / 2, 0)) * (count + 1) - 1;
 }
 
-TEST(PrintQuilt, ShowsItsCellsInTheOrderOfQuilts)
+TEST(LongPrintQuilt, ShowsItsCellsInTheOrderOfQuilts)
 {
     const TemporaryFolder folder;
     render::Image quilt(90, 40, 3);

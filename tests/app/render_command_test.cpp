@@ -354,7 +354,7 @@ TEST(RenderCommand, DottedNamesSetAnyExhibitInTheHall)
     EXPECT_NE(render::readImage(folder / "a.png").pixels, render::readImage(folder / "b.png").pixels);
 }
 
-TEST(RenderCommand, ScaleAndRotationTurnTheExhibit)
+TEST(LongRenderCommand, ScaleAndRotationTurnTheExhibit)
 {
     const TemporaryFolder folder;
     std::set<std::string> pictures;

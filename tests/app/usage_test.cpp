@@ -211,7 +211,7 @@ std::vector<NumberOption> numberOptions()
     return found;
 }
 
-TEST(UsageOfNumbers, EveryOptionRefusesWhatIsNone)
+TEST(LongUsageOfNumbers, EveryOptionRefusesWhatIsNone)
 {
     const std::vector<NumberOption> options = numberOptions();
     EXPECT_GT(options.size(), 50U);

@@ -167,7 +167,7 @@ template <typename Field> Topology topology(const Field& field, const dvec3& cen
     return found;
 }
 
-TEST(TorusMug, IsOneBodyWithOneHoleAtEveryMoment)
+TEST(LongTorusMug, IsOneBodyWithOneHoleAtEveryMoment)
 {
     // The counting is checked on solids of known topology.
     const auto ball = topology([](const dvec3& p) { return f64::sdfSphere(p, 0.8); }, dvec3(0), dvec3(1), 24);

@@ -49,6 +49,8 @@ double gathered(const Mask& mask, const dvec2& source, const dvec2& pixel, int s
     return sum;
 }
 
+using LongRays = Rays;
+
 TEST_F(Rays, LeaveThePictureAsItIsToTheBitWhenTheyAreOff)
 {
     RayShot shot(RayTechnique::none);
@@ -170,7 +172,7 @@ TEST_F(Rays, AreTheMeanThatFloat64Finds)
     EXPECT_GT(bent, 3 * degree);
 }
 
-TEST_F(Rays, OfMoreSamplesAreNoBrighter)
+TEST_F(LongRays, OfMoreSamplesAreNoBrighter)
 {
     RayShot shot(RayTechnique::screen);
     shot.size(320, 180);
@@ -398,7 +400,7 @@ TEST_F(Rays, JoinByTiles)
     }
 }
 
-TEST_F(Rays, LegalValuesNeverMakeWhatIsNotANumber)
+TEST_F(LongRays, LegalValuesNeverMakeWhatIsNotANumber)
 {
     for (int i = 0; i < 30; ++i) {
         test::Random random(static_cast<std::uint64_t>(900 + i));

@@ -197,7 +197,7 @@ double reachOf(int body, const ParameterValues& values, double skinScale)
     return skin + values[table().coats[static_cast<std::size_t>(body)].length];
 }
 
-TEST(Bounce, NeverLeavesTheSpaceInWhichItIsLookedFor)
+TEST(LongBounce, NeverLeavesTheSpaceInWhichItIsLookedFor)
 {
     for (int seed = 1; seed <= 60; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));

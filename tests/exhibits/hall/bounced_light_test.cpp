@@ -198,7 +198,7 @@ TEST(BouncedLight, IsKeptWhileTheSunRests)
     for (const char* pass : bouncePasses) EXPECT_EQ(reasonFor(scene.plan(kept), pass), "it ran") << pass;
 }
 
-TEST(BouncedLight, MovesWithoutJumps)
+TEST(LongBouncedLight, MovesWithoutJumps)
 {
     const double usual = sumOf(airAt(-3, 19));
     const auto expectSmooth = [&](double azimuth, double elevation, double overAzimuth, double overElevation) {

@@ -86,7 +86,7 @@ TEST_F(LongSunDisk, MakesTheHalfShadowOfAnAreaLight)
     EXPECT_LT(wrong, 0.4 * test::colorDifference(tent, truth) / (brightest - darkest));
 }
 
-TEST_F(SunDisk, OfFewComparisonsBecomesTheAreaLightAsThePictureRefines)
+TEST_F(LongSunDisk, OfFewComparisonsBecomesTheAreaLightAsThePictureRefines)
 {
     const Picture& truth = areaLight();
     const auto wrong = [&](int comparisons, int samples) {

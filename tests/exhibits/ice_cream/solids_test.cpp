@@ -198,7 +198,7 @@ dvec3 sourceRay(int x, int y, int width, int height)
                           up * ((0.5 * height - y - 0.5) / height));
 }
 
-TEST(IceCreamMarch, ARayThatIsOutOfStepsIsNoHit)
+TEST(LongIceCreamMarch, ARayThatIsOutOfStepsIsNoHit)
 {
     constexpr int width = 98, height = 55;
     constexpr double halfPixel = 0.5 / 441;  // In the reference's window.

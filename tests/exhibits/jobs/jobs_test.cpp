@@ -482,7 +482,7 @@ TEST(EveryJob, LeavesNothingWhereItIsCanceledAfterAnyStep)
     }
 }
 
-TEST(EveryJob, PlansRandomValuesWithoutItsFilesAndTheSameOnAnyThread)
+TEST(LongEveryJob, PlansRandomValuesWithoutItsFilesAndTheSameOnAnyThread)
 {
     std::map<const Job*, JobOrder> orders;
     const Museum museum{allExhibits()};

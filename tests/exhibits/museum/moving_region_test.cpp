@@ -162,7 +162,7 @@ void MovingRegion::giveUpBeforeEvery(int stride)
 
 TEST_F(MovingRegion, AFrameGivenUpAnywhereLeavesTheNextOneAsItWouldHaveBeen)
 {
-    giveUpBeforeEvery(11);
+    giveUpBeforeEvery(23);
 }
 
 TEST_F(LongMovingRegion, AFrameGivenUpAnywhereLeavesTheNextOneAsItWouldHaveBeen)

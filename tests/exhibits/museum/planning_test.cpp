@@ -106,7 +106,7 @@ std::vector<Scene> twoUsers()
     return users;
 }
 
-TEST(Planning, TwoUsersInTurnGetWhatEachGetsAloneAndNeverRebuildEachOthers)
+TEST(LongPlanning, TwoUsersInTurnGetWhatEachGetsAloneAndNeverRebuildEachOthers)
 {
     const std::vector<Scene> users = twoUsers();
     std::vector<std::string> alone;
@@ -212,7 +212,7 @@ TEST(Planning, OpensNoFile)
     for (const auto& [name, text] : expected) EXPECT_TRUE(found.at(name) == text) << name;
 }
 
-TEST(Planning, ManyThreadsPrepareAndPlanAtOnce)
+TEST(LongPlanning, ManyThreadsPrepareAndPlanAtOnce)
 {
     const std::map<std::string, Scene> scenes = manyScenes(1);
     std::map<std::string, std::string> expected;

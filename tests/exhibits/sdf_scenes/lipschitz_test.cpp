@@ -48,7 +48,7 @@ TEST(SceneLipschitz, NoKindOfNodeIsSteeperThanOne)
     }
 }
 
-TEST(SceneLipschitz, NoTreeIsSteeperThanOne)
+TEST(LongSceneLipschitz, NoTreeIsSteeperThanOne)
 {
     test::Random random(2);
     for (int sample = 0; sample < 10000; ++sample) {

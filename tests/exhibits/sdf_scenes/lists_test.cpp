@@ -16,7 +16,7 @@ namespace vitrine {
 namespace {
 
 using SceneLists = test::GlTest;
-using SceneListsProperty = test::GlTest;
+using LongSceneListsProperty = test::GlTest;
 
 std::vector<render::BufferUse> buffersOf(const scenes::SceneGrid& near)
 {
@@ -131,7 +131,7 @@ TEST_F(SceneLists, OfEveryKindAreTheEvaluatorInOneProgram)
 
 #ifdef VITRINE_RAPIDCHECK
 /// Random scenes, with the program of all kinds: 1,024 points each.
-RC_GTEST_FIXTURE_PROP(SceneListsProperty, AnySceneIsTheEvaluator, (unsigned seed))
+RC_GTEST_FIXTURE_PROP(LongSceneListsProperty, AnySceneIsTheEvaluator, (unsigned seed))
 {
     static const scenes::ListVocabulary all = everyVocabulary(4, 3);
     static const std::string glsl = scenes::listGlsl(all, 0);

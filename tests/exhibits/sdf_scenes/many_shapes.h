@@ -24,9 +24,11 @@ inline std::string manyShapes(int count)
         if (i % 4 == 3)
             text += ", \"start\": [0, -" + half + ", 0], \"end\": [0, " + half +
                     ", 0], \"radius\": " + std::to_string(0.3 * size);
-        text += ", \"translate\": [" + std::to_string(random(-1, 1)) + ", " + std::to_string(random(-1, 1)) + ", " +
-                std::to_string(random(-1, 1)) + "], \"rotate\": [" + std::to_string(random(-90, 90)) + ", " +
-                std::to_string(random(-90, 90)) + ", 0]}";
+        // One statement for each: the order within an expression is the compiler's.
+        const std::string turnY = std::to_string(random(-90, 90)), turnX = std::to_string(random(-90, 90));
+        const std::string z = std::to_string(random(-1, 1)), y = std::to_string(random(-1, 1));
+        const std::string x = std::to_string(random(-1, 1));
+        text += ", \"translate\": [" + x + ", " + y + ", " + z + "], \"rotate\": [" + turnX + ", " + turnY + ", 0]}";
     }
     return text + "]}";
 }

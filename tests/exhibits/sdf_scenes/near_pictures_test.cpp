@@ -40,6 +40,8 @@ protected:
     }
 };
 
+using LongNearPicture = NearPicture;
+
 TEST_F(NearPicture, IsThatOfEveryShape)
 {
     for (const char* name : {"primitives", "mercury", "still_life", "ambient_occlusion"}) {
@@ -85,7 +87,7 @@ TEST_F(NearPicture, HasOneProgramForAllTreesOfTheSameKindsAndAllNumbers)
     EXPECT_GT(solid(more.take()), before);
 }
 
-TEST_F(NearPicture, OfMoreNumbersThanABlockHoldsIsDrawn)
+TEST_F(LongNearPicture, OfMoreNumbersThanABlockHoldsIsDrawn)
 {
     SceneShot many = balls(4200, "[0, 58, 150]");
     ASSERT_GT(many.shown().program->wordCount() * 4, 65'536U);

@@ -236,7 +236,7 @@ std::string crowd(int depth)
     return text + "]}";
 }
 
-TEST(PruneCells, EndWithTheirBudgetAndTheSceneIsWholeWithoutThem)
+TEST(LongPruneCells, EndWithTheirBudgetAndTheSceneIsWholeWithoutThem)
 {
     const scenes::SceneField field = test::fieldOf(crowd(3));
     const auto& steps = field.program().steps();
@@ -309,47 +309,54 @@ std::size_t differentCells(const scenes::SceneGrid& a, const scenes::SceneGrid& 
     return different;
 }
 
+void moveAtRandom(int shapes)
+{
+    const auto read = scenes::readScene(
+        R"({"format": "vitrine-scene", "version": 1, "root": )" + test::manyShapes(shapes) + "}", "a.json", {});
+    ASSERT_TRUE(read.scene);
+    const scenes::Scene& scene = *read.scene;
+    const scenes::SceneProgram program(read.scene);
+    const scenes::ListVocabulary kinds = scenes::ListVocabulary::of(program);
+    const int across = shapes == 60 ? 32 : 72;  // With one thread, and with two.
+    std::vector<double> numbers = scene.numbersAt(0);
+    std::shared_ptr<const scenes::SceneGrid> grid = scenes::sceneGrid(program, program.words(numbers), kinds, across);
+    ASSERT_TRUE(grid->hasCells());
+    test::Random random(static_cast<unsigned>(shapes));
+    int again = 0;
+    double share = 0;
+    constexpr int moves = 27;
+    for (int i = 0; i < moves; ++i) {
+        // A short way, anywhere within the scene, out of it, or all shapes: the width of their blend.
+        const scenes::Node& node = scene.nodes[1 + std::size_t(random.number(0, shapes - 1e-9))];
+        const double way = i % 4 == 0 ? 1 : 0.05;
+        if (i % 13 == 12)
+            numbers[scene.nodes[0].numbers + 1] *= 1.1;
+        else
+            for (std::uint32_t axis = 0; axis < 3; ++axis)
+                numbers[node.translate + axis] = glm::clamp(numbers[node.translate + axis] + way * random.number(-1, 1),
+                                                            -1.0, i % 10 == 9 ? 3.0 : 1.0);
+        const scenes::SceneConstants words = program.words(numbers);
+        const auto whole = scenes::sceneGrid(program, words, kinds, across);
+        grid = scenes::sceneGrid(program, words, kinds, across, scenes::cellBudget, grid.get());
+        ASSERT_EQ(differentCells(*grid, *whole), 0U) << shapes << " shapes, move " << i;
+        EXPECT_EQ(grid->box.low, whole->box.low);
+        EXPECT_EQ(grid->box.high, whole->box.high);
+        again += grid->again;
+        if (grid->again) share += double(grid->cells.evaluations) / double(whole->cells.evaluations);
+    }
+    EXPECT_GT(again, moves / 2) << "of " << shapes << " shapes, most moves leave the box of the scene as it is";
+    if (shapes == 60) return;
+    EXPECT_LT(share / again, 0.5) << "of the evaluations";
+}
+
 TEST(SceneGrid, MadeAgainAfterARandomMoveIsThatMadeFromNothing)
 {
-    for (const int shapes : {60, 300}) {
-        const auto read = scenes::readScene(
-            R"({"format": "vitrine-scene", "version": 1, "root": )" + test::manyShapes(shapes) + "}", "a.json", {});
-        ASSERT_TRUE(read.scene);
-        const scenes::Scene& scene = *read.scene;
-        const scenes::SceneProgram program(read.scene);
-        const scenes::ListVocabulary kinds = scenes::ListVocabulary::of(program);
-        const int across = shapes == 60 ? 32 : 72;  // With one thread, and with two.
-        std::vector<double> numbers = scene.numbersAt(0);
-        std::shared_ptr<const scenes::SceneGrid> grid =
-            scenes::sceneGrid(program, program.words(numbers), kinds, across);
-        ASSERT_TRUE(grid->hasCells());
-        test::Random random(static_cast<unsigned>(shapes));
-        int again = 0;
-        double share = 0;
-        constexpr int moves = 27;
-        for (int i = 0; i < moves; ++i) {
-            // A short way, anywhere within the scene, out of it, or all shapes: the width of their blend.
-            const scenes::Node& node = scene.nodes[1 + std::size_t(random.number(0, shapes - 1e-9))];
-            const double way = i % 4 == 0 ? 1 : 0.05;
-            if (i % 13 == 12)
-                numbers[scene.nodes[0].numbers + 1] *= 1.1;
-            else
-                for (std::uint32_t axis = 0; axis < 3; ++axis)
-                    numbers[node.translate + axis] = glm::clamp(
-                        numbers[node.translate + axis] + way * random.number(-1, 1), -1.0, i % 10 == 9 ? 3.0 : 1.0);
-            const scenes::SceneConstants words = program.words(numbers);
-            const auto whole = scenes::sceneGrid(program, words, kinds, across);
-            grid = scenes::sceneGrid(program, words, kinds, across, scenes::cellBudget, grid.get());
-            ASSERT_EQ(differentCells(*grid, *whole), 0U) << shapes << " shapes, move " << i;
-            EXPECT_EQ(grid->box.low, whole->box.low);
-            EXPECT_EQ(grid->box.high, whole->box.high);
-            again += grid->again;
-            if (grid->again) share += double(grid->cells.evaluations) / double(whole->cells.evaluations);
-        }
-        EXPECT_GT(again, moves / 2) << "of " << shapes << " shapes, most moves leave the box of the scene as it is";
-        if (shapes == 60) continue;
-        EXPECT_LT(share / again, 0.5) << "of the evaluations";
-    }
+    moveAtRandom(60);
+}
+
+TEST(LongSceneGrid, MadeAgainAfterARandomMoveIsThatMadeFromNothing)
+{
+    moveAtRandom(300);
 }
 
 TEST(Pruning, OfManyOperandsLeavesTheSameDistance)

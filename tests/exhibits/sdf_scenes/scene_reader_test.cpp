@@ -272,7 +272,7 @@ TEST(SceneReader, RefusesIncludesThatLeaveTheFolderOrComeBack)
     EXPECT_NE(test::findingsText(broken).find("a.json:2:13:"), std::string::npos) << test::findingsText(broken);
 }
 
-TEST(SceneReader, SurvivesAHundredThousandMutatedFiles)
+TEST(LongSceneReader, SurvivesAHundredThousandMutatedFiles)
 {
     const std::string start = test::sceneText(
         R"({"kind": "union", "blend": "cubic", "blendWidth": "gap", "children": [

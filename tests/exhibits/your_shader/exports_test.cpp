@@ -361,7 +361,7 @@ TEST_F(LongShaderExports, OfScenesShowTheSamePictures)
     }
 }
 
-TEST_F(ShaderExports, OfScenesFollowTheirParameters)
+TEST_F(LongShaderExports, OfScenesFollowTheirParameters)
 {
     ExportShot original("sdf_scenes");
     original.set("scene", std::string("dahlia.json"));

@@ -52,7 +52,7 @@ private slots:
         QCOMPARE(gallery_->otherRequests().size(), drawn);  // An edit of A does not draw B.
     }
 
-    void anEditOfAAfterARestDrawsNothingOfB()
+    void longAnEditOfAAfterARestDrawsNothingOfB()
     {
         compare();
         QTRY_VERIFY_WITH_TIMEOUT(view().scene().request().idle, test::patience);
@@ -202,7 +202,7 @@ private slots:
         QTRY_VERIFY2(shownAt(0.4).red() < 10 && shownAt(0.4).green() < 10, "none is black");
     }
 
-    void differencesAreOfPicturesOfOneMoment()
+    void longDifferencesAreOfPicturesOfOneMoment()
     {
         window_->resize(800, 480);
         gallery_->greenIsTheClock = true;

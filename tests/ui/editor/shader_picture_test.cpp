@@ -218,7 +218,7 @@ private slots:
         }
     }
 
-    void thePointerInThePictureIsTheMouseOfTheShader()
+    void longThePointerInThePictureIsTheMouseOfTheShader()
     {
         show("mouse.glsl",
              "void mainImage(out vec4 c, in vec2 p) { c = iMouse.z > 0.0 ? vec4(1) : vec4(0, 0, 0, 1); }");
@@ -326,7 +326,7 @@ private slots:
         QTRY_VERIFY(std::abs(brightness(viewport().pictures().shown().image()) - 127.5) < 3);
     }
 
-    void keysInThePictureAreThoseOfTheShader()
+    void longKeysInThePictureAreThoseOfTheShader()
     {
         show("keys.glsl", "#iChannel0::Type \"Keyboard\"\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(texelFetch("
                           "iChannel0, ivec2(87, 0), 0).x); }");

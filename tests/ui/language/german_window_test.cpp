@@ -125,7 +125,7 @@ private slots:
         QCOMPARE(rowsNamed("Night").size(), 1);
     }
 
-    void presetsAreTheSameBytesAsInEnglish()
+    void longPresetsAreTheSameBytesAsInEnglish()
     {
         const QByteArray german = savedPreset(QStringLiteral("de"));
         finish();

@@ -176,7 +176,7 @@ private slots:
         QVERIFY(!window_->viewport().pictures().reason().contains("preferences"));
     }
 
-    void aPictureInMotionIsNeverCoarserThanIsPreferred()
+    void longAPictureInMotionIsNeverCoarserThanIsPreferred()
     {
         QVERIFY(openDialog("Picture and mouse"));
         choose("Resolution in motion", "50 % at least");

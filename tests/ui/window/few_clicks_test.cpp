@@ -160,7 +160,7 @@ private slots:
     }
     void cleanup() { closeWindow(); }
 
-    void theCostOfAParameterBecomesAFigure()
+    void longTheCostOfAParameterBecomesAFigure()
     {
         StudyDock& study = window_->docks().study();
         vitrine::test::setEffort(study, {64, 36}, 2);

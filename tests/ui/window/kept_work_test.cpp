@@ -200,7 +200,7 @@ private slots:
         QVERIFY(!dock("parameters")->isVisible());
     }
 
-    void aSecondCrashRightAfterARecoveryLosesNothing()
+    void longASecondCrashRightAfterARecoveryLosesNothing()
     {
         window_->choose(1);
         setRoughness(0.61);
@@ -280,7 +280,7 @@ private slots:
         QVERIFY(QFile::exists(state("aside-session.json")));
     }
 
-    void aStateThatCrashesAgainAndAgainIsPutAsideAndNotLost()
+    void longAStateThatCrashesAgainAndAgainIsPutAsideAndNotLost()
     {
         setRoughness(0.61);
         for (int i = 0; i < 3; ++i) {

@@ -280,7 +280,7 @@ private slots:
         QCOMPARE(value(index, row.constData()), path(file).toStdString());
     }
 
-    void brokenFilesThatAreDroppedChangeNothingAndSayWhyOnce()
+    void longBrokenFilesThatAreDroppedChangeNothingAndSayWhyOnce()
     {
         const QStringList broken = writeBrokenFiles();
         openWindow();
@@ -322,7 +322,7 @@ private slots:
                  qPrintable(said().join(" | ")));
     }
 
-    void aPhotographIsNoSkyAndAPrintOpensItsDialog()
+    void longAPhotographIsNoSkyAndAPrintOpensItsDialog()
     {
         openWindow();
         QImage photo(400, 300, QImage::Format_RGB32);

@@ -135,7 +135,7 @@ private slots:
         QVERIFY(window_->viewport().clock().time() >= ExhibitClock::latest);
     }
 
-    void atAMomentBeforeAPressNothingIsPressed()
+    void longAtAMomentBeforeAPressNothingIsPressed()
     {
         gallery_->exhibit().movesFor = 3;
         window_->visit(1);

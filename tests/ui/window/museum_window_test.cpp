@@ -206,7 +206,7 @@ private slots:
         QVERIFY2(difference(after, picture()) < 0.5, qPrintable(QString::number(difference(after, picture()))));
     }
 
-    void aPictureCarriesTheLookAndBringsItBackWhenDropped()
+    void longAPictureCarriesTheLookAndBringsItBackWhenDropped()
     {
         window_->visit(exhibit_);
         settle();
@@ -287,7 +287,7 @@ private slots:
         QVERIFY2(change < 0.5, qPrintable(QString::number(change)));
     }
 
-    void chartsOfAnExhibitFollowItsValuesAndLeaveThePictureAlone()
+    void longChartsOfAnExhibitFollowItsValuesAndLeaveThePictureAlone()
     {
         std::size_t charted = 0;
         for (std::size_t i = 0; i < museum_->subjects().size(); ++i)
@@ -310,7 +310,7 @@ private slots:
         QVERIFY(!charts->note().isEmpty());
     }
 
-    void theKeyIShowsWhatIsAtAPixelWhileItIsHeld()
+    void longTheKeyIShowsWhatIsAtAPixelWhileItIsHeld()
     {
         Viewport& viewport = window_->viewport();
         (void)pictureAtRest();
@@ -343,7 +343,7 @@ private slots:
         QTRY_VERIFY(inspector->text().isEmpty());
     }
 
-    void aCanceledExportLeavesNoFile()
+    void longACanceledExportLeavesNoFile()
     {
         ExportRequest exportRequest;
         exportRequest.path = home_->filePath("never.png").toStdString();

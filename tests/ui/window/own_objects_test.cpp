@@ -92,7 +92,7 @@ private slots:
         QVERIFY(said().isEmpty());
     }
 
-    void eachIsVisitedFromTheMenuAndPickedInThePicture()
+    void longEachIsVisitedFromTheMenuAndPickedInThePicture()
     {
         QVERIFY(menu());
         emit menu()->aboutToShow();

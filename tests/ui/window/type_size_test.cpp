@@ -214,7 +214,7 @@ private slots:
         lookAtDialog(window_->findChild<ColorDialog*>(), "Color");
     }
 
-    void everyPageOfTheExportDialog() { lookAtEveryPageOfTheExportDialog(200); }
+    void longEveryPageOfTheExportDialog() { lookAtEveryPageOfTheExportDialog(200); }
     void longEveryPageOfTheExportDialog_data() { sizes(); }
     void longEveryPageOfTheExportDialog()
     {

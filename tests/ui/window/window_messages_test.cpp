@@ -246,7 +246,7 @@ private slots:
         QCOMPARE(strip->texts().size(), 2);
     }
 
-    void badInputIsOneLineInTheLogHoweverManyFramesItLasts()
+    void longBadInputIsOneLineInTheLogHoweverManyFramesItLasts()
     {
         window_->viewport().pictures().setLimits(asTheHallRequests, 0);
         window_->choose(1);
