@@ -214,7 +214,6 @@ private slots:
         lookAtDialog(window_->findChild<ColorDialog*>(), "Color");
     }
 
-    void longEveryPageOfTheExportDialog() { lookAtEveryPageOfTheExportDialog(200); }
     void longEveryPageOfTheExportDialog_data() { sizes(); }
     void longEveryPageOfTheExportDialog()
     {
