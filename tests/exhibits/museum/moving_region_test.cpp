@@ -162,7 +162,7 @@ void MovingRegion::giveUpBeforeEvery(int stride)
 
 TEST_F(MovingRegion, AFrameGivenUpAnywhereLeavesTheNextOneAsItWouldHaveBeen)
 {
-    giveUpBeforeEvery(23);
+    giveUpBeforeEvery(11);
 }
 
 TEST_F(LongMovingRegion, AFrameGivenUpAnywhereLeavesTheNextOneAsItWouldHaveBeen)
