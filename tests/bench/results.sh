@@ -1,6 +1,6 @@
 #!/bin/sh
 # Makes the files of tests/bench/results: each is the unedited output of one command, below a head that names the command, the
-# commit and the machine. The machine should do nothing else meanwhile; all of them take about a quarter of an hour on two cores.
+# commit and the machine. The machine should do nothing else meanwhile; all of them take about an hour on two cores.
 #   sh tests/bench/results.sh [--missing] [NAME...]   all, or those by name or pattern; --missing: not those of this commit
 #   sh tests/bench/results.sh --list                  name, "gl" where the driver matters, and command of each
 set -e
