@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -31,6 +32,24 @@ Ended study(const std::string& out, std::vector<std::string> more)
                                    "--runs", "3",         "--no-model-error", "--alone", "--out",   out};
     words.insert(words.begin() + 2, more.begin(), more.end());
     return test::vitrine(words);
+}
+
+TEST(LongStudyCommand, TakesEveryStudyOfTheResults)
+{
+    const test::TemporaryFolder folder;
+    const std::string list = folder / "list";
+    ASSERT_EQ(std::system(("sh '" VITRINE_SOURCE_DIR "/tests/bench/results.sh' --list >'" + list + "'").c_str()), 0);
+    std::istringstream lines(textOf(list));
+    const std::string program = " build/release/vitrine ";
+    int studies = 0;
+    for (std::string line; std::getline(lines, line);) {
+        const auto at = line.find(program);
+        if (line.rfind("study_", 0) != 0 || at == std::string::npos) continue;
+        const std::string command = VITRINE_PROGRAM " " + line.substr(at + program.size()) + " --dry-run >/dev/null";
+        EXPECT_EQ(std::system(command.c_str()), 0) << command;
+        ++studies;
+    }
+    EXPECT_GE(studies, 20);
 }
 
 TEST(StudyCommand, WritesWhatItMeasuredAndAPageThatShowsIt)

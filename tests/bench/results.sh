@@ -22,7 +22,7 @@ web_hall gl sh tests/bench/web_hall/run.sh
 isf_renderers gl sh tests/exhibits/your_shader/compare_renderers.sh "\$ISF_FILES" 2
 stability_suite gl env VITRINE_SCAN_PRESETS=100 ctest --test-dir build/release -L stability -j 2
 END
-    sed "s,^\([^ ]*\) ,study_\1 gl build/release/vitrine study ," tests/bench/studies.txt
+    sed "s,^\([^ ]*\) \(.*\),study_\1 gl build/release/vitrine study \2 --out build/studies/\1," tests/bench/studies.txt
 }
 
 # The results are what a run changes: they make no commit another one.

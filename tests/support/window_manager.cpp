@@ -27,6 +27,7 @@ WindowManager::WindowManager(Display& display) : display_(display)
     if (runs()) return;
     started_ = ::fork();
     if (started_ == 0) {
+        ::dup2(STDERR_FILENO, STDOUT_FILENO);  // Its messages are not the program's output.
         ::execlp("openbox", "openbox", nullptr);
         ::_exit(127);
     }
