@@ -89,6 +89,8 @@ struct Bounds {
     render::Box box;    ///< Contains everything at distance 0 or below; infinite for infinite content.
     unsigned even = 0;  ///< Bits of `evenInX` and the others.
     bool flat = false;  ///< The distance does not change along z.
+    /// Least x of the centers, if the field is the distance to balls whose centers are at z = 0; else -infinity.
+    double ballsFrom = -std::numeric_limits<double>::infinity();
 };
 
 /// Description of a kind of node. `v` are the numbers of a node in SI, in the order of the fields; directions are

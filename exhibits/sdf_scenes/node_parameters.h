@@ -80,10 +80,17 @@ inline Bounds evenExtent(const glm::dvec3& halfSize)
 {
     return {boxAround(halfSize), evenInAll};
 }
-/// Returns the extent of all points within `radius` of the segment from a to b.
+/// Returns the extent of a solid of revolution about the segment from a to b, with all points within `radius` of it.
 inline Bounds segmentExtent(const glm::dvec3& a, const glm::dvec3& b, double radius)
 {
-    return {grown({glm::min(a, b), glm::max(a, b)}, radius), 0};
+    return {grown({glm::min(a, b), glm::max(a, b)}, radius), a.z == 0 && b.z == 0 ? evenInZ : 0};
+}
+/// Returns the same of a solid that consists of balls with their centers on the segment.
+inline Bounds ballsExtent(const glm::dvec3& a, const glm::dvec3& b, double radius)
+{
+    Bounds all = segmentExtent(a, b, radius);
+    if (a.z == 0 && b.z == 0) all.ballsFrom = std::min(a.x, b.x);
+    return all;
 }
 
 }  // namespace vitrine::scenes

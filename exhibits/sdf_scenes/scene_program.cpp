@@ -270,6 +270,7 @@ Bounds SceneProgram::extentInside(const SceneConstants& all, const Cover& cover,
         return own;
     }
     Bounds inside = cover.extent(node.firstChild);
+    inside.ballsFrom = Bounds().ballsFrom;
     if (k.extentOf) return k.extentOf(inside, v, level);
     for (std::uint32_t c = nodes_[node.firstChild].next; c != none; c = nodes_[c].next)
         inside = k.extentOfTwo(inside, cover.extent(c));
@@ -368,8 +369,12 @@ SceneProgram::Cover SceneProgram::coverOf(const SceneConstants& all, std::uint32
         Bounds extent = extentInside(all, cover, i);
         extent.box = placedBox(extent.box, all.words.data(), node);
         if (node.rotate != none) extent.even = 0;
+        if (node.rotate != none || node.scale != none) extent.ballsFrom = Bounds().ballsFrom;
         for (std::uint32_t axis = 0; axis < 3 && node.translate != none; ++axis)
             if (all.words[node.translate + axis] != 0) extent.even &= ~(1U << axis);
+        if (node.translate != none)
+            extent.ballsFrom =
+                all.words[node.translate + 2] == 0 ? extent.ballsFrom + all.words[node.translate] : Bounds().ballsFrom;
         cover.extents[i - first] = extent;
     }
     return cover;

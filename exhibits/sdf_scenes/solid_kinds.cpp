@@ -99,7 +99,7 @@ void addBentTubes(std::vector<NodeKind>& kinds)
                     point("end", {0, 0.4, 0}, "End of the segment."),
                     size("radius", 0.2, "Radius around the segment.")},
          .distance = SCENE_DISTANCE(sdfCapsule(p, V3(0), V3(3), V(6))),
-         .extent = [](const double* v) { return segmentExtent(vec3At(v, 0), vec3At(v, 3), v[6]); }});
+         .extent = [](const double* v) { return ballsExtent(vec3At(v, 0), vec3At(v, 3), v[6]); }});
 }
 
 void addCylinders(std::vector<NodeKind>& kinds)
@@ -328,7 +328,7 @@ void addBetweenPoints(std::vector<NodeKind>& kinds)
          .fields =
              endsOf({size("startRadius", 0.4, "Radius at the start."), size("endRadius", 0.2, "Radius at the end.")}),
          .distance = SCENE_DISTANCE(sceneRoundCone(p, V3(0), V3(3), V(6), V(7))),
-         .extent = [](const double* v) { return segmentExtent(vec3At(v, 0), vec3At(v, 3), std::max(v[6], v[7])); }});
+         .extent = [](const double* v) { return ballsExtent(vec3At(v, 0), vec3At(v, 3), std::max(v[6], v[7])); }});
     kinds.push_back({.name = "vesica",
                      .help = "A spindle with sharp tips at start and end.",
                      .fields = endsOf({size("radius", 0.25, "Radius in the middle; at most half the length.")}),

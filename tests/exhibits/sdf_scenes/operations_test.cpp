@@ -235,6 +235,41 @@ TEST(SceneOperations, RepetitionsAroundAnAxisAreTheUnionOfTheirCopies)
     }
 }
 
+TEST(SceneOperations, OfBallsBeforeTheAxisOneCopyIsAskedHoweverFarTheyReach)
+{
+    test::Random random(14);
+    const auto number = [&](double low, double high) { return std::to_string(random.number(low, high)); };
+    for (int sample = 0; sample < 40; ++sample) {
+        const std::string count = std::to_string(2 + random.below(12));
+        // The second petal, a control, has an end beside the plane.
+        const std::string start = number(0, 0.5) + ", " + number(-0.3, 0.3) + ", ";
+        const std::string end = number(0.2, 1) + ", " + number(-0.5, 0.8) + ", ";
+        const std::string radii = "\"startRadius\": " + number(0.05, 0.4) + ", \"endRadius\": " + number(0.01, 0.3);
+        const auto petal = [&](const char* z) {
+            return "{\"kind\": \"roundConeBetween\", \"start\": [" + start + "0], \"end\": [" + end + z + "], " +
+                   radii + ", \"translate\": [0.1, 0.2, 0]}";
+        };
+        const auto around = [&](const std::string& child) {
+            return "{\"kind\": \"repeatAround\", \"count\": " + count + ", \"child\": " + child + "}";
+        };
+        const auto asked = [&](const std::string& child) {
+            const auto scene = test::sceneOf(around(child));
+            return scenes::SceneProgram(scene).words(scene->numbersAt(0)).asked.front();
+        };
+        EXPECT_EQ(asked(petal("0")), 1);
+        EXPECT_GT(asked(petal("0.2")), 1) << "control";
+        std::vector<std::string> copies;
+        for (int i = 0; i < std::stoi(count); ++i)
+            copies.push_back("{\"kind\": \"union\", \"children\": [" + petal("0") + "], \"rotate\": [0, \"" +
+                             std::to_string(-i) + " * 360deg / " + count + "\", 0]}");
+        const SceneField repeated = test::fieldOf(around(petal("0")));
+        const SceneField written = test::fieldOf(operation("union", "quadratic", "0", copies));
+        eachPoint(15, 300, [&](const glm::dvec3& p) {
+            ASSERT_NEAR(repeated.distance(p), written.distance(p), 1e-6) << petal("0") << count;
+        });
+    }
+}
+
 TEST(SceneOperations, EndlessRepetitionsAreTheSameOneCellOnAlsoBelowZero)
 {
     const SceneField field = test::fieldOf(R"({"kind": "repeat", "spacing": [1, 2, 1.5], "count": [0, 0, 0],

@@ -65,7 +65,7 @@ TEST(SceneReader, RefusesWhatMakesNoShape)
         {R"({"kind": 3})", "this must be a text in quotes"},
         {R"({"kind": "repeat", "spacing": [1, 0, 0], "count": [0, 1, 1], "child": {"kind": "plane"}})",
          "the child is so wide"},
-        {R"({"kind": "repeatAround", "count": 1000, "child": {"kind": "sphere"}})",
+        {R"({"kind": "repeatAround", "count": 1000, "child": {"kind": "box"}})",
          "the child is so wide that 1000 copies"}};
     for (const auto& [root, sentence] : bad)
         EXPECT_NE(about(root).find(sentence), std::string::npos) << root << '\n' << about(root);
