@@ -33,17 +33,14 @@ reference()
 # File names and titles of all pictures, in the order of the page: the hall at its hours follows the hall.
 subjects()
 {
-    "$after" list --json | awk -F '"' -v hours="$hours" '
-        /^      "name"/ { name = $4 }
-        /^      "title"/ {
-            print name, $4
-            if (name != "hall") next
-            count = split(hours, hour, " ")
-            for (i = 1; i <= count; ++i) {
-                minutes = int(hour[i] * 60 + 0.5)
-                printf "hall-at-%s %s at %d:%02d\n", hour[i], $4, minutes / 60, minutes % 60
-            }
-        }'
+    # shellcheck disable=SC2086
+    "$after" list --json | python3 -c '
+import json, sys
+for exhibit in json.load(sys.stdin)["exhibits"]:
+    print(exhibit["name"], exhibit["title"])
+    for hour in sys.argv[1:] if exhibit["name"] == "hall" else []:
+        print(f"hall-at-{hour}", exhibit["title"], f"at {int(float(hour))}:{round(float(hour) % 1 * 60):02}")
+' $hours
 }
 
 # version PROGRAM: its name and commit.
