@@ -6,12 +6,12 @@ find_package(rapidcheck QUIET)
 
 # Tests compile in half the time without optimization, and most of them wait for the program anyway. OPTIMIZED is for those
 # that compute by themselves (-O1): references in float64, pictures of many pixels.
-# _FORTIFY_SOURCE warns without optimization.
-set(vitrine_unoptimized "$<$<CONFIG:Release>:-O0;-U_FORTIFY_SOURCE>")
 
 # Cache of compiled shader programs, shared by all tests that draw.
 set(vitrine_program_caches ${PROJECT_BINARY_DIR}/tests/exhibits/caches/llvmpipe)
 file(MAKE_DIRECTORY ${vitrine_program_caches})
+# Environment of what draws.
+set(vitrine_drawing LIBGL_ALWAYS_SOFTWARE=1 XDG_CACHE_HOME=${vitrine_program_caches})
 
 # Precompiled headers of other libraries for most tests: one set for all programs, and one for those with OPTIMIZED.
 file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/headers.cpp "")
@@ -85,18 +85,21 @@ function(vitrine_test name)
         endif()
     endforeach()
     set_tests_properties(${entries} PROPERTIES TIMEOUT 1200
-                         ENVIRONMENT "LIBGL_ALWAYS_SOFTWARE=1;XDG_CACHE_HOME=${vitrine_program_caches}")
+                         ENVIRONMENT "${vitrine_drawing}")
 endfunction()
 
 # vitrine_suites(<program> [AS <name>] [LONG <regex>] LABELS <label>... [PROPERTIES <key> <value>...]
 # [ENVIRONMENT <name=value>...]): an entry <name>.<suite> for each suite of a GoogleTest program, and for each parameter of a
-# suite with parameters; those that begin with Long or match LONG have the label long besides. They are listed when ctest starts, so that what is
-# new in the program needs no line here. ctest starts what has the highest COST first, and COST counts for all entries of a
-# call: the seconds that the longest takes.
+# suite with parameters; those that begin with Long or match LONG have the label long besides. ENVIRONMENT stands in place of
+# ${vitrine_drawing}. They are listed when ctest starts, so that what is new in the program needs no line here. ctest starts
+# what has the highest COST first, and COST counts for all entries of a call: the seconds that the longest takes.
 function(vitrine_suites program)
     cmake_parse_arguments(PARSE_ARGV 1 arg "" "AS;LONG" "LABELS;PROPERTIES;ENVIRONMENT")
     if(NOT arg_AS)
         set(arg_AS ${program})
+    endif()
+    if(NOT arg_ENVIRONMENT)
+        set(arg_ENVIRONMENT ${vitrine_drawing})
     endif()
     set(listing ${CMAKE_CURRENT_BINARY_DIR}/${arg_AS}_suites.cmake)
     file(GENERATE OUTPUT ${listing} CONTENT
