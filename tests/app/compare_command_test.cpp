@@ -24,7 +24,7 @@ struct Pair {
     }
 };
 
-TEST(Compare, TheFirstLineIsTheMetricAskedFor)
+TEST(LongCompare, TheFirstLineIsTheMetricAskedFor)
 {
     const Pair pair;
     const Ended ended = test::vitrine({"compare", pair.a, pair.b});
@@ -35,7 +35,7 @@ TEST(Compare, TheFirstLineIsTheMetricAskedFor)
     EXPECT_EQ(test::vitrine({"compare", pair.a, pair.a, "--metric", "flip"}).out.rfind("flip     0\n", 0), 0U);
 }
 
-TEST(Compare, BeyondTheLimitIsAFailedCheck)
+TEST(LongCompare, BeyondTheLimitIsAFailedCheck)
 {
     const Pair pair;
     EXPECT_EQ(test::vitrine({"compare", pair.a, pair.b, "--max", "0.126"}).code, 0);

@@ -54,7 +54,7 @@ protected:
 
 using LongCompareSettings = CompareSettings;
 
-TEST_F(CompareSettings, ShowsBothPicturesTheirDifferencesTheRowsAndTheCosts)
+TEST_F(LongCompareSettings, ShowsBothPicturesTheirDifferencesTheRowsAndTheCosts)
 {
     const std::string a = preset("a.json", R"({"morph": 0.1})"), b = preset("b.json", R"({"morph": 0.9})");
     const Ended ended = compare(a, b, {"--gain", "4"});

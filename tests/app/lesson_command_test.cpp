@@ -110,7 +110,7 @@ std::ptrdiff_t countOf(const std::string& text, const std::string& part)
     return count;
 }
 
-TEST(LessonCommand, ExportsAHandoutAndSlidesWithAPictureForEachStep)
+TEST(LongLessonCommand, ExportsAHandoutAndSlidesWithAPictureForEachStep)
 {
     const test::TemporaryFolder folder;
     const std::string file = folder / "own.md", out = folder / "handout";

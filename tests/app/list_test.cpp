@@ -141,7 +141,7 @@ TEST(List, PrintsTheParametersOfAnExhibitAsATable)
     test::expectOneSentence(test::vitrine({"list", "sdf_morhp"}), {"sdf_morhp", "sdf_morph"});
 }
 
-TEST(List, SpeaksTheSameInEveryLocale)
+TEST(LongList, SpeaksTheSameInEveryLocale)
 {
     const test::GermanLocale german;
     if (!german.active()) GTEST_SKIP() << "there is no German locale here";

@@ -52,7 +52,7 @@ void makeParts(const Typed& command, int of)
 
 }  // namespace
 
-TEST(MergeCommand, AFilmOfThreePartsIsTheFilmOfOne)
+TEST(LongMergeCommand, AFilmOfThreePartsIsTheFilmOfOne)
 {
     const TemporaryFolder folder;
     for (const char* name : {"film.apng", "film.mp4"}) {
@@ -68,7 +68,7 @@ TEST(MergeCommand, AFilmOfThreePartsIsTheFilmOfOne)
     }
 }
 
-TEST(MergeCommand, APrintOfTwoPartsIsThePrintOfOne)
+TEST(LongMergeCommand, APrintOfTwoPartsIsThePrintOfOne)
 {
     const TemporaryFolder folder;
     const std::string out = folder / "print.tif";
@@ -107,7 +107,7 @@ TEST(LongMergeCommand, AStudyOfThreePartsFindsTheErrorsAndCountsOfOne)
     EXPECT_TRUE(parts["points"][0].contains("error"));
 }
 
-TEST(MergeCommand, PartsThatAreMissingFailedOrDamagedAreNamedAndNothingChanges)
+TEST(LongMergeCommand, PartsThatAreMissingFailedOrDamagedAreNamedAndNothingChanges)
 {
     const TemporaryFolder folder;
     const std::string out = folder / "film.apng";

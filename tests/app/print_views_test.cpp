@@ -63,7 +63,7 @@ std::string viewName(int k)
     return "views/view_0" + std::to_string(k) + ".png";
 }
 
-TEST(PrintExhibit, LooksThroughItsSheetLikeTheViewThatWasRenderedForThatAngle)
+TEST(LongPrintExhibit, LooksThroughItsSheetLikeTheViewThatWasRenderedForThatAngle)
 {
     const TemporaryFolder folder;
     const Ended ended = test::vitrine(
@@ -360,7 +360,7 @@ TEST(PrintCommand, HasAnOptionForEachParameter)
     EXPECT_EQ(options, 56);
 }
 
-TEST(PrintCommand, TheLpiGivenBesideASheetIsTheMeasuredOne)
+TEST(LongPrintCommand, TheLpiGivenBesideASheetIsTheMeasuredOne)
 {
     const TemporaryFolder folder;
     const auto sheetOf = [&](const Words& more) {
@@ -377,7 +377,7 @@ TEST(PrintCommand, TheLpiGivenBesideASheetIsTheMeasuredOne)
     EXPECT_EQ(sheetOf({"--lpi", "60.2"}).nominalLpi, 60);
 }
 
-TEST(PrintPictures, TakesASequenceBackAndForthInTheOrderOfItsNumbers)
+TEST(LongPrintPictures, TakesASequenceBackAndForthInTheOrderOfItsNumbers)
 {
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder / "clip");

@@ -63,7 +63,7 @@ TEST(RecordCommand, TurnsRoundAnExhibitAndGivesTheSameBytesAgain)
     EXPECT_EQ(test::bytesOf(folder / "a.apng"), test::bytesOf(folder / "b.apng"));
 }
 
-TEST(RecordCommand, AFramesTimeIsItsNumberOverTheRateAndItsPresetBringsItBack)
+TEST(LongRecordCommand, AFramesTimeIsItsNumberOverTheRateAndItsPresetBringsItBack)
 {
     const TemporaryFolder folder;
     const Words film{"--alone", "--seconds", "1", "--path", "still", "--set", "animate=on", "--time", "1"};

@@ -126,7 +126,7 @@ TEST(RenderCommand, TheReportSaysWhatRanWhatWasSkippedAndWhatItCost)
     EXPECT_LE(ms["median"].get<double>(), ms["high"].get<double>());
 }
 
-TEST(RenderCommand, CountersDoNotDependOnTheRun)
+TEST(LongRenderCommand, CountersDoNotDependOnTheRun)
 {
     const TemporaryFolder folder;
     Json counters[2];
@@ -155,7 +155,7 @@ TEST(LongRenderCommand, EveryLocaleAndThreadCountGivesTheSameBytes)
     EXPECT_TRUE(sameBytes(folder / "plain.exr", folder / "german.exr"));
 }
 
-TEST(RenderCommand, APictureBringsItsLookBack)
+TEST(LongRenderCommand, APictureBringsItsLookBack)
 {
     const TemporaryFolder folder;
     for (const char* extension : {".png", ".exr"}) {
@@ -227,7 +227,7 @@ TEST(LongRenderCommand, AWebpIsLosslessAndCarriesItsSettings)
     }
 }
 
-TEST(RenderCommand, StandardOutputTakesThePictureAlone)
+TEST(LongRenderCommand, StandardOutputTakesThePictureAlone)
 {
     const TemporaryFolder folder;
     Words words = rendering("sdf_morph", "-", {"--alone"});
@@ -297,7 +297,7 @@ TEST(LongRenderCommand, APictureAtItsPlaceBringsTheHallTheTimeAndTheTurnBack)
     EXPECT_NE(render::readImage(folder / "settings.png").pixels, render::readImage(first).pixels);
 }
 
-TEST(RenderCommand, AParameterThatMovesIsWhereTheTimeSays)
+TEST(LongRenderCommand, AParameterThatMovesIsWhereTheTimeSays)
 {
     const TemporaryFolder folder;
     const auto render = [&](const std::string& name, Words options) {
@@ -343,7 +343,7 @@ TEST(RenderCommand, AValueOutOfRangeIsBroughtBackAndSaidSo)
     EXPECT_NE(ended.err.find("the nearest allowed value"), std::string::npos) << ended.err;
 }
 
-TEST(RenderCommand, DottedNamesSetAnyExhibitInTheHall)
+TEST(LongRenderCommand, DottedNamesSetAnyExhibitInTheHall)
 {
     const TemporaryFolder folder;
     const Words eye{"--eye", "0.62,1.87,1.9", "--target", "0,1.42,0"};
@@ -385,7 +385,7 @@ TEST(RenderCommand, WhatCannotBeWrittenIsExit5AndNothingIsLeft)
     EXPECT_TRUE(folder.files().empty()) << "a picture without its report";
 }
 
-TEST(RenderCommand, WhatCannotBeReadIsExit5)
+TEST(LongRenderCommand, WhatCannotBeReadIsExit5)
 {
     const TemporaryFolder folder;
     test::writeBytes(folder / "broken.json", "{\"format\": ");
@@ -429,7 +429,7 @@ TEST(LongRenderCommand, SeveralObjectsOfTheVisitorsStandInTheHallAndABadOneIsNam
     test::expectOneSentence(bad, {"Third model", "broken.glb"});
 }
 
-TEST(RenderCommand, AShippedPresetIsKnownByItsName)
+TEST(LongRenderCommand, AShippedPresetIsKnownByItsName)
 {
     const TemporaryFolder folder;
     ASSERT_EQ(test::vitrine(rendering("sdf_morph", folder / "named.exr", {"--alone", "--preset", "old-gold"})).code, 0);
@@ -454,7 +454,7 @@ TEST(RenderCommand, WithoutAssetsSaysWhatToDo)
     test::expectOneSentence(ended, {"materials.json"});
 }
 
-TEST(RenderCommand, ABrokenPictureOfTheHallIsNamedAndIsNotNeededForAnExhibitAlone)
+TEST(LongRenderCommand, ABrokenPictureOfTheHallIsNamedAndIsNotNeededForAnExhibitAlone)
 {
     const TemporaryFolder folder;
     const std::filesystem::path assets = render::asset("models/materials.json").parent_path().parent_path();

@@ -50,7 +50,7 @@ void expectSameBytes(const CommandWords& command, const std::string& name, const
         EXPECT_TRUE(test::bytesOf(a / file) == test::bytesOf(b / file)) << file << " differs from itself";
 }
 
-TEST(SameBytes, OfAFileOfEachJobWhateverTheClock)
+TEST(LongSameBytes, OfAFileOfEachJobWhateverTheClock)
 {
     expectSameBytes(ofPicture, "a.png");
     expectSameBytes(ofPrint, "a.tif");

@@ -317,7 +317,7 @@ TEST(SceneMeshCommand, StoppedByCtrlCLeavesTheOldFile)
     EXPECT_EQ(folder.files().size(), 1U);
 }
 
-TEST(SceneMeshCommand, TakesNoMoreMemoryThanItSaid)
+TEST(LongSceneMeshCommand, TakesNoMoreMemoryThanItSaid)
 {
     const TemporaryFolder folder;
     const auto peak = [&](const std::string& cell, double& said) {

@@ -56,6 +56,8 @@ protected:
     test::TemporaryFolder folder_;
 };
 
+using LongOwnShader = OwnShader;
+
 TEST_F(OwnShader, MovesByMotions)
 {
     // From 0 to 1 and back in 4 s.
@@ -65,7 +67,7 @@ TEST_F(OwnShader, MovesByMotions)
     }
 }
 
-TEST_F(OwnShader, IsPrintedWithAnInputThatChangesFromViewToView)
+TEST_F(LongOwnShader, IsPrintedWithAnInputThatChangesFromViewToView)
 {
     const Ended ended = test::vitrine({"print",
                                        "--exhibit",
@@ -134,7 +136,7 @@ TEST_F(OwnShader, IsRestoredFromAPicture)
     EXPECT_EQ(render::readImage(folder_ / "again.png").pixels, render::readImage(folder_ / "first.png").pixels);
 }
 
-TEST_F(OwnShader, ShowsAnotherExhibitAndRefusesUnknownOnes)
+TEST_F(LongOwnShader, ShowsAnotherExhibitAndRefusesUnknownOnes)
 {
     const std::string shown = folder_ / "shown.fs";
     test::writeBytes(shown, "/*{\"INPUTS\": [{\"NAME\": \"inputImage\", \"TYPE\": \"image\"}]}*/\n"

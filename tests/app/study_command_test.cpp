@@ -109,7 +109,7 @@ std::string textsOf(const std::string& svg)
     return texts;
 }
 
-TEST(StudyCommand, ChartsShowMillisecondsWhereTheClockIsTrustedAndWorkWhereItIsAskedFor)
+TEST(LongStudyCommand, ChartsShowMillisecondsWhereTheClockIsTrustedAndWorkWhereItIsAskedFor)
 {
     const test::TemporaryFolder folder;
     const std::string out = folder / "study";

@@ -16,6 +16,8 @@ using namespace test;
 
 class Ball : public test::GlTest {};
 
+using LongBall = Ball;
+
 TEST_F(Ball, ShowsTheCircleOfItsSphereToAPixel)
 {
     for (const double radius : {0.1, 0.3, 0.45}) {
@@ -65,7 +67,7 @@ TEST_F(Ball, IsTheSameAsAMesh)
     EXPECT_LT(largest, 0.05);
 }
 
-TEST_F(Ball, ThrowsItsShadowWhereTheSphereHidesTheSun)
+TEST_F(LongBall, ThrowsItsShadowWhereTheSphereHidesTheSun)
 {
     constexpr double radius = 0.4;
     BallShot shot;
@@ -173,7 +175,7 @@ TEST(BallOnPaper, OutOfViewTheFrameReportSaysWhyInOneLine)
         EXPECT_TRUE(skipped.name == "ball/shadow" || !skipped.name.starts_with("ball/")) << skipped.name;
 }
 
-TEST(BallOnPaper, StandsBesideTheOthersAndLeavesThemAsTheyAre)
+TEST(LongBallOnPaper, StandsBesideTheOthersAndLeavesThemAsTheyAre)
 {
     auto list = allExhibits();
     list.push_back(std::make_unique<test::Ball>(5, test::ballShaders()));

@@ -45,6 +45,8 @@ render::FramePlan spoiled(const Shot& shot, int i, int n)
     return plan;
 }
 
+using LongHardCases = HardCases;
+
 TEST_F(HardCases, ASampleThatIsNaNIsGoneWithTheNextPicture)
 {
     Shot shot;
@@ -177,7 +179,7 @@ int whitePixels(const Picture& p)
     return count;
 }
 
-TEST_F(HardCases, NormalsWithoutLengthInAVisitorsFileLeaveNumbersInThePicture)
+TEST_F(LongHardCases, NormalsWithoutLengthInAVisitorsFileLeaveNumbersInThePicture)
 {
     // Normalizing these normals would give NaN.
     const auto lit = [](float x, float y, float z) {
@@ -196,7 +198,7 @@ TEST_F(HardCases, NormalsWithoutLengthInAVisitorsFileLeaveNumbersInThePicture)
     }
 }
 
-TEST_F(HardCases, AModelScaledToAPlaneOrALineIsDrawnWithoutNaN)
+TEST_F(LongHardCases, AModelScaledToAPlaneOrALineIsDrawnWithoutNaN)
 {
     for (const char* scale : {"[1, 1, 0]", "[1, 0, 1]", "[0, 0, 0]", "[1e-30, 1e-30, 1e-30]", "[1, 1, 1e-40]"}) {
         test::GltfBuilder builder = quad(0, 0, 1);

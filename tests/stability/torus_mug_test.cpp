@@ -200,7 +200,7 @@ TEST(LongTorusMug, IsOneBodyWithOneHoleAtEveryMoment)
     }
 }
 
-TEST(TorusMug, StaysOneBodyWithOneHoleForOtherSizes)
+TEST(LongTorusMug, StaysOneBodyWithOneHoleForOtherSizes)
 {
     test::Random random(4);
     for (int k = 0; k < 24; ++k) {

@@ -36,6 +36,8 @@ QStringList testArguments(const QMetaObject& tests, int argc, char** argv)
                           !QStringList{"initTestCase", "cleanupTestCase", "init", "cleanup"}.contains(name);
         if (runs && name.startsWith("long") == onlyLong) arguments.append(name);
     }
+    // Without functions, Qt Test would run all of them.
+    if (arguments.size() == 1) qFatal("%s has no such functions", tests.className());
     return arguments;
 }
 

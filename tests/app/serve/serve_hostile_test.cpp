@@ -155,6 +155,8 @@ void expectRefused(RpcClient& client, const HostileLine& hostile)
     EXPECT_EQ(message.back(), '.') << message;
 }
 
+using LongServeHostile = ServeHostile;
+
 TEST_F(ServeHostile, WhatIsNoRequestIsRefusedInOneSentence)
 {
     RpcClient client(hostile_->socket());
@@ -162,7 +164,7 @@ TEST_F(ServeHostile, WhatIsNoRequestIsRefusedInOneSentence)
     EXPECT_TRUE(client.call("list").contains("result"));
 }
 
-TEST_F(ServeHostile, WhatCannotBeDoneIsRefusedInOneSentence)
+TEST_F(LongServeHostile, WhatCannotBeDoneIsRefusedInOneSentence)
 {
     RpcClient client(hostile_->socket());
     for (const HostileLine& hostile : requestsThatAreRefused()) expectRefused(client, hostile);
@@ -239,7 +241,7 @@ TEST_F(ServeHostile, RandomBytesAndBrokenRequestsForAWhile)
     EXPECT_TRUE(bystander_.call("list").contains("result"));
 }
 
-TEST_F(ServeHostile, WhoDoesNotReadItsAnswersIsReadNoFurther)
+TEST_F(LongServeHostile, WhoDoesNotReadItsAnswersIsReadNoFurther)
 {
     const std::string line = test::requestLine(1, "list", Json::object());
     const auto kilobytes = [] {

@@ -43,6 +43,8 @@ protected:
 };
 std::unique_ptr<ServedProgram> Serve::server_;
 
+using LongServe = Serve;
+
 TEST_F(Serve, ListsWhatTheCommandLineLists)
 {
     const Json all = render::parseJson(test::vitrine({"list", "--json"}).out, "list").root()["exhibits"];
@@ -391,7 +393,7 @@ TEST_F(Serve, WorkTellsItsProgressAndIsCanceled)
     EXPECT_TRUE(client_.call("get", {{"exhibit", "fur"}}).contains("result"));
 }
 
-TEST_F(Serve, WorkOfAClosedConnectionStopsAndOthersWaitUntilThen)
+TEST_F(LongServe, WorkOfAClosedConnectionStopsAndOthersWaitUntilThen)
 {
     static_cast<void>(client_.result("events"));
     auto leaving = std::make_unique<RpcClient>(server_->socket());

@@ -31,6 +31,8 @@ struct SlabShot : RayShot {
     }
 };
 
+using LongRays = Rays;
+
 TEST_F(Rays, OfTheVolumeAreTheClosedFormOfALitSlabForAnyNumberOfSteps)
 {
     SlabShot shot;
@@ -138,7 +140,7 @@ TEST_F(Rays, OfTheVolumeAreBrokenByWhatHangsInTheBeam)
     EXPECT_GT(broken.mean(), 0.2 * whole.mean());
 }
 
-TEST_F(Rays, OfTheVolumeAreThoseOfAMapDrawnAnewHoweverTheMobileCameToTurn)
+TEST_F(LongRays, OfTheVolumeAreThoseOfAMapDrawnAnewHoweverTheMobileCameToTurn)
 {
     // From turn to turn, only the mobile's part of the sun's shadow map is restored and drawn again. Nothing of an
     // earlier turn may stay, and nothing else may be lost.

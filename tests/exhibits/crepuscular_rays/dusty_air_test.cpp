@@ -22,7 +22,9 @@ using namespace test;
 
 class DustyAir : public test::GlTest {};
 
-TEST_F(DustyAir, FillsTheHallAndEndsAtItsWalls)
+using LongDustyAir = DustyAir;
+
+TEST_F(LongDustyAir, FillsTheHallAndEndsAtItsWalls)
 {
     // Lit by the hall alone, every pixel gets the light that dust scatters along its ray, from wall to wall only.
     RayShot shot(RayTechnique::volume);
@@ -109,7 +111,7 @@ TEST_F(DustyAir, BrightensTheFirstViewOfTheBeams)
     EXPECT_GT(with, 1.8 * tenthBrightest());
 }
 
-TEST_F(DustyAir, ShowsAShaftFromTheOculusAtNoon)
+TEST_F(LongDustyAir, ShowsAShaftFromTheOculusAtNoon)
 {
     test::Shot shot;
     shot.inHall();

@@ -34,7 +34,7 @@ double worstOf(const Picture& p, const dvec3& white, const std::function<double(
 
 using LongRays = Rays;
 
-TEST_F(Rays, AWhiteMaskIsWhiteForEverySetting)
+TEST_F(LongRays, AWhiteMaskIsWhiteForEverySetting)
 {
     RayShot shot(RayTechnique::screen);
     shot.onWhite();
@@ -58,7 +58,7 @@ TEST_F(Rays, AWhiteMaskIsWhiteForEverySetting)
                         }
 }
 
-TEST_F(Rays, OfASunBeyondTheEdgeAreTheShareOfTheWayInsideThePictureTimesTheFade)
+TEST_F(LongRays, OfASunBeyondTheEdgeAreTheShareOfTheWayInsideThePictureTimesTheFade)
 {
     // Beyond the picture's edge the mask is black. A white mask therefore gives the weight of the ray from the pixel to
     // the edge, in closed form, times the edge fade.
@@ -146,7 +146,7 @@ TEST_F(Rays, AreNeverBrighterThanTheMask)
     EXPECT_GT(brightest, 20);
 }
 
-TEST_F(Rays, ChangeLittleByLittleWhileTheCameraTurnsAway)
+TEST_F(LongRays, ChangeLittleByLittleWhileTheCameraTurnsAway)
 {
     // From the sun in the picture, across the edge, to a quarter turn beyond it, in steps of a tenth of a degree here
     // around the edge and at the end of the fade: no jumps.

@@ -51,7 +51,7 @@ double gathered(const Mask& mask, const dvec2& source, const dvec2& pixel, int s
 
 using LongRays = Rays;
 
-TEST_F(Rays, LeaveThePictureAsItIsToTheBitWhenTheyAreOff)
+TEST_F(LongRays, LeaveThePictureAsItIsToTheBitWhenTheyAreOff)
 {
     RayShot shot(RayTechnique::none);
     shot.rays().set(raysTable().view, RayView::picture);
@@ -114,7 +114,7 @@ TEST_F(Rays, InScreenSpaceAreInProportionToTheSunsStrengthDownToNone)
     EXPECT_EQ(shot.take().mean(), 0);
 }
 
-TEST_F(Rays, AreTheMeanThatFloat64Finds)
+TEST_F(LongRays, AreTheMeanThatFloat64Finds)
 {
     // Sun in the picture, beyond its upper edge, and beyond its corner.
     const std::pair<dvec3, dvec3> views[] = {
@@ -343,7 +343,7 @@ TEST_F(Rays, JitterMovesTheGrainAndNotTheMean)
     EXPECT_NEAR(shot.take().mean() / even, 1, 0.01);
 }
 
-TEST_F(Rays, OfATiledPictureAreThoseOfTheWhole)
+TEST_F(LongRays, OfATiledPictureAreThoseOfTheWhole)
 {
     RayShot shot(RayTechnique::screen);
     shot.size(101, 75);

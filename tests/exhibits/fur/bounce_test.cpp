@@ -239,7 +239,7 @@ TEST(Bounce, IsLookedForNoHigherThanAThrowOfItsStrengthGets)
     }
 }
 
-TEST(Bounce, HopsBackOverTheRimAndIsNotDrawnHome)
+TEST(LongBounce, HopsBackOverTheRimAndIsNotDrawnHome)
 {
     int left = 0, flying = 0, steered = 0;
     for (int toss = 1; toss <= 16; ++toss) {

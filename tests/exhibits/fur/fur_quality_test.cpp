@@ -141,7 +141,7 @@ struct CloseShot : FurShot {
     }
 };
 
-TEST_F(FurQuality, SeenFromNearIsWithinEightLevelsOfShellsWithoutNumber)
+TEST_F(LongFurQuality, SeenFromNearIsWithinEightLevelsOfShellsWithoutNumber)
 {
     CloseShot usual, reference, bare;
     const Picture truth = reference.reference().take();
@@ -184,7 +184,7 @@ TEST_F(LongFurQuality, WithFewerShellsFromItsBestViewIsNearShellsWithoutNumber)
     EXPECT_LE(allError, 0.17 * contrast);
 }
 
-TEST_F(FurQuality, SpinesAreSmooth)
+TEST_F(LongFurQuality, SpinesAreSmooth)
 {
     const auto shot = [](const auto& change) {
         CloseShot s;

@@ -17,6 +17,8 @@ namespace {
 
 class FurTest : public GlTest {};
 
+using LongFurTest = FurTest;
+
 TEST_F(FurTest, WithoutLengthIsTheSkin)
 {
     FurShot bare, one;
@@ -249,7 +251,7 @@ TEST_F(FurTest, CastsTheLampsShadowOnTheFloorAndOnItsNeighbors)
     EXPECT_LT(floorAt(-0.05, 0.25), 0.5 * floorAt(-0.75, 0.75));
 }
 
-TEST_F(FurTest, IsThinnedFromAfarWithoutAChangeOfLook)
+TEST_F(LongFurTest, IsThinnedFromAfarWithoutAChangeOfLook)
 {
     FurShot with, without;
     for (FurShot* shot : {&with, &without}) {

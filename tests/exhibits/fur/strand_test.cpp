@@ -58,7 +58,7 @@ double unevenness(double cellSize, bool thinned)
     return worst;
 }
 
-TEST(Strands, AreAsDenseAtThePolesAsElsewhere)
+TEST(LongStrands, AreAsDenseAtThePolesAsElsewhere)
 {
     // A cap has about 1,100 strands, of which chance removes up to 4 in 10: a standard deviation of 2.4 %. The largest
     // of 60 such deviations stays below three of them, 7.3 %.
@@ -92,7 +92,7 @@ TEST(Strands, DifferInThicknessEvenlyAndWithoutRegardToLengthAndTint)
     EXPECT_NEAR(withTint, 0, 0.002);
 }
 
-TEST(Strands, AreAsManyAsAreAskedFor)
+TEST(LongStrands, AreAsManyAsAreAskedFor)
 {
     for (const double density : {2000.0, 20000.0}) {
         const double cell = glsl::strandCellSize(density);

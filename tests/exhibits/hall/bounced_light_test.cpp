@@ -90,7 +90,7 @@ template <typename AirOf> std::vector<double> errors(const AirOf& airOf)
     return wrong;
 }
 
-TEST(BouncedLight, IsWithinATenthOfAPathTracer)
+TEST(LongBouncedLight, IsWithinATenthOfAPathTracer)
 {
     const std::vector<double> wrong = errors(airAt);
     ASSERT_EQ(wrong.size(), 96U);

@@ -58,7 +58,9 @@ const std::vector<Standing>& standingThings()
     return things;
 }
 
-TEST_F(Floor, IsDarkerWhereSomethingStandsThanAStepAway)
+using LongFloor = Floor;
+
+TEST_F(LongFloor, IsDarkerWhereSomethingStandsThanAStepAway)
 {
     for (const Standing& thing : standingThings()) {
         Shot shot = hallShot(thing.eye, thing.edge + 0.2 * thing.away, 0.7);

@@ -63,7 +63,9 @@ Images imagesOf(const Shot& shot)
             gallery().renderer.read("frame")};
 }
 
-TEST_F(GlareOfLight, ScattersLightAndCreatesNone)
+using LongGlareOfLight = GlareOfLight;
+
+TEST_F(LongGlareOfLight, ScattersLightAndCreatesNone)
 {
     const Images images = imagesOf(lanterns());
     dvec3 all(0), above(0), halos(0);
@@ -136,7 +138,7 @@ TEST_F(GlareOfLight, MakesHalosThatFadeAwayFromALight)
     EXPECT_GE(halo(edge + 24), 0);
 }
 
-TEST_F(GlareOfLight, GoesAcrossTheTilesOfAPicture)
+TEST_F(LongGlareOfLight, GoesAcrossTheTilesOfAPicture)
 {
     const auto pictureOf = [](int tile, double glare) {
         Shot shot = lanterns();

@@ -49,6 +49,8 @@ double redOverBlue(const Picture& p)
     return red / blue;
 }
 
+using LongHours = Hours;
+
 TEST_F(Hours, TheSkyReddensWhereTheSunSets)
 {
     const glm::dvec3 low{0.25, 0.2, -1};
@@ -123,7 +125,7 @@ double blackAt(double hour, LampsLit lamps, Picture* taken = nullptr)
     return static_cast<double>(black) / all;
 }
 
-TEST_F(Hours, TheLampsMakeANightToStandIn)
+TEST_F(LongHours, TheLampsMakeANightToStandIn)
 {
     Picture dusk, night;
     EXPECT_LT(blackAt(18.2, LampsLit::automatic, &dusk), 0.03);
@@ -158,7 +160,7 @@ TEST_F(Hours, TheNightHasPoolsOfLight)
     EXPECT_LT(contrast(levelsOf(5, 0)), 12) << "the lamps of the vault alone light it evenly";
 }
 
-TEST_F(Hours, LampsWithoutStrengthAreNoLampsToTheBit)
+TEST_F(LongHours, LampsWithoutStrengthAreNoLampsToTheBit)
 {
     Shot shot = hallAt(20);
     shot.hall().set(hallTable().lampStrength, 0.0);

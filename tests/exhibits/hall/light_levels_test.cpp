@@ -181,7 +181,7 @@ Picture mugBeside(const glm::dvec3& color, double roughness)
     return shot.take();
 }
 
-TEST_F(LightLevels, OfWorksOnTheWallsAreInTheMirrorsOfTheHall)
+TEST_F(LongLightLevels, OfWorksOnTheWallsAreInTheMirrorsOfTheHall)
 {
     const glm::dvec3 red(0.9, 0.02, 0.02), green(0.02, 0.9, 0.02);
     const auto turned = [&](double roughness) {
@@ -310,7 +310,7 @@ Shot displayed(const render::Camera& camera)
 
 const auto asShown = [](const glm::dvec3& color) { return color; };
 
-TEST_F(LightLevels, OfTheFirstViewHaveContrastAndLeaveNothingWhite)
+TEST_F(LongLightLevels, OfTheFirstViewHaveContrastAndLeaveNothingWhite)
 {
     Shot shot = displayed(hall().bestView(Shot().hall()));
     const Levels shown = levelsOf(shot.take(), asShown);

@@ -170,7 +170,7 @@ double metByFacets(const StandingShape& shape, const glm::dvec3& from, const glm
     return static_cast<double>(met) / (rings * around);
 }
 
-TEST(Standing, MeetsTheShareOfAMirroredLobeThatFacetsSay)
+TEST(LongStanding, MeetsTheShareOfAMirroredLobeThatFacetsSay)
 {
     constexpr double alpha = 0.17 * 0.17;
     const StandingShape plinth = examples()[0];

@@ -72,7 +72,7 @@ dvec3 pointNear(const EverySolid& every, const render::Box& box, RandomNumbers& 
     return p;
 }
 
-TEST(Solids, TheFewThatAreEvaluatedGiveWhatAllOfThemGive)
+TEST(LongSolids, TheFewThatAreEvaluatedGiveWhatAllOfThemGive)
 {
     RandomNumbers numbers(11);
     double largest = 0;
@@ -160,12 +160,12 @@ int overshoots(const std::function<double(glsl::IceCream&, const dvec3&)>& step)
     return beyond;
 }
 
-TEST(Solids, NoStepPassesASurfaceHoweverTheCreamIsTwisted)
+TEST(LongSolids, NoStepPassesASurfaceHoweverTheCreamIsTwisted)
 {
     EXPECT_EQ(overshoots([](glsl::IceCream& solids, const dvec3& p) { return solids.iceCreamDistance(p); }), 0);
 }
 
-TEST(Solids, TheTwistedLevelItselfWouldPassSurfaces)
+TEST(LongSolids, TheTwistedLevelItselfWouldPassSurfaces)
 {
     EXPECT_GT(overshoots([](glsl::IceCream& solids, const dvec3& p) { return solids.iceCreamLevel(p); }), 20);
 }

@@ -417,7 +417,7 @@ struct SmallOrders {
     Museum museum{allExhibits()};
 };
 
-TEST(EveryJob, WritesExactlyThePlannedFilesAndItsDocumentRunsItAgain)
+TEST(LongEveryJob, WritesExactlyThePlannedFilesAndItsDocumentRunsItAgain)
 {
     const SmallOrders small;
     int ran = 0;
@@ -530,7 +530,7 @@ TEST(RecordJob, TellsFramesAndWhatCannotBeBeforeItStarts)
     EXPECT_EQ(planned({}, "a.mp4").ifStopped, "Stopped; nothing was written.");
 }
 
-TEST(RecordJob, PreviewsFramesAlongItsPathAndJudgesTheSizeOfItsFile)
+TEST(LongRecordJob, PreviewsFramesAlongItsPathAndJudgesTheSizeOfItsFile)
 {
     const Job& job = *findJob("record");
     const SmallOrders small;

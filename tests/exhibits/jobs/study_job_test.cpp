@@ -60,7 +60,9 @@ protected:
     ParameterValues values_{studyTable()};
 };
 
-TEST_F(StudyJobTest, MeasuresAsAStudyOfTheSameRequestDoes)
+using LongStudyJobTest = StudyJobTest;
+
+TEST_F(LongStudyJobTest, MeasuresAsAStudyOfTheSameRequestDoes)
 {
     const std::unique_ptr<JobRun> run = job_.start(order());
     runAll(*run);
@@ -132,7 +134,7 @@ TEST_F(StudyJobTest, CountsTheSettingsOfItsPlan)
     EXPECT_EQ(planned(values_).facts.front(), (Fact{"Settings at most", 50.0}));
 }
 
-TEST_F(StudyJobTest, ChoosesOnlyWhereALimitIsSet)
+TEST_F(LongStudyJobTest, ChoosesOnlyWhereALimitIsSet)
 {
     const StudyTable& t = studyTable();
     const auto preset = [&] {

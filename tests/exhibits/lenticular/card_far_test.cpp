@@ -90,7 +90,7 @@ TEST_F(CardFar, LensesSmallerThanAPixelLeaveNoMoire)
     }
 }
 
-TEST_F(CardFar, FromOneLensInAPixelToManyThePictureChangesWithoutASeam)
+TEST_F(LongCardFar, FromOneLensInAPixelToManyThePictureChangesWithoutASeam)
 {
     CardShot shot;
     shot.values().set(cardTable().sheetKind, CardSheet(5));

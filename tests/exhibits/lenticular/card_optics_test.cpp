@@ -64,7 +64,9 @@ double expectedGray(const CardShot& shot, const Sheet& sheet, double theta, int 
     return sum;
 }
 
-TEST_F(CardOptics, TheLinearAndTheParaxialModelShowEveryViewOnceInOrderAndStartAgain)
+using LongCardOptics = CardOptics;
+
+TEST_F(LongCardOptics, TheLinearAndTheParaxialModelShowEveryViewOnceInOrderAndStartAgain)
 {
     for (const CardModel model : {CardModel::linear, CardModel::paraxial}) {
         for (const int count : {1, 2, 3, 16, 100}) {
@@ -92,7 +94,7 @@ TEST_F(CardOptics, TheLinearAndTheParaxialModelShowEveryViewOnceInOrderAndStartA
     }
 }
 
-TEST_F(CardOptics, ExactSnellShowsWhatTheFloat64ApertureShows)
+TEST_F(LongCardOptics, ExactSnellShowsWhatTheFloat64ApertureShows)
 {
     for (const CardSheet sheetKind : {CardSheet::twenty3d, CardSheet(5), CardSheet(22)}) {
         for (const int count : {2, 3, 16, 100}) {

@@ -45,12 +45,12 @@ double changeByRunningEverything(Shot shot)
     return largestDifference(everything.image, needed.image);
 }
 
-TEST_F(FrameReports, RunningEverythingChangesNoBitOfTheHall)
+TEST_F(LongFrameReports, RunningEverythingChangesNoBitOfTheHall)
 {
     EXPECT_EQ(changeByRunningEverything(shotOf(0, false)), 0);
 }
 
-TEST_F(FrameReports, RunningEverythingChangesNoBitOfAnyExhibitAlone)
+TEST_F(LongFrameReports, RunningEverythingChangesNoBitOfAnyExhibitAlone)
 {
     for (const auto& [i, exhibit] : gallery().museum.exhibits())
         EXPECT_EQ(changeByRunningEverything(shotOf(i, true)), 0) << exhibit.name();
@@ -87,7 +87,7 @@ bool begins(std::string_view name, const std::string& start)
     return !start.empty() && name.substr(0, start.size()) == start;
 }
 
-TEST_F(FrameReports, AnEffectThatIsOffHasNoPassNoProgramAndNoTexture)
+TEST_F(LongFrameReports, AnEffectThatIsOffHasNoPassNoProgramAndNoTexture)
 {
     constexpr double fins = static_cast<double>(FurSilhouette::fins), march = static_cast<double>(FurSilhouette::march);
     constexpr double field = static_cast<double>(SdfShown::field), mesh = static_cast<double>(SdfShown::mesh);
@@ -270,7 +270,7 @@ TEST_F(FrameReports, TheSmallWorldsSunAndNormalsAreDrawnOnlyForViewsThatShowThem
     isLeftOut("pixel_art/sun");
 }
 
-TEST_F(FrameReports, ASunOfNoStrengthCastsNoShadowPass)
+TEST_F(LongFrameReports, ASunOfNoStrengthCastsNoShadowPass)
 {
     Shot shot = shotOf(0, false);
     shot.hall().set(hallTable().sunStrength, 0.0);
@@ -292,7 +292,7 @@ Shot shotOfOverdraw(double scale)
     return shot;
 }
 
-TEST_F(FrameReports, OverdrawIsTheNumberOfFragmentsThatTheSurfacesShade)
+TEST_F(LongFrameReports, OverdrawIsTheNumberOfFragmentsThatTheSurfacesShade)
 {
     const Shot shot = shotOfOverdraw(8);
     render::FramePlan plan = planned(gallery().museum, shot.sceneState, shot.request.frame);

@@ -103,6 +103,8 @@ std::set<std::string> lampPasses(const render::FramePlan& plan)
     return names;
 }
 
+using LongLampsTest = LampsTest;
+
 TEST_F(LampsTest, CostNothingWhereThereIsNone)
 {
     test::Shot shot;
@@ -234,7 +236,7 @@ TEST_F(LampsTest, AreSeenByTheProbeWhereTimeDoesNotChangeThem)
     EXPECT_NE(hall.plan().find("probe/walls/0")->contentHash, key);
 }
 
-TEST_F(LampsTest, OfExhibitsLightWhatIsNearThem)
+TEST_F(LongLampsTest, OfExhibitsLightWhatIsNearThem)
 {
     // At night, from above: the lamp's light on the pad around the pit, on the floor beside it, and farther away.
     test::Shot shot;

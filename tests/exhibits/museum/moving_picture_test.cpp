@@ -247,7 +247,9 @@ protected:
     }
 };
 
-TEST_F(TurnedByAPixel, TheHallStandsStill)
+using LongTurnedByAPixel = TurnedByAPixel;
+
+TEST_F(LongTurnedByAPixel, TheHallStandsStill)
 {
     const double share = shareThatDiffers("hall", true);
     RecordProperty("hall", std::to_string(share));

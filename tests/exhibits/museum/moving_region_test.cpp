@@ -63,7 +63,7 @@ bool inside(const PictureRegion& region, int x, int y, int height)
 
 }  // namespace
 
-TEST_F(MovingRegion, AtTheEntranceItHoldsAllThatMovesAndIsSmall)
+TEST_F(LongMovingRegion, AtTheEntranceItHoldsAllThatMovesAndIsSmall)
 {
     const auto renderer = test::gallery().renderer.sibling();
     const render::gl::ScreenPixels before = whole(*renderer, at(0));
@@ -93,7 +93,7 @@ TEST_F(MovingRegion, AtTheEntranceItHoldsAllThatMovesAndIsSmall)
     EXPECT_EQ(elsewhere, 0);
 }
 
-TEST_F(MovingRegion, DrawnByItselfItIsThatPartOfTheWholePicture)
+TEST_F(LongMovingRegion, DrawnByItselfItIsThatPartOfTheWholePicture)
 {
     const auto renderer = test::gallery().renderer.sibling();
     const auto region = museum_.movingRegion(museum_.prepare(sceneState_, at(0)), at(0));

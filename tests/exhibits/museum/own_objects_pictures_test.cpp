@@ -26,7 +26,9 @@ Shot plainHall()
     return shot;
 }
 
-TEST_F(OwnObjectsPictures, EachStandsAtItsPlaceAndTakingOneAwayChangesItsPixelsAlone)
+using LongOwnObjectsPictures = OwnObjectsPictures;
+
+TEST_F(LongOwnObjectsPictures, EachStandsAtItsPlaceAndTakingOneAwayChangesItsPixelsAlone)
 {
     Shot shot = plainHall();
     const Picture none = shot.take();

@@ -54,7 +54,7 @@ std::optional<Pointed> pointedIn(const Scene& scene)
     return museum().surroundings().pick(museum().prepare(scene.sceneState, scene.request), scene.request, {0, 0});
 }
 
-TEST(OwnObjects, EmptyPlacesCostNothingAndAreSaidToBeEmpty)
+TEST(LongOwnObjects, EmptyPlacesCostNothingAndAreSaidToBeEmpty)
 {
     Scene scene;
     scene.see(museum().initialSceneState().camera);

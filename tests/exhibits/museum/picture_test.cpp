@@ -15,6 +15,8 @@ using namespace test;
 
 class PictureTest : public test::GlTest {};
 
+using LongPictureTest = PictureTest;
+
 TEST_F(PictureTest, IsTheSameTwice)
 {
     for (const bool inHall : {false, true}) {
@@ -60,7 +62,7 @@ TEST_F(PictureTest, IsTheSameByANewRenderer)
     EXPECT_EQ(test::largestDifference(maker.picture(), seasoned.image), 0);
 }
 
-TEST_F(PictureTest, RunningEverythingChangesNothingButTheCost)
+TEST_F(LongPictureTest, RunningEverythingChangesNothingButTheCost)
 {
     for (const bool inHall : {false, true}) {
         Shot shot;
@@ -292,7 +294,7 @@ TEST_F(PictureTest, APressedButtonIsSquashed)
     EXPECT_EQ(red(0.2), rest);
 }
 
-TEST_F(PictureTest, OutOfViewTheExhibitsCostWhatAHallWithoutExhibitsCosts)
+TEST_F(LongPictureTest, OutOfViewTheExhibitsCostWhatAHallWithoutExhibitsCosts)
 {
     // The initial state, toward the floor in front of the door: no exhibit, stand or sunbeam is in view. The dust
     // always is, and takes one pass.

@@ -62,7 +62,7 @@ std::map<std::string, Scene> manyScenes(int randomOfEach)
     return scenes;
 }
 
-TEST(Planning, TwiceGivesTheSamePlanToTheLastByte)
+TEST(LongPlanning, TwiceGivesTheSamePlanToTheLastByte)
 {
     for (const auto& [name, scene] : manyScenes(3)) {
         SCOPED_TRACE(name);
@@ -177,7 +177,7 @@ private:
     rlimit before_{};
 };
 
-TEST(Planning, OpensNoFile)
+TEST(LongPlanning, OpensNoFile)
 {
     std::map<std::string, Scene> scenes = manyScenes(2);
     scenes.emplace("first user", twoUsers()[0]);

@@ -34,7 +34,7 @@ const std::map<std::string, render::FramePlan>& plansOfPresets(bool everything =
     return plans;
 }
 
-TEST(PlansOfPresets, RunEachStepOnceInTheOrderOfTheStagesAndForAReason)
+TEST(LongPlansOfPresets, RunEachStepOnceInTheOrderOfTheStagesAndForAReason)
 {
     const auto& plans = plansOfPresets();
     EXPECT_GE(plans.size(), 11U);
@@ -88,7 +88,7 @@ std::string complaintAbout(const ProgramTexts& texts)
     return program.link(EShMsgDefault) ? std::string() : "link: " + std::string(program.getInfoLog());
 }
 
-TEST(PlansOfPresets, DrawWithProgramsThatTheReferenceCompilerAccepts)
+TEST(LongPlansOfPresets, DrawWithProgramsThatTheReferenceCompilerAccepts)
 {
     const render::ShaderSource source;
     std::set<ProgramTexts> programs;

@@ -85,7 +85,7 @@ TEST(NoiseCharts, ShowTheLatticeOfValueNoiseWhichSimplexHasNot)
     EXPECT_GT(lowest(charts[1].curves[1]), 0.9);
 }
 
-TEST(NoiseCharts, AreFiniteForEveryWorkAndThoseOfTheReferenceAreItsOwn)
+TEST(LongNoiseCharts, AreFiniteForEveryWorkAndThoseOfTheReferenceAreItsOwn)
 {
     const NoiseTable table;
     for (int work = 0; work < 4; ++work) {

@@ -66,7 +66,7 @@ TEST(Lattice, CutsNoLanternAlong100RandomPaths)
     EXPECT_GT(missedBy(REPEAT_OWN_CELL).missed, 10);
 }
 
-TEST(Lattice, LetsRaysPassTheEdgesThatTheyDoNotTouch)
+TEST(LongLattice, LetsRaysPassTheEdgesThatTheyDoNotTouch)
 {
     ParameterValues values = sourceLake();
     values.set(lanternsTable().lanterns, 400);

@@ -133,7 +133,7 @@ TEST(NormalsFromDepth, PlanesAreExactAtAnySlopeAndEitherWayRound)
     }
 }
 
-TEST(NormalsFromDepth, ErrorsFallInTheKnownOrder)
+TEST(LongNormalsFromDepth, ErrorsFallInTheKnownOrder)
 {
     for (const bool orthographic : {true, false}) {
         const TracedPicture traced(cameraOf(orthographic, {640, 400}), solids);

@@ -83,6 +83,8 @@ dvec3 at(const Image& image, int x, int y)
 
 class PixelPictures : public GlTest {};
 
+using LongPixelPictures = PixelPictures;
+
 TEST_F(PixelPictures, NormalsAreThoseOfTheSameMethodAtFloat64)
 {
     for (const PixelProjection projection : {PixelProjection::orthographic, PixelProjection::perspective})
@@ -351,7 +353,7 @@ Panned pannedBy(int texels, SmallShot shot)
 
 // Depths from the rasterizer differ by rounding. The methods ignore differences of this size, and no tone begins at the
 // slope of walls. Otherwise 29 to 85 normals of the bars would change, and 57 to 200 texels of either scene.
-TEST_F(PixelPictures, NormalsFromDepthStayWhenTheCameraMovesByWholeTexels)
+TEST_F(LongPixelPictures, NormalsFromDepthStayWhenTheCameraMovesByWholeTexels)
 {
     for (const NormalsBy method : {NormalsBy::trueNormals, NormalsBy::tap9Plus, NormalsBy::parabola, NormalsBy::vote})
         for (const bool bars : {false, true})

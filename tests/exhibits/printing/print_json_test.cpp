@@ -18,7 +18,9 @@ protected:
     SheetList sheets_{folder_.path() / "config" / "sheets.json"};
 };
 
-TEST_F(SettingsText, EverySettingSurvivesItsTextWhateverItIs)
+using LongSettingsText = SettingsText;
+
+TEST_F(LongSettingsText, EverySettingSurvivesItsTextWhateverItIs)
 {
     std::mt19937 random(11);
     std::uniform_real_distribution<double> unit(0, 1);

@@ -23,7 +23,7 @@ class PrintPlans : public test::SetUpPrint {};
 
 using LongPrintPlans = PrintPlans;
 
-TEST_F(PrintPlans, NumbersFollowTheClosedFormsWhenLpiDpiAndDistanceChange)
+TEST_F(LongPrintPlans, NumbersFollowTheClosedFormsWhenLpiDpiAndDistanceChange)
 {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> unit(0, 1);

@@ -58,6 +58,8 @@ protected:
     std::vector<std::string> before_;
 };
 
+using LongPrintRefusals = PrintRefusals;
+
 TEST_F(PrintRefusals, EachHasItsSentenceItsCodeAndNoFile)
 {
     const std::string good = " --lpi 40 --width-mm 20 ";
@@ -126,7 +128,7 @@ TEST_F(PrintRefusals, OneViewAndViewsOfSeveralSizesArePrinted)
         EXPECT_NE(json.find(key), std::string::npos) << key;
 }
 
-TEST_F(PrintRefusals, AFullDiskIsExit5NothingIsLeftAndTheEarlierPrintStands)
+TEST_F(LongPrintRefusals, AFullDiskIsExit5NothingIsLeftAndTheEarlierPrintStands)
 {
     for (const char* name : {"p.tif", "p.png", "tiles.tif"}) {
         const std::string out = in(name);

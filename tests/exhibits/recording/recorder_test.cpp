@@ -61,6 +61,8 @@ struct Film {
     }
 };
 
+using LongRecorderTest = RecorderTest;
+
 TEST_F(RecorderTest, AFrameIsThePictureOfItsMoment)
 {
     const Film film;
@@ -171,7 +173,7 @@ int runLine(std::string line)
     return std::system(line.c_str());
 }
 
-TEST_F(RecorderTest, ACopiedCommandLineDrawsTheSamePicture)
+TEST_F(LongRecorderTest, ACopiedCommandLineDrawsTheSamePicture)
 {
     const Museum& museum = gallery().museum;
     SceneState sceneState = museum.initialSceneState();

@@ -57,7 +57,9 @@ void expectTheNearerOne(const Picture& both, const Picture& a, const Picture& b)
     EXPECT_GT(fromB, 20) << "the second must hide part of the first";
 }
 
-TEST_F(Scene, ThePlinthHidesTheObjectPixelExactly)
+using LongScene = Scene;
+
+TEST_F(LongScene, ThePlinthHidesTheObjectPixelExactly)
 {
     Shot shot;
     shot.inHall();

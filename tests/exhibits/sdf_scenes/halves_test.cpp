@@ -92,7 +92,9 @@ std::function<double(int)> dividerIn(const SceneShot& shot, double divider, cons
     return [a = seen(-0.5), b = seen(0.5)](int y) { return a.x + (y + 0.5 - a.y) / (b.y - a.y) * (b.x - a.x); };
 }
 
-TEST_F(SceneHalves, AreEachTheWholePictureWithItsSettings)
+using LongSceneHalves = SceneHalves;
+
+TEST_F(LongSceneHalves, AreEachTheWholePictureWithItsSettings)
 {
     SceneShot shot(shippedScene("primitives"));
     shot.values().set(scenesTable().look, SceneLook::physical);

@@ -58,7 +58,7 @@ TEST(LongSceneLipschitz, NoTreeIsSteeperThanOne)
     }
 }
 
-TEST(SceneLipschitz, NoRayPassesASurface)
+TEST(LongSceneLipschitz, NoRayPassesASurface)
 {
     test::Random random(3);
     for (int sample = 0; sample < 2000; ++sample) {

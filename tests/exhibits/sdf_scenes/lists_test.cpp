@@ -59,6 +59,8 @@ void compareLists(const scenes::SceneField& field, int across, const std::string
                           byCells);
 }
 
+using LongSceneLists = SceneLists;
+
 TEST_F(SceneLists, OfTheShippedScenesAreTheEvaluator)
 {
     for (const auto& entry :
@@ -113,7 +115,7 @@ TEST_F(SceneLists, EndlessProfilesAroundTheAxisAreTheEvaluator)
 }
 
 /// One program for all kinds.
-TEST_F(SceneLists, OfEveryKindAreTheEvaluatorInOneProgram)
+TEST_F(LongSceneLists, OfEveryKindAreTheEvaluatorInOneProgram)
 {
     const scenes::ListVocabulary all = everyVocabulary(4, 3);
     const std::string glsl = scenes::listGlsl(all, 0);

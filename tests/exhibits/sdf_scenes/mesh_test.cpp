@@ -108,7 +108,7 @@ TEST(SceneMesh, KeepsEdgesAndCornersSharp)
 }
 
 /// A ball subtracted from a box leaves edges of 34 degrees, which are thinner than a cell at their ends.
-TEST(SceneMesh, KeepsThinEdgesSharp)
+TEST(LongSceneMesh, KeepsThinEdgesSharp)
 {
     const std::string root = R"({"kind": "subtraction", "rotate": [10, 30, 0], "children": [
         {"kind": "box", "size": 0.6}, {"kind": "sphere", "radius": 0.36}]})";

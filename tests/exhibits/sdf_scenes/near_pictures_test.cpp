@@ -42,7 +42,7 @@ protected:
 
 using LongNearPicture = NearPicture;
 
-TEST_F(NearPicture, IsThatOfEveryShape)
+TEST_F(LongNearPicture, IsThatOfEveryShape)
 {
     for (const char* name : {"primitives", "mercury", "still_life", "ambient_occlusion"}) {
         SceneShot shot(shippedScene(name));

@@ -35,7 +35,9 @@ double firstHit(const scenes::SceneField& field, const dvec3& origin, const dvec
     return std::numeric_limits<double>::infinity();
 }
 
-TEST_F(ScenePicture, ShowsSurfacesWhereTheEvaluatorFindsThem)
+using LongScenePicture = ScenePicture;
+
+TEST_F(LongScenePicture, ShowsSurfacesWhereTheEvaluatorFindsThem)
 {
     for (const char* name : {"primitives", "unions", "torus", "mercury", "still_life"}) {
         SceneShot shot(shippedScene(name));
@@ -183,7 +185,7 @@ TEST_F(ScenePicture, WhatIsBehindTheLightKeepsNothingAway)
     }
 }
 
-TEST_F(ScenePicture, OcclusionOfAWallIsAHalfAtItsFoot)
+TEST_F(LongScenePicture, OcclusionOfAWallIsAHalfAtItsFoot)
 {
     // A floor in front of an infinite wall, in white light from everywhere.
     const std::string head = R"("camera": {"position": [0, 2, 2], "target": [0, 0, 0], "fieldOfView": 40},
@@ -479,7 +481,7 @@ TEST_F(ScenePicture, ASliderOfTheSceneMovesWhatItNamesWithoutAnotherProgram)
     EXPECT_EQ(shader().programFamily, key.programFamily) << "and the picture does not wait for it";
 }
 
-TEST_F(ScenePicture, IsSeenThroughItsFrameOnly)
+TEST_F(LongScenePicture, IsSeenThroughItsFrameOnly)
 {
     SceneShot shot(shippedScene("torus"));
     shot.inHall();

@@ -62,7 +62,7 @@ void compare(const scenes::SceneField& field, test::Random& random, int points, 
     }
 }
 
-TEST(Pruning, LeavesDistanceSignAndShapeAsTheyAreInTheBall)
+TEST(LongPruning, LeavesDistanceSignAndShapeAsTheyAreInTheBall)
 {
     test::Random random(11);
     Differences found;
@@ -216,7 +216,7 @@ CellCosts costsOfCells(int shapes)
     return {all, all / cells, double(near->cells.cells.size()) * shapes};
 }
 
-TEST(PruningCells, TakeHardlyMoreForEachCellOfManyShapes)
+TEST(LongPruningCells, TakeHardlyMoreForEachCellOfManyShapes)
 {
     const CellCosts of256 = costsOfCells(256), of1024 = costsOfCells(1024);
     EXPECT_LT(of1024.evaluations, 6.5e6);

@@ -202,7 +202,7 @@ double seconds(const std::function<void()>& work)
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-TEST(SceneReader, RefusesADepthOf100000AndAMillionNodes)
+TEST(LongSceneReader, RefusesADepthOf100000AndAMillionNodes)
 {
     std::string deep;
     for (int i = 0; i < 100000; ++i) deep += R"({"kind": "round", "child": )";

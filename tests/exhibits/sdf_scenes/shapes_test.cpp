@@ -74,7 +74,7 @@ TEST(SceneShapes, HaveTheSignOfTheirInside)
 }
 
 /// No point of the other side is nearer than the distance. The nearest point, down the gradient, is on the surface.
-TEST(SceneShapes, AreExactWhereTheirTableSaysSo)
+TEST(LongSceneShapes, AreExactWhereTheirTableSaysSo)
 {
     test::Random random(12);
     eachShape([&](const NodeKind& kind) {

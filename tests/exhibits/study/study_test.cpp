@@ -341,7 +341,7 @@ struct Sweep {
     }
 };
 
-TEST(StudyChooser, TheCheapestWithinAnErrorIsTheOneThatAnExhaustiveSweepFinds)
+TEST(LongStudyChooser, TheCheapestWithinAnErrorIsTheOneThatAnExhaustiveSweepFinds)
 {
     for (const double limit : {0.15, 0.06, 0.02, 0.006}) {
         Sweep sweep;

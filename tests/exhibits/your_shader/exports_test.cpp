@@ -137,7 +137,7 @@ TEST_F(LongShaderExports, OfShippedWorksShowTheSamePictures)
     }
 }
 
-TEST_F(ShaderExports, AsIsfShowTheSamePictures)
+TEST_F(LongShaderExports, AsIsfShowTheSamePictures)
 {
     // In each form, with several passes, feedback, pictures and the mouse.
     {
@@ -284,7 +284,7 @@ TEST_F(LongShaderExports, OfNoiseShowTheSamePictures)
     EXPECT_LE(readBack(noiseShot(Work::sea), folder / "sea.glsl", ExportForm::shadertoy, 0).rmse, 0.6);
 }
 
-TEST_F(ShaderExports, OfNoiseHaveInputsThatActAsInTheExhibit)
+TEST_F(LongShaderExports, OfNoiseHaveInputsThatActAsInTheExhibit)
 {
     ExportShot original = noiseShot(Work::fractal);
     original.set("kind", 3.0);
@@ -410,7 +410,7 @@ TEST_F(LongShaderExports, OfScenesAreBoundedAsTheOriginalsAfterChanges)
     EXPECT_LE(fine, 1.6);
 }
 
-TEST_F(ShaderExports, OfScenesHaveAllCopiesAfterChanges)
+TEST_F(LongShaderExports, OfScenesHaveAllCopiesAfterChanges)
 {
     // The copy that is nearest depends on where the content of the first one lies.
     const auto scene = [&](const std::string& root) {

@@ -82,6 +82,8 @@ protected:
     }
 };
 
+using LongShownPictures = ShownPictures;
+
 TEST_F(ShownPictures, OfAnotherExhibitAreItsOwnPictures)
 {
     ShaderShot own;
@@ -99,7 +101,7 @@ TEST_F(ShownPictures, OfAnotherExhibitAreItsOwnPictures)
     EXPECT_LE(difference(mug, ownPicture(own, "sdf_morph")), 1);
 }
 
-TEST_F(ShownPictures, OfTheHallAreItsFirstView)
+TEST_F(LongShownPictures, OfTheHallAreItsFirstView)
 {
     ShaderShot own;
     own.shot.size(48, 32);
@@ -137,7 +139,7 @@ TEST_F(ShownPictures, OfTheHallFromHereAreDarkWhereTheScreenIs)
     EXPECT_GT(onScreen.size(), 4U);
 }
 
-TEST_F(ShownPictures, OutOfTheScreenAreThoseOfACameraThere)
+TEST_F(LongShownPictures, OutOfTheScreenAreThoseOfACameraThere)
 {
     ShaderShot own;
     own.shot.size(48, 32);

@@ -284,7 +284,7 @@ private:
     std::array<pid_t, 3> busy_{};
 };
 
-TEST(ShaderCompiler, IsNotLateOnABusyMachine)
+TEST(LongShaderCompiler, IsNotLateOnABusyMachine)
 {
     using Seconds = std::chrono::duration<double>;
     const guest::ShaderCompiler::Limits limits{.longestStall = std::chrono::milliseconds(150)};

@@ -32,6 +32,8 @@ using Codes = std::array<int, 3>;
 
 class YourShaderPictures : public GlTest {};
 
+using LongYourShaderPictures = YourShaderPictures;
+
 TEST_F(YourShaderPictures, OfAPlainShaderAreItsFormula)
 {
     ShaderShot own;
@@ -215,7 +217,7 @@ TEST_F(YourShaderPictures, OfABuiltInVolumeAreTheHashOfTheTexel)
     EXPECT_EQ(own.codeAt(2, 2), (Codes{expected[0], 0, 0})) << "gray noise";
 }
 
-TEST_F(YourShaderPictures, OfCubeAAreTheDirectionsOfItsFaces)
+TEST_F(LongYourShaderPictures, OfCubeAAreTheDirectionsOfItsFaces)
 {
     ShaderShot own;
     ASSERT_EQ(own.show(R"({"renderpass": [

@@ -25,7 +25,7 @@ TEST(JsonNumbers, AreTheShortestThatReadBack)
 }
 
 // A million random bit patterns, also through the file format: writer and strict reader.
-TEST(JsonNumbers, ReadBackBitForBit)
+TEST(LongJsonNumbers, ReadBackBitForBit)
 {
     std::mt19937_64 random(2);
     std::vector<double> numbers = {0.0,

@@ -26,6 +26,8 @@ render::FramePlan planOf(const Shot& shot)
     return test::planned(gallery().museum, shot.sceneState, shot.request.frame);
 }
 
+using LongMemory = Memory;
+
 TEST_F(Memory, KeepsNoMoreThanTheLastPrograms)
 {
     const int before = render::gl::ProgramName::live();
@@ -69,7 +71,7 @@ TEST_F(Memory, HoldsProgramsMeshesAndPicturesOnceForSiblings)
     EXPECT_EQ(render::gl::liveGlNames(), names) << "its images went with it";
 }
 
-TEST_F(Memory, OfFramebuffersIsMadeOnceAndNotByTheNextSameFrame)
+TEST_F(LongMemory, OfFramebuffersIsMadeOnceAndNotByTheNextSameFrame)
 {
     const Museum& museum = gallery().museum;
     render::gl::Renderer renderer;

@@ -167,7 +167,7 @@ TEST(HostileImage, ThatIsNoFileIsRefused)
     EXPECT_FAILURE(embeddedPreset(folder / "a.png"), "not a regular file");
 }
 
-TEST(HostileImage, NeverCrashesWhenDamaged)
+TEST(LongHostileImage, NeverCrashesWhenDamaged)
 {
     const TemporaryFolder folder;
     Image image(24, 16, 3, 0.5F);

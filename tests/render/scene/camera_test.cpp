@@ -237,7 +237,7 @@ TEST(Camera, SamplesFillThePixelEvenlyAndStartInItsMiddle)
     }
 }
 
-TEST(Camera, SamplesOfEdgesErrWithThePower3Over4OfTheirNumberButForTheFirstFew)
+TEST(LongCamera, SamplesOfEdgesErrWithThePower3Over4OfTheirNumberButForTheFirstFew)
 {
     const auto ours = [](int n) { return test::edgeError(n, [n](int i) { return samplePosition(i, n); }); };
     test::Random places(9);

@@ -35,7 +35,7 @@ private slots:
     void init() { start(); }
     void cleanup() { finish(); }
 
-    void everyPartOfTheWindowIsNamedAndEveryNumberHasItsEnds()
+    void longEveryPartOfTheWindowIsNamedAndEveryNumberHasItsEnds()
     {
         window_->say(MessageStrip::Mood::notice, "Something happened.");
         window_->say(MessageStrip::Mood::problem, "Something went wrong.");
@@ -51,7 +51,7 @@ private slots:
         QVERIFY2(complaints.isEmpty(), qPrintable('\n' + complaints.join('\n')));
     }
 
-    void everyPartOfEveryDialogIsNamedAndEveryNumberHasItsEnds()
+    void longEveryPartOfEveryDialogIsNamedAndEveryNumberHasItsEnds()
     {
         QStringList complaints, seen;
         forEveryDialog([&](const QString& name, QWidget& dialog) {
@@ -63,7 +63,7 @@ private slots:
         QVERIFY2(complaints.isEmpty(), qPrintable('\n' + complaints.join('\n')));
     }
 
-    void aWidgetWithoutANameOrANumberWithoutEndsIsFound()
+    void longAWidgetWithoutANameOrANumberWithoutEndsIsFound()
     {
         QWidget parent;
         auto* line = new QLineEdit(&parent);

@@ -63,7 +63,7 @@ private slots:
     }
     void cleanup() { finish(); }
 
-    void tabGoesThroughEveryPanelInOrderAndIsSeen()
+    void longTabGoesThroughEveryPanelInOrderAndIsSeen()
     {
         QStringList complaints;
         int stops = 0;
@@ -76,7 +76,7 @@ private slots:
         QVERIFY2(stops > 60, qPrintable(QString::number(stops)));
     }
 
-    void tabGoesThroughEveryDialogInOrderAndEscClosesIt()
+    void longTabGoesThroughEveryDialogInOrderAndEscClosesIt()
     {
         QStringList complaints;
         int stops = 0;
@@ -204,7 +204,7 @@ private slots:
         }
     }
 
-    void theHeadTurnsTheWipeMovesAndEnterVisits()
+    void longTheHeadTurnsTheWipeMovesAndEnterVisits()
     {
         Viewport& viewport = window_->viewport();
         viewport.setFocus();

@@ -29,7 +29,7 @@ private slots:
     void init() { start(); }
     void cleanup() { finish(); }
 
-    void bIsSeenByTheSameCameraAtTheSameMomentAndRefinedAtRest()
+    void longBIsSeenByTheSameCameraAtTheSameMomentAndRefinedAtRest()
     {
         compare();
         dragInPicture(0.2, 0.3);

@@ -42,7 +42,7 @@ private slots:
     void init() { start(); }
     void cleanup() { finish(); }
 
-    void aWipeShowsAOnTheLeftOfItsLineAndBOnTheRight()
+    void longAWipeShowsAOnTheLeftOfItsLineAndBOnTheRight()
     {
         QVERIFY2(!controller().bar().isVisible(), "nothing is compared at the start");
         compare();
@@ -137,7 +137,7 @@ private slots:
         }
     }
 
-    void namesAreNotShownWhereAnotherPictureCoversTheirs()
+    void longNamesAreNotShownWhereAnotherPictureCoversTheirs()
     {
         compare();
         window_->visit(1);

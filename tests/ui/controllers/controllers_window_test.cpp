@@ -143,7 +143,7 @@ private slots:
         lookLikeNothingWasChosen();
     }
 
-    void nothingIsOpenedUntilItIsSwitchedOn()
+    void longNothingIsOpenedUntilItIsSwitchedOn()
     {
         QTest::qWait(2500);  // Inputs are opened two seconds after the start.
         QVERIFY(controllers().listening().isEmpty());
@@ -197,7 +197,7 @@ private slots:
         QVERIFY(Preferences::saved().controllers.isEmpty());
     }
 
-    void whatIsLearnedLastsBeyondTheSession()
+    void longWhatIsLearnedLastsBeyondTheSession()
     {
         listen();
         menu("roughness", "Learn controller");
@@ -225,7 +225,7 @@ private slots:
         QTRY_COMPARE(note("animated"), QString("/switch"));
     }
 
-    void midiMessagesMoveParameters()
+    void longMidiMessagesMoveParameters()
     {
         listen();
         menu("roughness", "Learn controller");

@@ -110,7 +110,7 @@ private slots:
         finish();
     }
 
-    void theFirstShaderHasItsInputsAtTheFirstVisit()
+    void longTheFirstShaderHasItsInputsAtTheFirstVisit()
     {
         window_->visit(shader);
         QCOMPARE(written("file"), std::string("gyroid.frag"));
@@ -248,7 +248,7 @@ private slots:
         QTRY_VERIFY(view().text().contains("0.5,"));
     }
 
-    void theSystemNotifiesOfFilesThatAreSavedOrReplaced()
+    void longTheSystemNotifiesOfFilesThatAreSavedOrReplaced()
     {
         openShader();
         static_assert(FileWatch::pause <= 100, "a notification is followed at once");

@@ -77,7 +77,7 @@ private slots:
     void init() { start(); }
     void cleanup() { finish(); }
 
-    void aDragBlendsTheCornersLiveAndIsOneUndoStep()
+    void longADragBlendsTheCornersLiveAndIsOneUndoStep()
     {
         explore();
         const int before = stack().count();
@@ -99,7 +99,7 @@ private slots:
         QCOMPARE(pad().place(), QPointF(0, 0));
     }
 
-    void aPressBringsTheHandleThere()
+    void longAPressBringsTheHandleThere()
     {
         explore();
         QTest::mouseClick(&pad(), Qt::LeftButton, {}, at(0, 1));

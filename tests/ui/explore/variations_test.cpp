@@ -105,7 +105,7 @@ private slots:
         QVERIFY2(std::abs(aspect - 1.0 * view.width() / view.height()) < 0.02, "framed as the viewport's picture");
     }
 
-    void whileTheyAreDrawnTheVisitorGoesOn()
+    void longWhileTheyAreDrawnTheVisitorGoesOn()
     {
         while (may_.try_acquire()) continue;
         gallery_->beforeSmall = [this] { may_.acquire(); };

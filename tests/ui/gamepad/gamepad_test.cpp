@@ -61,7 +61,7 @@ private slots:
         finish();
     }
 
-    void withoutAGamepadNothingIsOpenedAndNothingIsAsked()
+    void longWithoutAGamepadNothingIsOpenedAndNothingIsAsked()
     {
         if (padIsPlugged()) QSKIP("A gamepad is plugged into this machine.");
         QTest::qWait(2500);  // The search begins two seconds after the start.
@@ -125,7 +125,7 @@ private slots:
         QCOMPARE(a.camera().eye.z, b.camera().eye.z);
     }
 
-    void theLeftStickWalksAndWhoPullsThePlugStops()
+    void longTheLeftStickWalksAndWhoPullsThePlugStops()
     {
         plugIn();
         const double before = camera().eye.z;
@@ -141,7 +141,7 @@ private slots:
         QCOMPARE(window_->history().stack().count(), 0);
     }
 
-    void theTriggerRunsAndTheRightStickLooks()
+    void longTheTriggerRunsAndTheRightStickLooks()
     {
         plugIn();
         pad_->stick(SDL_CONTROLLER_AXIS_RIGHTX, 0.8);
@@ -173,7 +173,7 @@ private slots:
         QTRY_VERIFY(!held.moves());
     }
 
-    void buttonsVisitPressGoBackAndWalkOn()
+    void longButtonsVisitPressGoBackAndWalkOn()
     {
         plugIn();
         QSignalSpy pressed(&window_->viewport().interaction(), &Interaction::pressed);
@@ -205,7 +205,7 @@ private slots:
         QCOMPARE(window_->viewport().visitor().mode(), CameraControl::Mode::walk);
     }
 
-    void shouldersVisitTheNextExhibitAndStartStopsTheClock()
+    void longShouldersVisitTheNextExhibitAndStartStopsTheClock()
     {
         plugIn();
         press(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER);
@@ -218,7 +218,7 @@ private slots:
         QVERIFY(!window_->viewport().clock().paused());
     }
 
-    void theCrossChoosesARowAndChangesItInOneStep()
+    void longTheCrossChoosesARowAndChangesItInOneStep()
     {
         plugIn();
         window_->choose(1);

@@ -200,7 +200,7 @@ private slots:
     void cleanup() { closeDialog(); }
     void cleanupTestCase() { thread_.reset(); }
 
-    void theSheetIsThatOfTheCommandLineToTheByte()
+    void longTheSheetIsThatOfTheCommandLineToTheByte()
     {
         set({{"directions", 3.0},
              {"frames", 2.0},
@@ -286,7 +286,7 @@ private slots:
         QVERIFY(dialog_->setup().values() == after);
     }
 
-    void animationsAreOfferedWhereTheFileHasSome()
+    void longAnimationsAreOfferedWhereTheFileHasSome()
     {
         QTRY_VERIFY(dialog_->settled());
         auto* row = dialog_->findChild<ParameterPanel*>()->row("animation");
@@ -341,7 +341,7 @@ private slots:
         QVERIFY(before > 0);
     }
 
-    void aFileThatCannotBeReadIsSaidOnceAndKeepsTheRest()
+    void longAFileThatCannotBeReadIsSaidOnceAndKeepsTheRest()
     {
         std::ofstream(at("bad.glb").toStdString()) << "no model";
         set({{"model", at("bad.glb").toStdString()}, {"directions", 5.0}});
@@ -360,7 +360,7 @@ private slots:
         QCOMPARE(dialog_->setup().values()[spriteTable().directions], 5);
     }
 
-    void cancelLeavesNoFile()
+    void longCancelLeavesNoFile()
     {
         set({{"directions", 16.0}, {"frames", 64.0}});
         QTRY_VERIFY(dialog_->settled());
@@ -401,7 +401,7 @@ private slots:
     void longRecordingsOfOtherFormatsAreAsForecast() { recordAndCompareWithForecasts({"a.mp4", "a.apng"}); }
 
     /// A sphere: a coarse mesh says how many triangles, bytes and seconds a fine one will take.
-    void aMeshIsSeenAndForecastBeforeItIsMade()
+    void longAMeshIsSeenAndForecastBeforeItIsMade()
     {
         closeDialog();
         openDialog("mesh", "sdf_scenes");
@@ -438,7 +438,7 @@ private slots:
     }
 
     /// The scene that is shown at first stands on a plane without an end.
-    void aSceneWithoutAnEndIsCutAroundItsView()
+    void longASceneWithoutAnEndIsCutAroundItsView()
     {
         closeDialog();
         openDialog("mesh", "sdf_scenes");

@@ -65,7 +65,7 @@ private slots:
         ui::setLanguage(QStringLiteral("en"));
     }
 
-    void menusAndPanelAreGerman()
+    void longMenusAndPanelAreGerman()
     {
         startIn(QStringLiteral("de"));
         QStringList menus;
@@ -85,7 +85,7 @@ private slots:
         QVERIFY(window_->panel().row("roughness")->toolTip().contains(QStringLiteral("Ausgangswert: ")));
     }
 
-    void noTwoActionsOfAMenuHaveOneMnemonic()
+    void longNoTwoActionsOfAMenuHaveOneMnemonic()
     {
         startIn(QStringLiteral("de"));
         QList<QList<QAction*>> menus{window_->menuBar()->actions()};
@@ -149,7 +149,7 @@ private slots:
                  qPrintable(strip->texts().join(QLatin1Char(' '))));
     }
 
-    void aNumberMayHaveADecimalComma()
+    void longANumberMayHaveADecimalComma()
     {
         startIn(QStringLiteral("de"));
         const QLocale before;

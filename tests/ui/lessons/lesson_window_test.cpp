@@ -235,7 +235,7 @@ private slots:
         QVERIFY(says("When?") && answer->isVisible());
     }
 
-    void aNumberIsShownOnlyOnceThePictureOfTheStepIsDrawn()
+    void longANumberIsShownOnlyOnceThePictureOfTheStepIsDrawn()
     {
         const QString path =
             write("numbers.md", "## Rough\nText.\n```json\n{\"values\": {\"roughness\": 0.9}, \"read\": "
@@ -348,7 +348,7 @@ private slots:
         QVERIFY(!controller().lesson());
     }
 
-    void everyExhibitHasItsPageAndAllPicturesAndLinksInItResolve_data()
+    void longEveryExhibitHasItsPageAndAllPicturesAndLinksInItResolve_data()
     {
         QTest::addColumn<QString>("language");
         QTest::addColumn<QString>("folder");
@@ -356,7 +356,7 @@ private slots:
         QTest::newRow("German") << QStringLiteral("de") << QStringLiteral("pages/de");
     }
 
-    void everyExhibitHasItsPageAndAllPicturesAndLinksInItResolve()
+    void longEveryExhibitHasItsPageAndAllPicturesAndLinksInItResolve()
     {
         QFETCH(QString, language);
         QFETCH(QString, folder);
@@ -412,7 +412,7 @@ private slots:
         QCOMPARE(pages.entryList({"*.html"}).size(), names.size());
     }
 
-    void formulasAreShownAsText_data()
+    void longFormulasAreShownAsText_data()
     {
         QTest::addColumn<QString>("formula");
         QTest::addColumn<QString>("text");
@@ -440,7 +440,7 @@ private slots:
             << QStringLiteral("view <i>k</i>%1d").arg(QString(3, QChar(0xA0)));
     }
 
-    void formulasAreShownAsText()
+    void longFormulasAreShownAsText()
     {
         QFETCH(QString, formula);
         QFETCH(QString, text);

@@ -48,7 +48,7 @@ private slots:
         lookLikeNothingWasChosen();
     }
 
-    void aCommandGetsAnotherShortcutThatWorksIsShownEverywhereAndKept()
+    void longACommandGetsAnotherShortcutThatWorksIsShownEverywhereAndKept()
     {
         QVERIFY(openDialog("Keys"));
         auto* find = control<QLineEdit>("Find a command");
@@ -75,7 +75,7 @@ private slots:
         QVERIFY(sheet->findItems("Ctrl+F, Ctrl+K", Qt::MatchExactly).isEmpty());
     }
 
-    void tooltipsOfButtonsNameTheNewShortcut()
+    void longTooltipsOfButtonsNameTheNewShortcut()
     {
         QVERIFY(openDialog("Keys"));
         QTreeWidgetItem* wipe = command("Wipe");
@@ -88,7 +88,7 @@ private slots:
         QVERIFY(shown);
     }
 
-    void aShortcutThatSomebodyHasIsTakenOnlyWhenOneSaysSo()
+    void longAShortcutThatSomebodyHasIsTakenOnlyWhenOneSaysSo()
     {
         QVERIFY(openDialog("Keys"));
         QTreeWidgetItem* record = command("Record");

@@ -70,7 +70,7 @@ private slots:
         lookLikeNothingWasChosen();
     }
 
-    void theThemeIsAppliedAtOnceKeptAndReset()
+    void longTheThemeIsAppliedAtOnceKeptAndReset()
     {
         QVERIFY(openDialog());
         choose("Theme", "High contrast");
@@ -99,7 +99,7 @@ private slots:
         QCOMPARE(Preferences::saved().theme, ThemeChoice::light);
     }
 
-    void typeOfAnotherSizeIsEverywhereAtOnce()
+    void longTypeOfAnotherSizeIsEverywhereAtOnce()
     {
         PreferencesDialog* dialog = openDialog();
         QVERIFY(dialog);
@@ -145,7 +145,7 @@ private slots:
         QVERIFY2(std::abs(zoomOf() - std::pow(usual, 3)) < 1e-9, qPrintable(QString::number(zoomOf())));
     }
 
-    void fewerSamplesAreDrawnAndStatusFrameReportAndCommandLineSaySo()
+    void longFewerSamplesAreDrawnAndStatusFrameReportAndCommandLineSaySo()
     {
         test::takeFewSamples(*window_, 8);
         settle();
@@ -195,7 +195,7 @@ private slots:
         gallery_->beforeDrawing = {};
     }
 
-    void reducedMotionCutsWhereTheCameraWouldGlideAndHoldsTheClock()
+    void longReducedMotionCutsWhereTheCameraWouldGlideAndHoldsTheClock()
     {
         gallery_->exhibit().moves = true;
         QVERIFY(openDialog());
@@ -241,7 +241,7 @@ private slots:
         QVERIFY(action("Pause clock")->isChecked());
     }
 
-    void theDesktopsWishesAreFollowedWhileTheWindowIsOpen()
+    void longTheDesktopsWishesAreFollowedWhileTheWindowIsOpen()
     {
         const QString address = qEnvironmentVariable("DBUS_SESSION_BUS_ADDRESS");
         if (address.isEmpty()) QSKIP("There is no dbus-daemon here.");
@@ -295,7 +295,7 @@ private slots:
         QVERIFY(recentFiles().isEmpty());
     }
 
-    void damagedPreferencesAreSaidOnceInTheWindow()
+    void longDamagedPreferencesAreSaidOnceInTheWindow()
     {
         closeWindow();
         const QString path = home_->filePath("vitrine/window.ini");

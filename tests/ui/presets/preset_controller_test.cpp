@@ -37,7 +37,7 @@ private slots:
     void init() { start(); }
     void cleanup() { finish(); }
 
-    void whatThePanelShowsIsSavedAndTheDialogSaysWhoseItIs()
+    void longWhatThePanelShowsIsSavedAndTheDialogSaysWhoseItIs()
     {
         window_->choose(1);
         showTab(1);
@@ -184,7 +184,7 @@ private slots:
         QCOMPARE(found().size(), 8);
     }
 
-    void anImportedPresetGetsAPicture()
+    void longAnImportedPresetGetsAPicture()
     {
         window_->choose(1);
         window_->presetController().saveUnder("Dull");

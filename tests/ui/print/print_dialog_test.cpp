@@ -76,7 +76,7 @@ private slots:
         QCOMPARE(warnings(), QString());
     }
 
-    void picturesAreTurnedAndMovedByHand()
+    void longPicturesAreTurnedAndMovedByHand()
     {
         auto& bar = dialog_->findChild<SourceBar*>()->places();
         const auto field = [&](const char* name) -> QAbstractSpinBox* {

@@ -22,7 +22,7 @@ private slots:
     void init() { start(); }
     void cleanup() { finish(); }
 
-    void exportWritesAPrintWhoseJsonIsTheSettings()
+    void longExportWritesAPrintWhoseJsonIsTheSettings()
     {
         const QStringList views = solidViews(6);
         dialog_->openFiles(views);
@@ -99,7 +99,7 @@ private slots:
         QVERIFY(contentOf(out + "/card.tif") != first);
     }
 
-    void cancelAndEscapeLeaveNoFileAndTheDialogOpen()
+    void longCancelAndEscapeLeaveNoFileAndTheDialogOpen()
     {
         dialog_->openFiles(solidViews(12));
         settle();

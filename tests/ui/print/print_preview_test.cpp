@@ -66,14 +66,14 @@ private slots:
     }
 
     /// At the given distance, or at 40 cm where the print is made for none.
-    void theTwoEyesSeeNeighboringViews_data()
+    void longTheTwoEyesSeeNeighboringViews_data()
     {
         QTest::addColumn<double>("distance");
         QTest::newRow("40 cm") << 0.4;
         QTest::newRow("none") << std::numeric_limits<double>::infinity();
     }
 
-    void theTwoEyesSeeNeighboringViews()
+    void longTheTwoEyesSeeNeighboringViews()
     {
         QFETCH(const double, distance);
         const int count = 12;

@@ -81,7 +81,7 @@ private slots:
         QCOMPARE(bar->current(), shipped);
     }
 
-    void settingsFilesAndSheetsAreUndoneAndRedone()
+    void longSettingsFilesAndSheetsAreUndoneAndRedone()
     {
         const auto press = [&](Qt::KeyboardModifiers modifiers, QWidget* at) {
             QTest::keyClick(at, Qt::Key_Z, modifiers);

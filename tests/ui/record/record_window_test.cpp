@@ -205,7 +205,7 @@ private slots:
         QVERIFY2(line.contains(".roughness=") && line.contains("--eye="), qPrintable(line));
     }
 
-    void aFilmAlongTheBookmarksIsRecordedBesideTheWindow()
+    void longAFilmAlongTheBookmarksIsRecordedBesideTheWindow()
     {
         JobDialog* dialog = openDialog(RecordPath::bookmarks);
         QVERIFY2(says(*dialog, "Set two bookmarks"), "and there is nothing to record");

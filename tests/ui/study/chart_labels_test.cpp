@@ -108,7 +108,7 @@ class ChartLabelsTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void noTextLiesOverAnotherOrEndsBeyondTheEdge_data()
+    void longNoTextLiesOverAnotherOrEndsBeyondTheEdge_data()
     {
         QTest::addColumn<QSize>("size");
         QTest::addColumn<double>("type");
@@ -116,7 +116,7 @@ private slots:
             for (const double type : {1.0, 1.5, 2.0})
                 QTest::addRow("%d x %d, type %.1f", size.width(), size.height(), type) << size << type;
     }
-    void noTextLiesOverAnotherOrEndsBeyondTheEdge()
+    void longNoTextLiesOverAnotherOrEndsBeyondTheEdge()
     {
         QFETCH(QSize, size);
         QFETCH(double, type);

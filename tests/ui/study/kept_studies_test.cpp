@@ -93,7 +93,7 @@ private slots:
     void init() { start(); }
     void cleanup() { close(); }
 
-    void aFinishedStudyIsKeptAndSurvivesARestart()
+    void longAFinishedStudyIsKeptAndSurvivesARestart()
     {
         measure("steps");
         const std::size_t points = dock_->result().points.size();
@@ -177,7 +177,7 @@ private slots:
         QCOMPARE(list()->count(), 0);
     }
 
-    void tickedOnesAreComparedByWhatTheyShare()
+    void longTickedOnesAreComparedByWhatTheyShare()
     {
         measure("steps");
         measure("rays");
@@ -282,7 +282,7 @@ private slots:
         QCOMPARE(words().join(' '), shown);
     }
 
-    void tickedOnesAreCopiedAndSaved()
+    void longTickedOnesAreCopiedAndSaved()
     {
         measure("steps");
         measure("rays");

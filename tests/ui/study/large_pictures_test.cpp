@@ -24,7 +24,7 @@ private slots:
     void init() { start(); }
     void cleanup() { close(); }
 
-    void aDoubleClickOpensThePicturesLargeAndTheyFollowTheStudy()
+    void longADoubleClickOpensThePicturesLargeAndTheyFollowTheStudy()
     {
         measure("steps");
         auto* small = dock_->findChild<StudyPictures*>();

@@ -347,7 +347,7 @@ private slots:
         }
     }
 
-    void theAxisIsDecidedBeforeTheFirstPointAndOnlyTheUserChangesIt()
+    void longTheAxisIsDecidedBeforeTheFirstPointAndOnlyTheUserChangesIt()
     {
         measureSlowly();
         StudyChart& chart = dock_->chart();
@@ -482,7 +482,7 @@ private slots:
         QVERIFY(found);
     }
 
-    void theFormerResultStaysUntilTheNextOneHasAPoint()
+    void longTheFormerResultStaysUntilTheNextOneHasAPoint()
     {
         dock_->ask(1, row("steps"));
         finish();

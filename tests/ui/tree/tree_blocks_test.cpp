@@ -72,7 +72,7 @@ private slots:
         finish();
     }
 
-    void aDroppedFileIsShownAndItsExhibitVisited()
+    void longADroppedFileIsShownAndItsExhibitVisited()
     {
         QCOMPARE(window_->chosen(), blocks);
         QCOMPARE(root().childCount(), 2);
@@ -82,7 +82,7 @@ private slots:
         QTRY_COMPARE(editor().tree().nodes.size(), std::size_t(1));
     }
 
-    void theMenuOfKindsAddsAndDeleteTakesAway()
+    void longTheMenuOfKindsAddsAndDeleteTakesAway()
     {
         QMenu* menu = nullptr;
         for (auto* button : dock().findChildren<QToolButton*>())
@@ -121,14 +121,14 @@ private slots:
         QCOMPARE(stack().undoText(), QString("Rename blue"));
     }
 
-    void whatItDoesNotKnowIsSaidAndTheTreeStaysAsItIs()
+    void longWhatItDoesNotKnowIsSaidAndTheTreeStaysAsItIs()
     {
         root().child(0)->setCheckState(0, Qt::Unchecked);
         QTRY_VERIFY(window_->findChild<MessageStrip*>()->texts().join(' ').contains("no such change"));
         QTRY_COMPARE(root().child(0)->checkState(0), Qt::Checked);
     }
 
-    void anOutlineAndHandlesStandWhereTheCubeIs()
+    void longAnOutlineAndHandlesStandWhereTheCubeIs()
     {
         auto& viewport = window_->viewport();
         const QSize room = viewport.size();
@@ -171,7 +171,7 @@ private slots:
         QVERIFY(dock().overlay().handles().empty());
     }
 
-    void presetsCarryWhatIsNotInTheFile()
+    void longPresetsCarryWhatIsNotInTheFile()
     {
         editor().select("red");
         editor().setParameter(0, 0.3, newGesture(), "Change");

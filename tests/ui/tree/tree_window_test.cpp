@@ -103,7 +103,7 @@ private slots:
         finish();
     }
 
-    void nodesAreFoundByNameAndKind()
+    void longNodesAreFoundByNameAndKind()
     {
         QLineEdit* words = nullptr;
         for (QLineEdit* each : dock().findChildren<QLineEdit*>())
@@ -143,7 +143,7 @@ private slots:
         QCOMPARE(shown(), (QStringList{"union", "left", "right"}));
     }
 
-    void undoingSeveralAdditionsReturnsToWhatWasSelected()
+    void longUndoingSeveralAdditionsReturnsToWhatWasSelected()
     {
         const std::string left = "root.children[0]";
         editor().select(left);
@@ -158,7 +158,7 @@ private slots:
         QCOMPARE(TreeView::nodeOf(*dock().view().currentItem()), left);
     }
 
-    void nodesOfOneTitleAreToldApartByTheirFirstNumber()
+    void longNodesOfOneTitleAreToldApartByTheirFirstNumber()
     {
         QVERIFY(editor().apply({TreeEdit::What::add, "root", "sphere"}, "first"));
         const std::string first = editor().selected();
@@ -215,7 +215,7 @@ private slots:
         menu->close();
     }
 
-    void clickDragUndoSaveAndReload()
+    void longClickDragUndoSaveAndReload()
     {
         click(at(1, 0));
         QCOMPARE(editor().selected(), std::string("root.children[1]"));
@@ -279,7 +279,7 @@ private slots:
         QCOMPARE(editor().selected(), std::string("root.children[1]"));
     }
 
-    void ctrlAndTheArrowsReorderTheTree()
+    void longCtrlAndTheArrowsReorderTheTree()
     {
         click(at(1, 0));
         QCOMPARE(dock().view().currentItem()->text(0), QString("right"));
@@ -296,7 +296,7 @@ private slots:
         QCOMPARE(stack().index(), steps);
     }
 
-    void handlesMoveWhatIsSelectedInOneStep()
+    void longHandlesMoveWhatIsSelectedInOneStep()
     {
         click(at(-1, 0));
         QCOMPARE(editor().selected(), std::string("root.children[0]"));
@@ -319,7 +319,7 @@ private slots:
         QCOMPARE(number("translateX"), -1.0);
     }
 
-    void theTreeAddsWrapsRenamesHidesAndTakesBack()
+    void longTheTreeAddsWrapsRenamesHidesAndTakesBack()
     {
         editor().select("root.children[0]");
         QVERIFY(editor().apply({TreeEdit::What::wrap, "root.children[0]", "twist"}, "Wrap"));
@@ -361,7 +361,7 @@ private slots:
         QVERIFY(window_->findChild<MessageStrip*>()->texts().join(' ').contains("root cannot be deleted"));
     }
 
-    void aFileThatTwoChangedIsAskedAbout()
+    void longAFileThatTwoChangedIsAskedAbout()
     {
         for (const char* answer : {"keepMine", "takeTheirs"}) {
             editor().select("root.children[1]");
@@ -393,7 +393,7 @@ private slots:
         window_.reset();
     }
 
-    void sessionsBringWhatIsNotSavedBack()
+    void longSessionsBringWhatIsNotSavedBack()
     {
         editor().select("root.children[1]");
         editor().setParameter(0, 0.625, newGesture(), "Change");

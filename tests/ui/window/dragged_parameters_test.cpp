@@ -124,7 +124,7 @@ private slots:
         finish();
     }
 
-    void aLineIsDraggedToThePixelInOneStep()
+    void longALineIsDraggedToThePixelInOneStep()
     {
         const int steps = stack().count();
         const render::Camera camera = window_->history().sceneState().camera;
@@ -140,7 +140,7 @@ private slots:
         QCOMPARE(divider(), 1.0);
     }
 
-    void sideBySideALineIsDraggedInEitherPicture()
+    void longSideBySideALineIsDraggedInEitherPicture()
     {
         action("Hold the current settings as B")->trigger();
         action("Side by side")->trigger();
@@ -175,7 +175,7 @@ private slots:
         QCOMPARE(divider(), 0.5);
     }
 
-    void theTableIsMeasuredAndSaved()
+    void longTheTableIsMeasuredAndSaved()
     {
         JobDialog* page = openTable();
         const auto saved = [&](int separator) {
@@ -199,7 +199,7 @@ private slots:
         QVERIFY(page->findChild<MessageStrip*>()->texts().join(' ').contains("numbers1.csv"));
     }
 
-    void aTableIsPreviewedAndForecastBeforeItIsMeasured()
+    void longATableIsPreviewedAndForecastBeforeItIsMeasured()
     {
         JobDialog* page = openTable();
         auto* facts = page->findChild<QLabel*>("facts");
@@ -219,7 +219,7 @@ private slots:
         QVERIFY2(facts->text().contains("Lines 2") && !facts->text().contains("about"), qPrintable(facts->text()));
     }
 
-    void aTableThatIsCanceledWritesNothing()
+    void longATableThatIsCanceledWritesNothing()
     {
         JobDialog* page = openTable();
         QTRY_VERIFY(page->settled());

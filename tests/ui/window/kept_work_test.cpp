@@ -118,7 +118,7 @@ private slots:
         if (window_) closeWindow();
     }
 
-    void aSecondWindowOpensOffsetFromTheFirst()
+    void longASecondWindowOpensOffsetFromTheFirst()
     {
         window_->setGeometry(60, 60, 800, 500);
         QTRY_COMPARE(window_->geometry(), QRect(60, 60, 800, 500));
@@ -220,7 +220,7 @@ private slots:
         QVERIFY(said().contains("Vitrine crashed or was stopped; your last state was restored."));
     }
 
-    void whereTheVisitorWalkedIsInTheJournal()
+    void longWhereTheVisitorWalkedIsInTheJournal()
     {
         render::Camera there;
         there.eye = {0.625, 1.5, 3.25};
@@ -229,7 +229,7 @@ private slots:
         QTRY_COMPARE(journal()["camera"]["eye"], (render::Json{0.625, 1.5, 3.25}));
     }
 
-    void theJournalWaitsForNoPauseBetweenEdits()
+    void longTheJournalWaitsForNoPauseBetweenEdits()
     {
         // Each edit comes before the journal of the one before would be written.
         int edits = 0;
@@ -240,7 +240,7 @@ private slots:
         QVERIFY2(edits < 8, "two seconds after the first one it is due");
     }
 
-    void aSessionThatCannotBeReadIsKept()
+    void longASessionThatCannotBeReadIsKept()
     {
         const QByteArray newer = R"({"format": "vitrine-exhibition", "version": 99, "name": "Last session"})";
         for (const QByteArray& text : {newer, QByteArray("{ half a sess")}) {

@@ -124,7 +124,7 @@ private slots:
         QTest::keyRelease(&window_->viewport(), Qt::Key_W);
     }
 
-    void idleMinutesBringTheStartBack()
+    void longIdleMinutesBringTheStartBack()
     {
         const SceneState start = window_->history().sceneState();
         begin({.minutes = 0.02, .parameters = {"sdf_morph.roughness", "hall.exposure"}});

@@ -49,7 +49,7 @@ private slots:
     }
     void cleanup() { finish(); }
 
-    void thePanelShowsTheRowsOfTheFileAndTheirSlidersAct()
+    void longThePanelShowsTheRowsOfTheFileAndTheirSlidersAct()
     {
         QVERIFY(!window_->panel().row("redRadius"));
         name(path("two.json"));
@@ -166,7 +166,7 @@ private slots:
         QCOMPARE(bar->value(), 300);
     }
 
-    void presetsAndSessionsBringTheParametersBack()
+    void longPresetsAndSessionsBringTheParametersBack()
     {
         name(path("two.json"));
         QTRY_VERIFY(window_->panel().row("redRadius"));

@@ -234,7 +234,7 @@ private slots:
     void init() { makeHome(); }
     void cleanup() { closeWindow(); }
 
-    void aSessionThatNamesAMissingFileOpensAndDrawsItWhenItComesBack_data()
+    void longASessionThatNamesAMissingFileOpensAndDrawsItWhenItComesBack_data()
     {
         QTest::addColumn<QByteArray>("exhibit");
         QTest::addColumn<QByteArray>("row");
@@ -249,7 +249,7 @@ private slots:
         QTest::newRow("print") << QByteArray("lenticular") << QByteArray("frontPrint") << "gone.jpg"
                                << "Front print of Lenticular Card";
     }
-    void aSessionThatNamesAMissingFileOpensAndDrawsItWhenItComesBack()
+    void longASessionThatNamesAMissingFileOpensAndDrawsItWhenItComesBack()
     {
         QFETCH(QByteArray, exhibit);
         QFETCH(QByteArray, row);
@@ -541,7 +541,7 @@ private slots:
             QVERIFY2(titles.contains(title), qPrintable(titles.join(", ")));
     }
 
-    void aMeshIsThatOfTheSceneOnShowWithItsValues()
+    void longAMeshIsThatOfTheSceneOnShowWithItsValues()
     {
         write("ball.json", json("{'format':'vitrine-scene','version':1,'parameters':{'size':{'value':0.2,'unit':'m',"
                                 "'range':[0.1,0.4],'help':'Radius.'}},'root':{'kind':'sphere','radius':'size'}}"));
@@ -660,7 +660,7 @@ private slots:
         QCOMPARE(pictures.count(), 1);
     }
 
-    void settingsOfEveryKindOfExportAreSavedUnderANameAndChosen()
+    void longSettingsOfEveryKindOfExportAreSavedUnderANameAndChosen()
     {
         openBlankWindow();
         QListWidget& kinds = exportKinds();

@@ -33,7 +33,7 @@ private slots:
     }
     void cleanup() { finish(); }
 
-    void aParameterMovesUntilItIsHeldAndStopsWhereItIs()
+    void longAParameterMovesUntilItIsHeldAndStopsWhereItIs()
     {
         const int steps = window_->history().stack().count();
         const double before = roughness();
@@ -106,7 +106,7 @@ private slots:
         QVERIFY(read.values == window_->history().sceneState().values[1]);
     }
 
-    void theClockIsStoppedStartedAndSet()
+    void longTheClockIsStoppedStartedAndSet()
     {
         gallery_->exhibit().moves = true;
         window_->viewport().scene().change();

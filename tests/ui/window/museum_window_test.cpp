@@ -115,11 +115,11 @@ private slots:
     void init()
     {
         makeHome();
-        if (QTest::currentTestFunction() != QByteArray("labelsAreReadWholeInAWindowOfTheFirstSize")) openWindow();
+        if (QTest::currentTestFunction() != QByteArray("longLabelsAreReadWholeInAWindowOfTheFirstSize")) openWindow();
     }
     void cleanup() { closeWindow(); }
 
-    void labelsAreReadWholeInAWindowOfTheFirstSize()
+    void longLabelsAreReadWholeInAWindowOfTheFirstSize()
     {
         makeWindow({});
         window_->show();
@@ -231,7 +231,7 @@ private slots:
         QVERIFY(window_->history().sceneState() == shown);
     }
 
-    void tenSecondsOfIdlingDrawNothingAndUseNoProcessor()
+    void longTenSecondsOfIdlingDrawNothingAndUseNoProcessor()
     {
         window_->visit(exhibit_);
         settle();

@@ -74,13 +74,13 @@ private slots:
         QCOMPARE(values()[t_.divider], 0.5);
     }
 
-    void farBesideTheScreenItStaysAtItsBorder()
+    void longFarBesideTheScreenItStaysAtItsBorder()
     {
         drag(line().toPoint(), -2000);
         QCOMPARE(values()[t_.divider], 0.0);
     }
 
-    void withoutTwoHalvesThePictureIsTurned()
+    void longWithoutTwoHalvesThePictureIsTurned()
     {
         const QPoint at = line().toPoint();
         window_->history().set(art, t_.split.row, 0.0, 0);

@@ -40,7 +40,7 @@ private slots:
     void init() { start(); }
     void cleanup() { finish(); }
 
-    void aMisspelledParameterOfAnotherExhibitIsFoundAndShown()
+    void longAMisspelledParameterOfAnotherExhibitIsFoundAndShown()
     {
         QCOMPARE(window_->chosen(), std::size_t{0});
         search("rougness mug");

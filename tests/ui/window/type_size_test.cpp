@@ -153,8 +153,8 @@ private slots:
         applyTheme(*qApp, darkTheme());
     }
 
-    void theWindowAndItsPanels_data() { sizes(); }
-    void theWindowAndItsPanels()
+    void longTheWindowAndItsPanels_data() { sizes(); }
+    void longTheWindowAndItsPanels()
     {
         QFETCH(int, percent);
         setType(percent);
@@ -171,8 +171,8 @@ private slots:
         }
     }
 
-    void theStripsAroundThePicture_data() { sizes(); }
-    void theStripsAroundThePicture()
+    void longTheStripsAroundThePicture_data() { sizes(); }
+    void longTheStripsAroundThePicture()
     {
         QFETCH(int, percent);
         setType(percent);
@@ -190,8 +190,8 @@ private slots:
         look(*window_, "lesson");
     }
 
-    void theDialogs_data() { sizes(); }
-    void theDialogs()
+    void longTheDialogs_data() { sizes(); }
+    void longTheDialogs()
     {
         QFETCH(int, percent);
         setType(percent);

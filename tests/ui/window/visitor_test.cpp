@@ -103,7 +103,7 @@ private slots:
         QVERIFY(window_->panel().row("exposure")->isAncestorOf(QApplication::focusWidget()));
     }
 
-    void theTabsOfExhibitAndHallAreThereAfterARestoredSession()
+    void longTheTabsOfExhibitAndHallAreThereAfterARestoredSession()
     {
         QVERIFY(tabs()->isVisible() && tabs()->height() >= 20);
         window_->choose(1);
@@ -257,7 +257,7 @@ private slots:
         QCOMPARE(window_->chosen(), std::size_t{0});
     }
 
-    void aClickOnAButtonWithinReachPressesIt()
+    void longAClickOnAButtonWithinReachPressesIt()
     {
         Viewport& viewport = window_->viewport();
         QSignalSpy pressed(&viewport.interaction(), &Interaction::pressed);
@@ -276,7 +276,7 @@ private slots:
         QCOMPARE(pressed.count(), 3);
     }
 
-    void aDisabledButtonIsNotPressedAndSaysWhy()
+    void longADisabledButtonIsNotPressedAndSaysWhy()
     {
         const char* reason = "Nothing in this scene moves with time; choose another scene.";
         Viewport& viewport = window_->viewport();
@@ -309,7 +309,7 @@ private slots:
         QCOMPARE(pressed.count(), 1);
     }
 
-    void afterAWrongClickThereIsAWayBack()
+    void longAfterAWrongClickThereIsAWayBack()
     {
         Viewport& viewport = window_->viewport();
         const render::Camera before = window_->history().sceneState().camera;
@@ -475,7 +475,7 @@ private slots:
         QVERIFY(window_->statusBar()->isVisible());
     }
 
-    void theHallInTheListGoesToTheHall()
+    void longTheHallInTheListGoesToTheHall()
     {
         auto* list = window_->findChild<ExhibitList*>();
         QTest::mouseClick(list->viewport(), Qt::LeftButton, {},

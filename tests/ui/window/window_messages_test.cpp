@@ -29,7 +29,7 @@ private slots:
     void init() { start(); }
     void cleanup() { finish(); }
 
-    void aShaderProblemIsShownOverThePicture()
+    void longAShaderProblemIsShownOverThePicture()
     {
         gallery_->shaderProblems = {{"sdf_morph/march.frag", 42, "'hitDistance' : undeclared identifier"}};
         window_->viewport().shaders().reload();
@@ -152,7 +152,7 @@ private slots:
         QTRY_COMPARE(offered(), 1);
     }
 
-    void whoGoesToAnExhibitReadsItWhileItsPictureIsDrawn()
+    void longWhoGoesToAnExhibitReadsItWhileItsPictureIsDrawn()
     {
         std::atomic<bool> may = false;
         gallery_->beforeDrawing = [&may](const FrameRequest&, const auto&) {

@@ -31,7 +31,7 @@ private slots:
     void init() { start(); }
     void cleanup() { finish(); }
 
-    void oneMoveOfTheMouseStartsThePictureAnewOnce()
+    void longOneMoveOfTheMouseStartsThePictureAnewOnce()
     {
         window_->choose(1);
         settle();
@@ -77,7 +77,7 @@ private slots:
         QTest::keyRelease(&window_->viewport(), Qt::Key_W);
     }
 
-    void valuesThatRestAreDrawnFasterWithoutAnotherPicture()
+    void longValuesThatRestAreDrawnFasterWithoutAnotherPicture()
     {
         window_->choose(1);
         settle();
@@ -112,7 +112,7 @@ private slots:
         QCOMPARE(gallery_->requests().back().samples, 16);
     }
 
-    void aRowThatDoesNotActDrawsNothingAgain()
+    void longARowThatDoesNotActDrawsNothingAgain()
     {
         window_->choose(1);
         SceneState next = window_->history().sceneState();
@@ -150,7 +150,7 @@ private slots:
         delete other;
     }
 
-    void theWindowsThreadDrawsNothing()
+    void longTheWindowsThreadDrawsNothing()
     {
         window_->choose(1);
         dragRoughness(60);
@@ -161,7 +161,7 @@ private slots:
         QCOMPARE(gallery_->strangers, 0);
     }
 
-    void untilTheFirstPictureTheViewportSaysThatItComes()
+    void longUntilTheFirstPictureTheViewportSaysThatItComes()
     {
         closeWindow();
         gallery_ = std::make_unique<test::PaintedGallery>();
@@ -222,7 +222,7 @@ private slots:
         gallery_->beforeDrawing = {};
     }
 
-    void anOutdatedSupersampleIsGivenUp()
+    void longAnOutdatedSupersampleIsGivenUp()
     {
         window_->choose(1);
         settle();
@@ -310,7 +310,7 @@ private slots:
         QVERIFY(!window_->viewport().pictures().finished());
     }
 
-    void aJumpOfTheCameraIsACutAndWhatIsRefinedIsNone()
+    void longAJumpOfTheCameraIsACutAndWhatIsRefinedIsNone()
     {
         settle();
         gallery_->forgetRequests();

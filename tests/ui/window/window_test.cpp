@@ -30,7 +30,7 @@ private slots:
     void init() { start(); }
     void cleanup() { finish(); }
 
-    void aColorIsChosenBesideThePicture()
+    void longAColorIsChosenBesideThePicture()
     {
         window_->choose(1);
         for (auto* button : window_->panel().row("baseColor")->findChildren<QAbstractButton*>())
@@ -81,7 +81,7 @@ private slots:
         QCOMPARE(slider->value(), slider->minimum() + (slider->maximum() - slider->minimum()) * 6 / 10);
     }
 
-    void theVisitorWalksAndWallsStopHim()
+    void longTheVisitorWalksAndWallsStopHim()
     {
         Viewport& viewport = window_->viewport();
         viewport.setFocus();
@@ -95,7 +95,7 @@ private slots:
         QCOMPARE(window_->history().stack().count(), 0);
     }
 
-    void aClickVisitsAnExhibitDraggingOrbitsAndEscWalksOn()
+    void longAClickVisitsAnExhibitDraggingOrbitsAndEscWalksOn()
     {
         Viewport& viewport = window_->viewport();
         QTest::mouseClick(&viewport, Qt::LeftButton, {}, viewport.rect().center());
@@ -145,7 +145,7 @@ private slots:
             QCOMPARE(list->item(i)->data(TileDelegate::secondLine).toString(), QString());
     }
 
-    void lockedParametersComeBackAndAreLeftOutWhenTheOthersAreVaried()
+    void longLockedParametersComeBackAndAreLeftOutWhenTheOthersAreVaried()
     {
         window_->choose(1);
         window_->panel().choices().set(PanelChoice::locked, {"sdf_morph/roughness"}, true);
