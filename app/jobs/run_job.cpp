@@ -14,6 +14,7 @@
 
 #include <cctype>
 #include <cstdio>
+#include <filesystem>
 #include <optional>
 
 namespace vitrine::app {
@@ -107,10 +108,22 @@ void stepThrough(jobs::JobRun& run)
     run.publish();
 }
 
+/// Makes the folders above an output that is a folder, before the work begins. Throws Failure (ErrorKind::file).
+void makeFoldersAbove(const jobs::Job& job, const std::filesystem::path& out)
+{
+    if (!job.needs().extensions.empty() || !out.has_parent_path()) return;
+    std::error_code error;
+    std::filesystem::create_directories(out.parent_path(), error);
+    if (error)
+        throw Failure(ErrorKind::file, out.string() + ": the folder cannot be made (" + error.message() +
+                                           "); choose another with --out.");
+}
+
 /// Runs the job to its end and prints its warnings. Returns null if it was stopped.
 std::unique_ptr<jobs::JobRun> finishedRun(const jobs::Job& job, jobs::JobOrder order, const jobs::JobPlan& plan)
 {
     const StopSignal stop;
+    makeFoldersAbove(job, order.out);
     try {
         std::unique_ptr<jobs::JobRun> run = job.start(std::move(order));
         stepThrough(*run);

@@ -52,10 +52,19 @@ TEST(LongStudyCommand, TakesEveryStudyOfTheResults)
     EXPECT_GE(studies, 20);
 }
 
+TEST(StudyCommand, AFolderThatCannotBeMadeIsSaidBeforeItMeasures)
+{
+    const test::TemporaryFolder folder;
+    test::writeBytes(folder / "file", "");
+    const Ended ended = study(folder / "file/study", {"hitTolerance"});
+    EXPECT_EQ(ended.code, 5);
+    test::expectOneSentence(ended, {"file/study", "the folder cannot be made", "--out"});
+}
+
 TEST(StudyCommand, WritesWhatItMeasuredAndAPageThatShowsIt)
 {
     const test::TemporaryFolder folder;
-    const std::string out = folder / "study";
+    const std::string out = folder / "new/study";
     const Ended ended = study(out, {"hitTolerance", "--values", "0.25,1,4"});
     ASSERT_EQ(ended.code, 0) << ended.err;
     EXPECT_EQ(test::withoutProgress(ended.err), "");
