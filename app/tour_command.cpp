@@ -3,8 +3,8 @@
 #include "app/kit/picture_options.h"
 
 #include "exhibits/exhibits.h"
+#include "exhibits/jobs/kit/part_folder.h"
 #include "exhibits/museum/picture_settings.h"
-#include "render/failure.h"
 #include "render/gl/context.h"
 #include "render/gl/renderer.h"
 #include "render/image/image_io.h"
@@ -23,11 +23,7 @@ int renderTour(const std::string& folder, const std::string& size, int samples)
     const render::gl::HeadlessContext context;
     const Museum museum{allExhibits()};
     render::gl::Renderer renderer;
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error)
-        throw Failure(ErrorKind::file,
-                      folder + ": the folder cannot be made (" + error.message() + "); choose another with --out.");
+    jobs::makeFolders(folder, folder);
     for (const SceneObject* subject : museum.subjects()) {
         PictureOptions options;
         options.subject = subject->name();

@@ -6,7 +6,6 @@
 #include "app/kit/say.h"
 #include "app/kit/stop_signal.h"
 #include "render/failure.h"
-#include "render/files/atomic_write.h"
 #include "render/gl/context.h"
 #include "render/gl/machine_json.h"
 #include "render/gl/renderer.h"
@@ -108,22 +107,10 @@ void stepThrough(jobs::JobRun& run)
     run.publish();
 }
 
-/// Makes the folders above an output that is a folder, before the work begins. Throws Failure (ErrorKind::file).
-void makeFoldersAbove(const jobs::Job& job, const std::filesystem::path& out)
-{
-    if (!job.needs().extensions.empty() || !out.has_parent_path()) return;
-    std::error_code error;
-    std::filesystem::create_directories(out.parent_path(), error);
-    if (error)
-        throw Failure(ErrorKind::file, out.string() + ": the folder cannot be made (" + error.message() +
-                                           "); choose another with --out.");
-}
-
 /// Runs the job to its end and prints its warnings. Returns null if it was stopped.
 std::unique_ptr<jobs::JobRun> finishedRun(const jobs::Job& job, jobs::JobOrder order, const jobs::JobPlan& plan)
 {
     const StopSignal stop;
-    makeFoldersAbove(job, order.out);
     try {
         std::unique_ptr<jobs::JobRun> run = job.start(std::move(order));
         stepThrough(*run);
@@ -214,9 +201,7 @@ int runJob(const jobs::Job& job, jobs::JobOrder order, const jobs::JobPlan& plan
         if (!items.empty()) return runPartOf(job, std::move(order), plan, shard);
     }
     if (folder && folder->write) order.writeFolder = [&](const jobs::JobRun& run) { folder->write(out, run); };
-    const bool makesFolder = job.needs().extensions.empty();
-    for (const jobs::PlannedFile& file : plan.files)
-        if (!makesFolder || file.path != out) const render::PartFile writable(file.path);
+    jobs::requireWritable(job, order);
     const std::unique_ptr<jobs::JobRun> run = finishedRun(job, std::move(order), plan);
     if (!run) return StopSignal::exitCode;
     if (printed == Outcome::json)

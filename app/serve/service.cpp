@@ -480,6 +480,7 @@ Json Service::runJob(const jobs::Job& job, const Json& params, const Watch& watc
             return backendOf(job, {std::shared_ptr<void>(), &graphics_.renderer()});
         };
         ordered.order.machine = [this] { return machineJson(graphics_.info()); };
+        jobs::requireWritable(job, ordered.order);
         const std::unique_ptr<jobs::JobRun> run = job.start(std::move(ordered.order));
         const auto show = [&] { watch(run->progress(), std::string(run->doing())); };
         for (show(); run->next() != jobs::JobRun::Next::done; show())

@@ -99,11 +99,6 @@ Recording::Recording(const Museum& museum, render::RenderBackend& backend, Recor
         return;
     }
     if (isLinear(out_)) request_.picture.frame.averageIn = AverageIn::radiance;
-    std::error_code error;
-    if (out_.has_parent_path()) fs::create_directories(out_.parent_path(), error);
-    if (error)
-        throw Failure(ErrorKind::file, out_.parent_path().string() + ": the folder cannot be made (" + error.message() +
-                                           "); choose another.");
 }
 
 Recording::~Recording() = default;

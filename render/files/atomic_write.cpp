@@ -154,6 +154,7 @@ PartFile::PartFile(const fs::path& target, FileOps& ops)
     }
     const std::string name = target_.filename().string();
     if (name.empty() || name == "." || name == "..") refuse(target, message("it names no file; choose a file name."));
+    if (::access(folderOf(target_).c_str(), W_OK | X_OK) != 0) fail(message("opening its folder to write"), errno);
     clearLeftBehind(folderOf(target_));
 }
 

@@ -36,6 +36,7 @@ void JobRunner::start(const jobs::Job& job, jobs::JobOrder order)
     running_ = true;
     elapsed_.start();
     try {
+        jobs::requireWritable(job, order);
         go(job.start(std::move(order)));
     } catch (const std::exception& failure) {
         end(messageOf(failure));

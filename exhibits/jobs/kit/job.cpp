@@ -1,5 +1,7 @@
 #include "exhibits/jobs/kit/job.h"
 
+#include "exhibits/jobs/kit/part_folder.h"
+#include "render/files/atomic_write.h"
 #include "render/files/extension.h"
 #include "render/files/number_text.h"
 #include "render/image/picture_formats.h"
@@ -33,6 +35,17 @@ std::string refusedExtension(const Job& job, const std::filesystem::path& out)
     if (std::any_of(extensions.begin(), extensions.end(), is)) return {};
     return out.string() + ": give a name that ends in " +
            alternatives(extensions, [](std::string_view extension) { return '.' + std::string(extension); }) + '.';
+}
+
+void requireWritable(const Job& job, const JobOrder& order)
+{
+    if (order.out.empty() || !order.inputs) return;
+    const JobPlan plan = job.plan(order.values, order.scene, *order.inputs, order.out);
+    const bool isFolder = job.needs().extensions.empty();
+    if (isFolder || plan.makesFolders) makeFolders(order.out.parent_path(), order.out);
+    for (const PlannedFile& file : plan.files)
+        if (!isFolder || file.path != order.out) const render::PartFile writable(file.path);
+    if (!order.reportFile.empty()) const render::PartFile writable(order.reportFile);
 }
 
 }  // namespace vitrine::jobs

@@ -123,6 +123,7 @@ struct JobPlan {
     std::vector<PlannedFile> files = {};     ///< All that will be written, the output first.
     std::vector<Fact> facts = {};
     std::string ifStopped = {};  ///< Sentence on what is left when the job is stopped; empty: nothing.
+    bool makesFolders = false;   ///< Whether folders above a file are made, as they are above an output folder.
     /// Values offered for text parameters, by the parameter's name: the animations of a file.
     std::map<std::string, std::vector<std::string>, std::less<>> offers = {};
 
@@ -314,5 +315,9 @@ public:
 /// Returns the reason why the job cannot write a file with this extension: "a.gif: give a name that ends in .png or
 /// .tif." Empty if it can, and for a job that writes a folder.
 [[nodiscard]] std::string refusedExtension(const Job&, const std::filesystem::path& out);
+
+/// Makes the folders that the job makes for its output, and checks that all its files can be written. To be called
+/// before the work begins. Throws Failure (ErrorKind::file).
+void requireWritable(const Job&, const JobOrder&);
 
 }  // namespace vitrine::jobs

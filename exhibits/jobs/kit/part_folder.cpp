@@ -25,6 +25,12 @@ void requireFolderFor(const fs::path& folder, const std::string& mark, const std
 
 namespace {
 
+[[noreturn]] void refuseFolder(const fs::path& out, const std::error_code& why)
+{
+    throw Failure(ErrorKind::file,
+                  out.string() + ": the folder cannot be made (" + why.message() + "); choose another with --out.");
+}
+
 /// Moves files of one folder that are missing in the other to it. Pictures are the program's and are moved only if
 /// `picturesToo`. Returns whether all moves succeeded.
 bool keepForeign(const fs::path& from, const fs::path& to, bool picturesToo)
@@ -86,6 +92,13 @@ bool exchanged(const fs::path& a, const fs::path& b)
 
 }  // namespace
 
+void makeFolders(const fs::path& folder, const fs::path& out)
+{
+    std::error_code error;
+    if (!folder.empty()) fs::create_directories(folder, error);
+    if (error) refuseFolder(out, error);
+}
+
 PartFolder::PartFolder(fs::path target) : target_(std::move(target))
 {
     if (!target_.has_filename()) target_ = target_.parent_path();  // "DIR/" is DIR.
@@ -99,8 +112,7 @@ PartFolder::PartFolder(fs::path target) : target_(std::move(target))
     if (error) {
         std::error_code ignored;
         fs::remove_all(part_, ignored);
-        throw Failure(ErrorKind::file, target_.string() + ": the folder cannot be made (" + error.message() +
-                                           "); choose another with --out.");
+        refuseFolder(target_, error);
     }
 }
 

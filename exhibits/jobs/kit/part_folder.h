@@ -12,6 +12,9 @@ namespace vitrine::jobs {
 /// program have this file, and nothing else is ever replaced. `what` is for people: "a study".
 void requireFolderFor(const std::filesystem::path& folder, const std::string& mark, const std::string& what);
 
+/// Makes a folder and those above it, unless they are there. Throws Failure (ErrorKind::file) naming `out`.
+void makeFolders(const std::filesystem::path& folder, const std::filesystem::path& out);
+
 /// Folder beside the target that takes the target's place, or is removed. On file systems that can exchange two names,
 /// the target has all of the old content or all of the new at every moment. Foreign files in the target are kept,
 /// except for names of the old content, and pictures in pictures/.

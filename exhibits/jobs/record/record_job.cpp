@@ -263,6 +263,7 @@ JobPlan RecordJob::plan(const ParameterValues& values, const JobScene& scene, co
     if (plan.refusal.empty()) plan.refusal = whyNotRecordable(request, out);
     if (plan.refusal.empty()) plan.refusal = whyNotChannels(values, out);
     const bool isFrames = isFramePattern(out);
+    plan.makesFolders = isFrames;
     plan.ifStopped = isFrames ? "Stopped; the frames so far are whole, and the same settings go on with the next one."
                               : "Stopped; nothing was written.";
     plan.files = {{out, isFrames ? "frames" : "recording"}, {documentFile(out), "settings"}};

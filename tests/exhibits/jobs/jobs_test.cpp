@@ -457,6 +457,41 @@ TEST(LongEveryJob, WritesExactlyThePlannedFilesAndItsDocumentRunsItAgain)
     EXPECT_EQ(ran, 5);
 }
 
+TEST(EveryJob, MakesOrAsksForTheFolderOfItsOutputBeforeItBegins)
+{
+    const SmallOrders small;
+    int made = 0, refused = 0;
+    for (const Job* job : everyJob()) {
+        const std::optional<JobOrder> order = small.of(*job);
+        if (!order) continue;
+        const TemporaryFolder folder;
+        JobOrder whole = *order;
+        whole.out = folder / "new/folder" / outOf(*job);
+        try {
+            requireWritable(*job, whole);
+            EXPECT_TRUE(std::filesystem::is_directory(folder / "new/folder")) << job->name();
+            ++made;
+        } catch (const Failure& why) {
+            EXPECT_NE(std::string(why.what()).find(outOf(*job)), std::string::npos) << why.what();
+            EXPECT_TRUE(folder.files().empty()) << job->name();
+            ++refused;
+        }
+        // A file where a folder should be is refused for each of them.
+        test::writeBytes(folder / "file", "");
+        whole.out = folder / "file/folder" / outOf(*job);
+        EXPECT_THROW(requireWritable(*job, whole), Failure) << job->name();
+    }
+    EXPECT_EQ(made, 1);  // The study.
+    EXPECT_EQ(refused, 5);
+
+    const Job& record = *findJob("record");
+    JobOrder frames = small.of(record).value();
+    const TemporaryFolder folder;
+    frames.out = folder / "new/%04d.png";
+    requireWritable(record, frames);
+    EXPECT_TRUE(std::filesystem::is_directory(folder / "new"));
+}
+
 TEST(EveryJob, LeavesNothingWhereItIsCanceledAfterAnyStep)
 {
     const SmallOrders small;
