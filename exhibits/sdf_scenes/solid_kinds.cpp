@@ -336,7 +336,7 @@ void addBetweenPoints(std::vector<NodeKind>& kinds)
                      .extent =
                          [](const double* v) {
                              const double most = 0.5 * glm::length(vec3At(v, 3) - vec3At(v, 0));
-                             return segmentExtent(vec3At(v, 0), vec3At(v, 3), std::min(v[6], most));
+                             return ballsExtent(vec3At(v, 0), vec3At(v, 3), std::min(v[6], most));
                          },
                      .fault = faultOfSegment});
 }

@@ -244,10 +244,13 @@ TEST(SceneOperations, OfBallsBeforeTheAxisOneCopyIsAskedHoweverFarTheyReach)
         // The second petal, a control, has an end beside the plane.
         const std::string start = number(0, 0.5) + ", " + number(-0.3, 0.3) + ", ";
         const std::string end = number(0.2, 1) + ", " + number(-0.5, 0.8) + ", ";
+        const std::string radius = "\"radius\": " + number(0.05, 0.4);
         const std::string radii = "\"startRadius\": " + number(0.05, 0.4) + ", \"endRadius\": " + number(0.01, 0.3);
+        const bool isVesica = sample % 2 != 0;
         const auto petal = [&](const char* z) {
-            return "{\"kind\": \"roundConeBetween\", \"start\": [" + start + "0], \"end\": [" + end + z + "], " +
-                   radii + ", \"translate\": [0.1, 0.2, 0]}";
+            return std::string("{\"kind\": \"") + (isVesica ? "vesica" : "roundConeBetween") + "\", \"start\": [" +
+                   start + "0], \"end\": [" + end + z + "], " + (isVesica ? radius : radii) +
+                   ", \"translate\": [0.1, 0.2, 0]}";
         };
         const auto around = [&](const std::string& child) {
             return "{\"kind\": \"repeatAround\", \"count\": " + count + ", \"child\": " + child + "}";
