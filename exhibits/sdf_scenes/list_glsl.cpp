@@ -40,6 +40,7 @@ public:
         line(2, "vec3 p = vec3(dot(row0.xyz, q0) + row0.w, dot(row1.xyz, q0) + row1.w, dot(row2.xyz, q0) + row2.w);");
         line(2, "more = near && code.x >= " + std::to_string(moreSteps) + "u;");
         line(2, "i += 1u;");
+        folds();
         shapes();
         levels();
         for (std::uint32_t k = 0; k < v_.spaces.size(); ++k) space(k);
@@ -78,6 +79,7 @@ private:
     }
 
     void registers();
+    void folds();
     void shapes();
     void levels();
     void pushResult();
@@ -111,6 +113,19 @@ void ListGlsl::registers()
         line(1, "float " + numbered("best", k) + " = 1.0e9;");
         line(1, "int " + numbered("copy", k) + " = 0;");
         if (materials_) line(1, "SceneMaterial " + numbered("kept", k) + " = m0;");
+    }
+}
+
+/// Writes the folding of the point into the copy of a shape that is nearest.
+void ListGlsl::folds()
+{
+    for (std::uint32_t k = 0; k < v_.folds.size(); ++k) {
+        const NodeKind& kind = *v_.folds[k];
+        const auto number = [before = foldedRecords(kind)](std::uint32_t i) {
+            return "sceneRecords[code.y - " + std::to_string(before - i / 4) + "u]." + "xyzw"[i % 4];
+        };
+        line(2, "if ((code.x >> 16u & 15u) == " + std::to_string(k + 1) +
+                    "u) p = " + writtenOut(kind.copy.glsl, {{"i", "0"}}, number) + ';');
     }
 }
 

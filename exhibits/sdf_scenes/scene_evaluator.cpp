@@ -72,7 +72,7 @@ std::shared_ptr<const SceneEvaluator> byLists(const ShownScene& shown, const Sce
         .made<SceneEvaluator>(
             "sdf_scenes.near", keyOf(shown, words, "cells"),
             [&] {
-                const ListVocabulary vocabulary = ListVocabulary::of(*shown.program);
+                const ListVocabulary vocabulary = ListVocabulary::of(*shown.program, words);
                 auto made = std::make_shared<SceneEvaluator>();
                 static LastGrid last;
                 const std::uint64_t text = shown.sources->hash();
@@ -104,7 +104,7 @@ SceneEvaluator unfolded(const ShownScene& shown, const SceneConstants& words, Sc
     const bool automatic = way == SceneEvaluation::automatic;
     if (automatic && shapesOf(*shown.program) < manyShapes && !isInBuffer(*shown.program))
         return everyShape(shown, words, "with so few shapes, evaluating all of them is as fast");
-    if (!hasLists(ListVocabulary::of(*shown.program)))
+    if (!hasLists(ListVocabulary::of(*shown.program, words)))
         return everyShape(shown, words, "the tree is nested too deep for lists");
     const std::shared_ptr<const SceneEvaluator> made = byLists(shown, words, assets);
     if (!made) return everyShape(shown, words, "the lists of near shapes are still being computed");

@@ -149,17 +149,20 @@ SceneWithoutPlanes::SceneWithoutPlanes(const SceneProgram& program, const SceneC
 
 int cellsAcross(std::size_t shapes)
 {
-    // 14 cells per shape along each axis, if the shapes are distributed evenly.
-    return std::clamp(static_cast<int>(14 * std::cbrt(static_cast<double>(shapes))), 24, 144);
+    // 14 cells per shape along each axis, if the shapes are distributed evenly. In a scene of few shapes that are close
+    // together, fewer than 64 would list too many of them: the dahlia takes 12 % longer with 38, and 4 % less with 96.
+    return std::clamp(static_cast<int>(14 * std::cbrt(static_cast<double>(shapes))), 64, 144);
 }
 
 namespace {
 
-/// Returns a hash of everything in a program but its numbers, and of the steps that are in cells.
-std::uint64_t structureOf(const SceneProgram& program, const std::vector<Step>& steps)
+/// Returns a hash of everything in a program but its numbers, of the steps that are in cells, and of what is folded.
+std::uint64_t structureOf(const SceneProgram& program, const SceneConstants& words, const std::vector<Step>& steps)
 {
     render::NumberHash hash(steps.size());
-    for (const ProgramNode& node : program.nodes()) {
+    for (std::uint32_t i = 0; i < program.nodes().size(); ++i) {
+        const ProgramNode& node = program.nodes()[i];
+        hash.add(isFolded(program, words, i));
         hash.add(reinterpret_cast<std::uintptr_t>(&program.kind(node)));
         for (const std::uint32_t part :
              {node.parent, node.children, node.translate, node.rotate, node.scale, node.numbers, node.material})
@@ -203,12 +206,12 @@ public:
               const PruneBudget& budget)
         : program_(program), words_(words), budget_(budget),
           rest_(program, words, across > 0 ? SceneGrid::mostPlanes : 0), records_(program, words),
-          writer_(program, vocabulary, &records_), near_(std::make_shared<SceneGrid>())
+          writer_(program, words, vocabulary, &records_), near_(std::make_shared<SceneGrid>())
     {
         near_->planes = static_cast<std::uint32_t>(rest_.planes.size());
         near_->box = rest_.box;
         near_->words = words.words;
-        near_->structure = structureOf(program, rest_.steps);
+        near_->structure = structureOf(program, words, rest_.steps);
         near_->around = rest_.box;
         near_->across = across;
     }

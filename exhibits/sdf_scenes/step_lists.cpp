@@ -19,6 +19,19 @@ int choiceOf(const SceneProgram& program, const ProgramNode& node)
     return static_cast<int>(program.scene().numbers[of.numbers].value);
 }
 
+std::size_t numbersWithRange(const NodeKind& kind)
+{
+    return kind.numbers() + (kind.form == Form::repeater ? numbersOfRepeatRange : 0);
+}
+
+/// Appends numbers as vec4, with zeros at the end.
+void appendPadded(std::vector<glm::vec4>& records, std::vector<double> numbers)
+{
+    numbers.resize((numbers.size() + 3) / 4 * 4, 0);
+    for (std::size_t i = 0; i < numbers.size(); i += 4)
+        records.push_back(glm::vec4(glm::dvec4(numbers[i], numbers[i + 1], numbers[i + 2], numbers[i + 3])));
+}
+
 template <typename T> void addOnce(std::vector<T>& all, const T& one)
 {
     if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
@@ -31,22 +44,40 @@ template <typename T> std::uint32_t indexOf(const std::vector<T>& all, const T& 
 
 }  // namespace
 
-ListVocabulary ListVocabulary::of(const SceneProgram& program)
+bool isFolded(const SceneProgram& program, const SceneConstants& words, std::uint32_t index)
+{
+    const ProgramNode& node = program.nodes()[index];
+    const NodeKind& kind = program.kind(node);
+    if (kind.form != Form::repeater || node.children != 1 || words.asked[index] != 1) return false;
+    if (words.words[node.numbers + kind.numbers() + 6] > 0) return false;  // Its distance has a cap.
+    const ProgramNode& child = program.nodes()[node.firstChild];
+    return program.kind(child).form == Form::shape && child.translate == none && child.rotate == none &&
+           child.scale == none;
+}
+
+std::uint32_t foldedRecords(const NodeKind& kind)
+{
+    return static_cast<std::uint32_t>((numbersWithRange(kind) + 3) / 4);
+}
+
+ListVocabulary ListVocabulary::of(const SceneProgram& program, const SceneConstants& words)
 {
     ListVocabulary own;
-    for (const ProgramNode& node : program.nodes()) {
+    for (std::uint32_t i = 0; i < program.nodes().size(); ++i) {
+        const ProgramNode& node = program.nodes()[i];
         const NodeKind& kind = program.kind(node);
         if (kind.form == Form::shape) addOnce(own.shapes, &kind);
-        if (isSpace(kind)) addOnce(own.spaces, &kind);
+        if (isSpace(kind)) addOnce(isFolded(program, words, i) ? own.folds : own.spaces, &kind);
         if (kind.combine && node.children > 1) addOnce(own.joints, {&kind, choiceOf(program, node)});
     }
     // Sorted as in the table, so that other trees of the same kinds give the same text.
     std::sort(own.shapes.begin(), own.shapes.end());
     std::sort(own.spaces.begin(), own.spaces.end());
+    std::sort(own.folds.begin(), own.folds.end());
     std::sort(own.joints.begin(), own.joints.end(),
               [](const Joint& a, const Joint& b) { return a.kind != b.kind ? a.kind < b.kind : a.choice < b.choice; });
     if (program.nodes().empty()) return own;
-    ListWriter writer(program, own, nullptr);
+    ListWriter writer(program, words, own, nullptr);
     (void)writer.write(program.steps());
     own.results = writer.results();
     own.places = writer.places();
@@ -74,7 +105,9 @@ void ListRecords::addNode(std::uint32_t index)
     const NodeKind& kind = program_.kind(node);
     const double* w = words_.words.data();
     Way way;
-    if (node.parent != none && !isSpace(program_.kind(program_.nodes()[node.parent]))) way = ways_[node.parent];
+    const bool folded = node.parent != none && isFolded(program_, words_, node.parent);
+    if (node.parent != none && (folded || !isSpace(program_.kind(program_.nodes()[node.parent]))))
+        way = ways_[node.parent];
     if (node.translate != none)
         way.shift -= glm::dvec3(w[node.translate], w[node.translate + 1], w[node.translate + 2]);
     if (node.rotate != none) {
@@ -91,12 +124,16 @@ void ListRecords::addNode(std::uint32_t index)
         way.scale *= w[node.scale + 3];
     }
     ways_[index] = way;
+    if (folded) {
+        const ProgramNode& fold = program_.nodes()[node.parent];
+        const double* of = w + fold.numbers;
+        appendPadded(records_, {of, of + numbersWithRange(program_.kind(fold))});
+    }
     nodes_[index] = static_cast<std::uint32_t>(records_.size());
     for (int row = 0; row < 3; ++row)
         records_.push_back(glm::vec4(glm::dvec4(way.turn[0][row], way.turn[1][row], way.turn[2][row], way.shift[row])));
     std::vector<double> numbers{way.scale};
-    const std::size_t count = kind.numbers() + (kind.form == Form::repeater ? numbersOfRepeatRange : 0);
-    numbers.insert(numbers.end(), w + node.numbers, w + node.numbers + count);
+    numbers.insert(numbers.end(), w + node.numbers, w + node.numbers + numbersWithRange(kind));
     // Operations that change no space are evaluated in the surrounding space, so their lengths are scaled.
     if (kind.combine) {
         std::size_t at = 1;
@@ -105,13 +142,12 @@ void ListRecords::addNode(std::uint32_t index)
             at += numbersOf(field.type);
         }
     }
-    numbers.resize((numbers.size() + 3) / 4 * 4, 0);
-    for (std::size_t i = 0; i < numbers.size(); i += 4)
-        records_.push_back(glm::vec4(glm::dvec4(numbers[i], numbers[i + 1], numbers[i + 2], numbers[i + 3])));
+    appendPadded(records_, std::move(numbers));
 }
 
-ListWriter::ListWriter(const SceneProgram& program, const ListVocabulary& vocabulary, const ListRecords* records)
-    : program_(program), vocabulary_(vocabulary), records_(records), children_(program.nodes().size()),
+ListWriter::ListWriter(const SceneProgram& program, const SceneConstants& words, const ListVocabulary& vocabulary,
+                       const ListRecords* records)
+    : program_(program), words_(words), vocabulary_(vocabulary), records_(records), children_(program.nodes().size()),
       opened_(program.nodes().size()), began_(program.nodes().size())
 {
 }
@@ -125,6 +161,21 @@ std::uint32_t ListWriter::spaceOf(const NodeKind& kind) const
 std::uint32_t ListWriter::jointOf(const ProgramNode& node) const
 {
     return 2 + indexOf(vocabulary_.joints, {&program_.kind(node), choiceOf(program_, node)});
+}
+
+/// Returns 1 + the index of the repeater if the node is folded into its shape; else 0.
+std::uint32_t ListWriter::foldOf(std::uint32_t node) const
+{
+    const std::uint32_t k = indexOf(vocabulary_.folds, &program_.kind(program_.nodes()[node]));
+    return k < vocabulary_.folds.size() && isFolded(program_, words_, node) ? k + 1 : 0;
+}
+
+void ListWriter::addShape(std::uint32_t index, std::uint32_t fold)
+{
+    const ProgramNode& node = program_.nodes()[index];
+    add(indexOf(vocabulary_.shapes, &program_.kind(node)) | fold << 16U, index,
+        records_ ? records_->ofMaterial(node.material) : 0);
+    waiting_ = static_cast<std::uint32_t>(list_.size() - 1);
 }
 
 void ListWriter::add(std::uint32_t operation, std::uint32_t node, std::uint32_t further)
@@ -183,15 +234,23 @@ std::vector<ListStep> ListWriter::write(std::span<const Step> steps)
         if (step.type == Step::Type::enter) children_[step.node] = 0;
         if (step.type == Step::Type::first || step.type == Step::Type::combine) ++children_[step.node];
     }
+    std::uint32_t folded = none;  // Repeater whose steps are skipped.
     for (const Step& step : steps) {
         const ProgramNode& node = program_.nodes()[step.node];
+        if (folded != none) {
+            if (step.type == Step::Type::leave && step.node == folded) folded = none;
+            continue;
+        }
         switch (step.type) {
-        case Step::Type::enter: begin(step); break;
-        case Step::Type::shape:
-            add(indexOf(vocabulary_.shapes, &program_.kind(node)), step.node,
-                records_ ? records_->ofMaterial(node.material) : 0);
-            waiting_ = static_cast<std::uint32_t>(list_.size() - 1);
+        case Step::Type::enter:
+            if (const std::uint32_t fold = foldOf(step.node)) {
+                addShape(node.firstChild, fold);
+                folded = step.node;
+            } else {
+                begin(step);
+            }
             break;
+        case Step::Type::shape: addShape(step.node, 0); break;
         case Step::Type::first:
             // Opens a level of its own, or else continues the surrounding operation.
             if (fresh_.back() != 0 && (opened_[step.node] != 0 || children_[step.node] > 1)) join(1, step.node);

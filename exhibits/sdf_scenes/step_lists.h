@@ -23,6 +23,8 @@ struct ListVocabulary {
     std::vector<const NodeKind*> shapes;
     /// Modifiers and repeaters: operations that change the point or the distance.
     std::vector<const NodeKind*> spaces;
+    /// Repeaters of shapes that are evaluated in one step with their shape (`isFolded`).
+    std::vector<const NodeKind*> folds;
     std::vector<Joint> joints;
     std::uint32_t results = 0;  ///< Largest number of pending results.
     std::uint32_t places = 0;   ///< Largest nesting depth of spaces.
@@ -30,8 +32,15 @@ struct ListVocabulary {
     /// With more registers than these, shaders spill them.
     static constexpr std::uint32_t mostResults = 6, mostPlaces = 4;
 
-    [[nodiscard]] static ListVocabulary of(const SceneProgram&);
+    [[nodiscard]] static ListVocabulary of(const SceneProgram&, const SceneConstants&);
 };
+
+/// Returns whether a node is a repeater that a list evaluates in one step with its child: it needs a single copy
+/// anywhere, and the child is a shape without a transformation.
+[[nodiscard]] bool isFolded(const SceneProgram&, const SceneConstants&, std::uint32_t node);
+
+/// Returns how many vec4 of a folded repeater's numbers precede the record of its shape.
+[[nodiscard]] std::uint32_t foldedRecords(const NodeKind&);
 
 /// Operations of a list. Their numbers follow those of the shapes and precede those of the spaces: `ListVocabulary`
 /// numbers both in their order. Each space has three operations: `enter`, `modify` and `again`, in this order.
@@ -40,7 +49,8 @@ enum class ListOp : std::uint32_t { open, close, leave, enter };
 /// Step as shaders read it, 16 bytes.
 struct ListStep {
     /// Bits 0-7: the operation. Bits 8-15: the use of its distance: 0 keeps it for the next step, 1 makes it the first
-    /// of its level, a number from 2 on joins it to that level by this kind of joint. Bit 31: more steps follow.
+    /// of its level, a number from 2 on joins it to that level by this kind of joint. Bits 16-19: 0, or 1 + the index
+    /// of the repeater that is folded into the shape. Bit 31: more steps follow.
     std::uint32_t operation = 0;
     std::uint32_t record =
         0;  ///< Index of the node's record in vec4: 3 for its transform, then its scale and its numbers.
@@ -84,7 +94,7 @@ private:
 /// Writes lists of steps, complete or pruned, in the form that shaders evaluate.
 class ListWriter {
 public:
-    ListWriter(const SceneProgram&, const ListVocabulary&, const ListRecords*);
+    ListWriter(const SceneProgram&, const SceneConstants&, const ListVocabulary&, const ListRecords*);
 
     /// Writes the list of a whole scene or a part of it; not empty.
     [[nodiscard]] std::vector<ListStep> write(std::span<const Step> steps);
@@ -95,12 +105,15 @@ public:
 private:
     [[nodiscard]] std::uint32_t spaceOf(const NodeKind&) const;
     [[nodiscard]] std::uint32_t jointOf(const ProgramNode&) const;
+    [[nodiscard]] std::uint32_t foldOf(std::uint32_t node) const;
     void begin(const Step&);
     void end(const Step&);
+    void addShape(std::uint32_t node, std::uint32_t fold);
     void join(std::uint32_t how, std::uint32_t parent);
     void add(std::uint32_t operation, std::uint32_t node, std::uint32_t further = 0);
 
     const SceneProgram& program_;
+    const SceneConstants& words_;
     const ListVocabulary& vocabulary_;
     const ListRecords* records_;
     std::vector<std::uint32_t> children_;  // By node: number of children joined in this list.

@@ -163,7 +163,7 @@ TEST(HardScenes, ADepthOfTenThousandNeedsNoStack)
     EXPECT_EQ(field.distance({1, 0, 0}), 0.5);
     EXPECT_FALSE(scenes::sceneGlsl(field.program()).empty());
     // A node that only passes on its child needs no level of a list.
-    EXPECT_EQ(scenes::ListVocabulary::of(field.program()).results, 0U);
+    EXPECT_EQ(scenes::ListVocabulary::of(field.program(), field.words()).results, 0U);
 }
 
 TEST(HardScenes, WithoutAnythingThatShowsThereIsBackground)
@@ -173,8 +173,8 @@ TEST(HardScenes, WithoutAnythingThatShowsThereIsBackground)
           R"({"kind": "subtraction", "children": [{"kind": "sphere", "hidden": true}, {"kind": "box"}]})"}) {
         const SceneField field = test::fieldOf(root);
         EXPECT_EQ(field.distance({0, 0, 0}), scenes::nothingNear);
-        const auto near =
-            scenes::sceneGrid(field.program(), field.words(), scenes::ListVocabulary::of(field.program()), 16);
+        const auto near = scenes::sceneGrid(field.program(), field.words(),
+                                            scenes::ListVocabulary::of(field.program(), field.words()), 16);
         EXPECT_TRUE(near->cells.cells.empty()) << root;
     }
 }
@@ -199,7 +199,8 @@ TEST(HardScenes, GeneratedShadersHaveNoParametersThatAreWritten)
         EXPECT_FALSE(std::regex_search(scenes::sceneGlsl(field.program()), written));
         const std::vector<char> all(field.words().words.size(), 1);
         EXPECT_FALSE(std::regex_search(scenes::restingSceneGlsl(field.program(), field.words(), all), written));
-        EXPECT_FALSE(std::regex_search(scenes::listGlsl(scenes::ListVocabulary::of(field.program()), 2), written));
+        EXPECT_FALSE(std::regex_search(scenes::listGlsl(scenes::ListVocabulary::of(field.program(), field.words()), 2),
+                                       written));
     }
     EXPECT_TRUE(std::regex_search(std::string("void f(out float d)"), written));
 }

@@ -47,7 +47,7 @@ scenes::ListVocabulary everyVocabulary(std::uint32_t results, std::uint32_t plac
 /// Compares without cells, and with this many.
 void compareLists(const scenes::SceneField& field, int across, const std::string& what)
 {
-    const scenes::ListVocabulary own = scenes::ListVocabulary::of(field.program());
+    const scenes::ListVocabulary own = scenes::ListVocabulary::of(field.program(), field.words());
     ASSERT_TRUE(fits(own)) << what;
     const auto whole = scenes::sceneGrid(field.program(), field.words(), own, 0);
     test::compareAtPoints(field, scenes::listGlsl(own, 0), {}, what + " by lists: ", buffersOf(*whole));
@@ -98,6 +98,40 @@ TEST_F(SceneLists, WithPlanesAndNestedOperationsAreTheEvaluator)
     compareLists(field, 32, root);
 }
 
+/// A repeater is folded into its shape, unless it needs several copies or its shape has a transformation.
+TEST_F(SceneLists, WithRepeatersFoldedIntoTheirShapesAreTheEvaluator)
+{
+    const auto petals = [](const char* more) {
+        return std::string(R"({"kind": "repeatAround", "count": 7, "rotate": [10, 20, 0], "scale": [0.8, 0.8, 0.8],
+            "child": {"kind": "vesica", "start": [0.1, 0, 0], "end": [0.9, 0.3, 0], "radius": 0.2)") +
+               more + "}}";
+    };
+    const std::string folded = petals("");
+    const std::string grid =
+        R"({"kind": "repeat", "spacing": [0.8, 0.9, 1], "count": [3, 2, 2], "child": {"kind": "sphere", "radius": 0.3}})";
+    const auto united = [](const std::string& a, const std::string& b) {
+        return R"({"kind": "union", "blend": "cubic", "blendWidth": 0.1, "children": [)" + a + ", " + b + "]}";
+    };
+    const auto vocabularyOf = [](const std::string& root) {
+        const scenes::SceneField field = test::fieldOf(root);
+        return scenes::ListVocabulary::of(field.program(), field.words());
+    };
+    EXPECT_EQ(vocabularyOf(united(folded, grid)).folds.size(), 2U);
+    EXPECT_EQ(vocabularyOf(united(folded, grid)).places, 0U);
+    const std::string turned = petals(R"(, "rotate": [0, 0, 30])");
+    const std::string aside = R"({"kind": "repeatAround", "count": 5, "child":
+        {"kind": "capsule", "start": [0.2, 0, 0], "end": [0.8, 0, 0.4], "radius": 0.2}})";
+    for (const std::string& other : {turned, aside}) {
+        EXPECT_TRUE(vocabularyOf(other).folds.empty()) << other;
+        EXPECT_EQ(vocabularyOf(united(folded, other)).places, 1U) << other;
+    }
+    for (const std::string& root :
+         {folded, grid, united(folded, grid), united(folded, turned), united(aside, folded)}) {
+        compareLists(test::fieldOf(root), 24, root);
+        if (HasFatalFailure()) return;
+    }
+}
+
 /// Copies of profiles that are infinite in one direction: their center is that of the finite directions.
 TEST_F(SceneLists, EndlessProfilesAroundTheAxisAreTheEvaluator)
 {
@@ -123,7 +157,7 @@ TEST_F(LongSceneLists, OfEveryKindAreTheEvaluatorInOneProgram)
     for (int sample = 0; sample < 40; ++sample) {
         const std::string root = test::randomTree(random, 3);
         const scenes::SceneField field = test::fieldOf(root);
-        const scenes::ListVocabulary own = scenes::ListVocabulary::of(field.program());
+        const scenes::ListVocabulary own = scenes::ListVocabulary::of(field.program(), field.words());
         if (own.results > all.results || own.places > all.places) continue;
         const auto near = scenes::sceneGrid(field.program(), field.words(), all, 0);
         test::compareAtPoints(field, glsl, {}, root, buffersOf(*near));
@@ -140,7 +174,7 @@ RC_GTEST_FIXTURE_PROP(LongSceneListsProperty, AnySceneIsTheEvaluator, (unsigned 
     test::Random random(seed);
     const std::string root = test::randomTree(random, 4);
     const scenes::SceneField field = test::fieldOf(root);
-    const scenes::ListVocabulary own = scenes::ListVocabulary::of(field.program());
+    const scenes::ListVocabulary own = scenes::ListVocabulary::of(field.program(), field.words());
     RC_PRE(own.results <= all.results && own.places <= all.places);
     const auto near = scenes::sceneGrid(field.program(), field.words(), all, 0);
     test::compareAtPoints(field, glsl, {}, root, buffersOf(*near));

@@ -209,7 +209,7 @@ struct CellCosts {
 CellCosts costsOfCells(int shapes)
 {
     const scenes::SceneField field = test::fieldOf(test::manyShapes(shapes));
-    const scenes::ListVocabulary kinds = scenes::ListVocabulary::of(field.program());
+    const scenes::ListVocabulary kinds = scenes::ListVocabulary::of(field.program(), field.words());
     const auto near =
         scenes::sceneGrid(field.program(), field.words(), kinds, scenes::cellsAcross(std::size_t(shapes)));
     const double all = double(near->cells.evaluations), cells = double(near->cells.withSteps);
@@ -260,17 +260,41 @@ TEST(LongPruneCells, EndWithTheirBudgetAndTheSceneIsWholeWithoutThem)
 TEST(SceneGrid, HasNoCellsWhereAllShapesAreInEach)
 {
     const scenes::SceneField field = test::fieldOf(crowd(3));
-    const auto near = scenes::sceneGrid(field.program(), field.words(), scenes::ListVocabulary::of(field.program()), 96,
-                                        {.evaluations = 1'000'000});
+    const auto near =
+        scenes::sceneGrid(field.program(), field.words(), scenes::ListVocabulary::of(field.program(), field.words()),
+                          96, {.evaluations = 1'000'000});
     EXPECT_TRUE(near->crowded);
     EXPECT_TRUE(near->cells.cells.empty());
     // If cells contain few of many shapes, larger cells are used.
     const scenes::SceneField many = test::fieldOf(test::manyShapes(600));
-    const auto coarse = scenes::sceneGrid(many.program(), many.words(), scenes::ListVocabulary::of(many.program()), 96,
-                                          {.evaluations = 1'000'000});
+    const auto coarse =
+        scenes::sceneGrid(many.program(), many.words(), scenes::ListVocabulary::of(many.program(), many.words()), 96,
+                          {.evaluations = 1'000'000});
     EXPECT_FALSE(coarse->crowded);
     EXPECT_FALSE(coarse->cells.cells.empty());
     EXPECT_LT(std::max({coarse->cells.count.x, coarse->cells.count.y, coarse->cells.count.z}), 60);
+}
+
+TEST(SceneGrid, IsMadeAnewWhereARepeaterIsNoLongerFolded)
+{
+    const auto read = scenes::readScene(
+        R"({"format": "vitrine-scene", "version": 1, "parameters": {"aside": {"value": 0, "range": [0, 1]}}, "root":
+        {"kind": "union", "children": [{"kind": "boxFrame", "size": 3}, {"kind": "repeatAround", "count": 6, "child":
+        {"kind": "capsule", "start": [0.1, 0, 0], "end": [0.9, 0, "aside"], "radius": 0.2}}]}})",
+        "a.json", {});
+    ASSERT_TRUE(read.scene);
+    const scenes::SceneProgram program(read.scene);
+    std::shared_ptr<const scenes::SceneGrid> former;
+    for (const double aside : {0.0, 0.3, 0.0}) {
+        const scenes::SceneConstants words = program.words(read.scene->numbersAt(0, std::vector<double>{aside}));
+        const auto kinds = scenes::ListVocabulary::of(program, words);
+        EXPECT_EQ(kinds.folds.size(), aside == 0 ? 1U : 0U);
+        const auto grid = scenes::sceneGrid(program, words, kinds, 24, scenes::cellBudget, former.get());
+        const auto whole = scenes::sceneGrid(program, words, kinds, 24);
+        EXPECT_FALSE(grid->again);
+        EXPECT_TRUE(*grid->records == *whole->records && *grid->lists == *whole->lists && *grid->grid == *whole->grid);
+        former = grid;
+    }
 }
 
 /// Returns the list of a cell, or of no cell, as the shader reads it.
@@ -316,7 +340,7 @@ void moveAtRandom(int shapes)
     ASSERT_TRUE(read.scene);
     const scenes::Scene& scene = *read.scene;
     const scenes::SceneProgram program(read.scene);
-    const scenes::ListVocabulary kinds = scenes::ListVocabulary::of(program);
+    const scenes::ListVocabulary kinds = scenes::ListVocabulary::of(program, program.words(scene.numbersAt(0)));
     const int across = shapes == 60 ? 32 : 72;  // With one thread, and with two.
     std::vector<double> numbers = scene.numbersAt(0);
     std::shared_ptr<const scenes::SceneGrid> grid = scenes::sceneGrid(program, program.words(numbers), kinds, across);
