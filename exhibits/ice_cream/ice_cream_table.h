@@ -132,7 +132,7 @@ struct IceCreamParameters : virtual Parameters {
         groups("candies", candyElements, [this](std::size_t i) { return candy(candyInitials[i]); });
 
     Group sprinkling = group("Sprinkles");
-    Count sprinkles = count("sprinkles", 0, Range{0, 5000}.soft(0, 1500),
+    Count sprinkles = count("sprinkles", 130, Range{0, 5000}.soft(0, 1500),
                             "Number of sprinkles on the cream, placed at random.", essential());
     Count sprinkleSeed =
         count("sprinkleSeed", 1, {1, 9999}, "Seed of the sprinkles' places: each number places them elsewhere.",

@@ -10,6 +10,7 @@ namespace vitrine::test {
 /// upper layer, and places of two candies.
 inline void setReferenceShape(const IceCreamTable& table, ParameterValues& values)
 {
+    values.set(table.sprinkles, 0);
     values.set(table.layerBlend, 0.05);
     for (const CreamParameters& layer : table.layers) values.set(layer.blend, 0.01);
     values.set(table.layers[1].raise, 0.4 * std::cos(1.0) - 0.02);
