@@ -18,7 +18,7 @@ std::vector<std::unique_ptr<Exhibit>> allExhibits()
     std::vector<std::unique_ptr<Exhibit>> exhibits;
     exhibits.push_back(std::make_unique<SdfMorph>());
     exhibits.push_back(std::make_unique<Lenticular>());
-    exhibits.push_back(std::make_unique<Fur>());
+    exhibits.push_back(std::make_unique<fur::Fur>());
     exhibits.push_back(std::make_unique<CrepuscularRays>());
     exhibits.push_back(std::make_unique<SdfScenes>());
     exhibits.push_back(std::make_unique<Noise>());

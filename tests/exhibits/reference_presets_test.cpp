@@ -36,12 +36,12 @@ ParameterValues preset(const std::string& exhibit, const std::string& file, cons
 /// texture coordinates.
 double strandsPerArea(double side)
 {
-    return side * side / (4 * std::numbers::pi * ballRadius * ballRadius);
+    return side * side / (4 * std::numbers::pi * fur::ballRadius * fur::ballRadius);
 }
 
 TEST(ReferencePreset, OfTheFurHasItsExportedDefaults)
 {
-    const FurTable t;
+    const fur::FurTable t;
     const ParameterValues v = preset("fur", "reference", t);
     EXPECT_EQ(v[t.shellCount], 16);
     EXPECT_EQ(v[t.distanceAttenuation], 1);  // distance_shell_density_attenuation
@@ -59,11 +59,11 @@ TEST(ReferencePreset, OfTheFurHasItsExportedDefaults)
     EXPECT_NEAR(v[t.growthRate], 1 / (2 * std::numbers::pi), 1e-6);
     EXPECT_TRUE(v[t.growing]);
     EXPECT_EQ(v[t.thicknessVariation], 0);
-    EXPECT_EQ(v[t.rotationModel], FurRotation::matrixMix);
-    EXPECT_EQ(v[t.springModel], FurSpring::explicitEuler);
-    EXPECT_EQ(v[t.silhouette], FurSilhouette::none);
-    for (int body = 0; body < furBodyCount; ++body) {
-        const CoatParameters rows = t.coats[static_cast<std::size_t>(body)];
+    EXPECT_EQ(v[t.rotationModel], fur::FurRotation::matrixMix);
+    EXPECT_EQ(v[t.springModel], fur::FurSpring::explicitEuler);
+    EXPECT_EQ(v[t.silhouette], fur::FurSilhouette::none);
+    for (int body = 0; body < fur::furBodyCount; ++body) {
+        const fur::CoatParameters rows = t.coats[static_cast<std::size_t>(body)];
         EXPECT_EQ(v[rows.length], 0.15);
         EXPECT_EQ(v[rows.uniformity], 0);                              // length_uniformity
         EXPECT_NEAR(v[rows.density] / strandsPerArea(100), 1, 0.005);  // density 100: cells along a side of the texture
@@ -75,7 +75,7 @@ TEST(ReferencePreset, OfTheFurHasItsExportedDefaults)
 
 TEST(ReferencePreset, OfTheReferenceVideoHasItsScenesValues)
 {
-    const FurTable t;
+    const fur::FurTable t;
     const ParameterValues v = preset("fur", "as-in-the-reference-video", t);
     EXPECT_EQ(v[t.shellCount], 256);
     EXPECT_EQ(v[t.distanceAttenuation], 1);
@@ -88,8 +88,8 @@ TEST(ReferencePreset, OfTheReferenceVideoHasItsScenesValues)
     // shellColor (0.753, 0.542, 0.439), in sRGB.
     const auto linear = [](double c) { return std::pow((c + 0.055) / 1.055, 2.4); };
     const glm::dvec3 color(linear(0.753), linear(0.542), linear(0.439));
-    for (int body = 0; body < furBodyCount; ++body) {
-        const CoatParameters rows = t.coats[static_cast<std::size_t>(body)];
+    for (int body = 0; body < fur::furBodyCount; ++body) {
+        const fur::CoatParameters rows = t.coats[static_cast<std::size_t>(body)];
         EXPECT_EQ(v[rows.length], 0.15);
         EXPECT_EQ(v[rows.uniformity], 0);  // noiseMin 0, noiseMax 1
         EXPECT_NEAR(v[rows.density] / strandsPerArea(366), 1, 0.005);

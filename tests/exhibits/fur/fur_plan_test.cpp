@@ -11,7 +11,7 @@
 #include <cmath>
 #include <limits>
 
-namespace vitrine {
+namespace vitrine::fur {
 namespace {
 
 using namespace test;
@@ -264,4 +264,4 @@ TEST(FurPlan, DressesAModelOfItsOwnByItsPlaceAmongTheAssets)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::fur

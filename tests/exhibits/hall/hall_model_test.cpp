@@ -63,11 +63,11 @@ TEST(HallModel, HasThePitThatTheFurIsMadeFor)
     ASSERT_NE(pit, file.markers.end());
     const render::Box box = render::Box{glm::dvec3(-1), glm::dvec3(1)}.transformed(
         glm::inverse(test::building().place(3)->worldFromPlace) * pit->modelFromMarker);
-    EXPECT_NEAR(box.high.x, pitRadius, 1e-6);
-    EXPECT_NEAR(box.high.z, pitRadius, 1e-6);
-    EXPECT_NEAR(box.low.x, -pitRadius, 1e-6);
+    EXPECT_NEAR(box.high.x, fur::pitRadius, 1e-6);
+    EXPECT_NEAR(box.high.z, fur::pitRadius, 1e-6);
+    EXPECT_NEAR(box.low.x, -fur::pitRadius, 1e-6);
     EXPECT_NEAR(box.low.y, 0, 1e-6);
-    EXPECT_NEAR(box.high.y, pitRim, 1e-6);
+    EXPECT_NEAR(box.high.y, fur::pitRim, 1e-6);
 }
 
 TEST(HallModel, KnowsWhichPlacesAreFramesInItsWalls)

@@ -89,7 +89,8 @@ bool begins(std::string_view name, const std::string& start)
 
 TEST_F(LongFrameReports, AnEffectThatIsOffHasNoPassNoProgramAndNoTexture)
 {
-    constexpr double fins = static_cast<double>(FurSilhouette::fins), march = static_cast<double>(FurSilhouette::march);
+    constexpr double fins = static_cast<double>(fur::FurSilhouette::fins),
+                     march = static_cast<double>(fur::FurSilhouette::march);
     constexpr double field = static_cast<double>(SdfShown::field), mesh = static_cast<double>(SdfShown::mesh);
     constexpr double volume = static_cast<double>(RayTechnique::volume),
                      screen = static_cast<double>(RayTechnique::screen), none = static_cast<double>(RayTechnique::none);

@@ -75,7 +75,7 @@ class ShaderPictureTest : public test::OpenMuseum {
         std::vector<std::unique_ptr<Exhibit>> exhibits;
         exhibits.push_back(std::make_unique<YourShader>());
         if (others > 0) exhibits.push_back(std::make_unique<SdfScenes>());
-        if (others > 1) exhibits.push_back(std::make_unique<Fur>());
+        if (others > 1) exhibits.push_back(std::make_unique<fur::Fur>());
         museum_ = std::make_unique<Museum>(std::move(exhibits));
     }
     /// Writes a shader, names it and waits for its picture.
