@@ -223,7 +223,7 @@ glm::dvec3 linear(const glm::dvec3& shown)
 
 TEST(ReferencePreset, OfTheIceCreamHasItsPlacesAndMaterials)
 {
-    const IceCreamTable t;
+    const ice_cream::IceCreamTable t;
     const ParameterValues v = preset("ice_cream", "reference", t);
     const glm::dvec3 red(0.9451, 0.1324, 0.1216), green(0.1397, 0.9288, 0.0943), blue(0.1307, 0.3043, 0.9451),
         yellow(0.9670, 0.9451, 0.0642), pink(0.8431, 0.3485, 0.5084);
@@ -234,21 +234,21 @@ TEST(ReferencePreset, OfTheIceCreamHasItsPlacesAndMaterials)
         {{0.168, 0.95, -0.156}, yellow}, {{0.01, 0.94, 0.19}, red},
         {{0.5, 1, 0.866}, green},        {{-1, 0.8, 0}, pink},
         {{0.5, 1.2, -0.866}, blue}};
-    for (std::size_t i = 0; i < candyCount; ++i) {
-        const CandyParameters& candy = t.candies[i];
+    for (std::size_t i = 0; i < ice_cream::candyCount; ++i) {
+        const ice_cream::CandyParameters& candy = t.candies[i];
         EXPECT_EQ(glm::dvec3(v[candy.x], v[candy.y], v[candy.z]), candies[i].first) << i;
         EXPECT_LT(glm::distance(v[candy.color].value, linear(candies[i].second)), 2e-4) << i;
         EXPECT_EQ(glm::dvec3(v[candy.halfX], v[candy.halfY], v[candy.halfZ]), glm::dvec3(0.02, 0.03, 0.01)) << i;
         EXPECT_EQ(v[candy.corner], 0.007) << i;
     }
     EXPECT_LT(glm::distance(v[t.waferColor].value, linear({0.8627, 0.6510, 0.3255})), 2e-4);
-    for (const CreamParameters& layer : t.layers)
+    for (const ice_cream::CreamParameters& layer : t.layers)
         EXPECT_LT(glm::distance(v[layer.color].value, linear({0.9255, 0.9294, 0.8510})), 2e-4);
     EXPECT_LT(glm::distance(v[t.groundColor].value, linear(glm::dvec3(0.9451))), 2e-4);
     EXPECT_EQ(v[t.waferRoughness], 1);
     EXPECT_EQ(v[t.creamRoughness], 0.25);
     EXPECT_EQ(v[t.candyRoughness], 0.65);
-    EXPECT_EQ(v[t.highlight], IceCreamHighlight::blinnPhong);
+    EXPECT_EQ(v[t.highlight], ice_cream::IceCreamHighlight::blinnPhong);
     EXPECT_EQ(v[t.referenceSun].value, glm::normalize(glm::dvec3(-16, 12, 4)));
     EXPECT_LT(glm::distance(v[t.referenceSunColor].value * v[t.referenceSunStrength], glm::dvec3(1, 0.7, 0.5) / 1.2),
               1e-9);
@@ -258,7 +258,7 @@ TEST(ReferencePreset, OfTheIceCreamHasItsPlacesAndMaterials)
     EXPECT_EQ(v[t.shadowMethod], SdfShadow::improved);
     EXPECT_NEAR(std::tan(0.5 * v[t.sunWidth]), 1.0 / 32, 1e-9);  // 32 d / t
     EXPECT_EQ(v[t.stepLimit], 128);
-    EXPECT_EQ(v[t.lighting], IceCreamLighting::reference);
+    EXPECT_EQ(v[t.lighting], ice_cream::IceCreamLighting::reference);
     EXPECT_NEAR(v[t.orbitSpeed] * 2 * std::numbers::pi, 0.1, 1e-12);
     EXPECT_EQ(v[t.size], 1);
 }

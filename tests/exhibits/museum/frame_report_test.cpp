@@ -198,10 +198,10 @@ double colorsDiffer(const Picture& a, const Picture& b)
 TEST_F(FrameReports, OcclusionOfABlackLightIsNotEvaluated)
 {
     const std::size_t exhibit = *gallery().museum.find("ice_cream");
-    const IceCreamTable table;
+    const ice_cream::IceCreamTable table;
     Shot shot = shotOf(exhibit, true);
     ParameterValues& values = shot.sceneState.values[exhibit];
-    values.set(table.lighting, IceCreamLighting::reference);
+    values.set(table.lighting, ice_cream::IceCreamLighting::reference);
     shot.request.frame.camera = gallery().museum.subject(exhibit).bestView(values);
     const Counted lit = counted(shot);
     values.set(table.referenceAmbient, ColorValue{glm::dvec3(0)});
