@@ -153,9 +153,9 @@ TEST(ReferencePreset, OfThePixelArtHasItsStrengths)
 
 TEST(ReferencePreset, OfTheNoiseHasItsConstants)
 {
-    const NoiseTable t;
+    const noise::NoiseTable t;
     const ParameterValues sum = preset("noise", "reference-fractal-sum", t);
-    EXPECT_EQ(sum[t.kind], NoiseKind::value);
+    EXPECT_EQ(sum[t.kind], noise::NoiseKind::value);
     EXPECT_EQ(sum[t.frequency], 1);
     EXPECT_EQ(sum[t.stepLimit], 256);
     EXPECT_EQ(sum[t.drift], -1);  // The camera moves forward by a unit per second.
@@ -166,9 +166,9 @@ TEST(ReferencePreset, OfTheNoiseHasItsConstants)
     EXPECT_EQ(sum[t.lacunarity], 2);
     EXPECT_EQ(sum[t.octaveRotation], 0);
     const ParameterValues sea = preset("noise", "reference-sea", t);
-    EXPECT_EQ(sea[t.work], NoiseWork::sea);
+    EXPECT_EQ(sea[t.work], noise::NoiseWork::sea);
     EXPECT_EQ(sea[t.stepLimit], 100);
-    for (const ParameterValues& v : {sum, sea}) EXPECT_EQ(v[t.look], NoiseLook::reference);
+    for (const ParameterValues& v : {sum, sea}) EXPECT_EQ(v[t.look], noise::NoiseLook::reference);
 }
 
 TEST(ReferencePreset, OfThePaperLanternsHasItsNumbers)

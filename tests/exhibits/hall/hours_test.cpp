@@ -10,6 +10,9 @@
 namespace vitrine {
 namespace {
 
+using noise::NoiseSun;
+using noise::NoiseTable;
+
 using namespace test;
 
 class Hours : public test::GlTest {};

@@ -94,7 +94,8 @@ TEST_F(LongFrameReports, AnEffectThatIsOffHasNoPassNoProgramAndNoTexture)
     constexpr double field = static_cast<double>(SdfShown::field), mesh = static_cast<double>(SdfShown::mesh);
     constexpr double volume = static_cast<double>(RayTechnique::volume),
                      screen = static_cast<double>(RayTechnique::screen), none = static_cast<double>(RayTechnique::none);
-    constexpr double sea = static_cast<double>(NoiseWork::sea), clouds = static_cast<double>(NoiseWork::clouds);
+    constexpr double sea = static_cast<double>(noise::NoiseWork::sea),
+                     clouds = static_cast<double>(noise::NoiseWork::clouds);
     constexpr double finished = static_cast<double>(PixelView::finished),
                      depthView = static_cast<double>(PixelView::depth);
     // The mesh replaces two passes with their two programs and an image, and needs two passes with one program for the

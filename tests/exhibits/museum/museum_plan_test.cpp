@@ -277,7 +277,7 @@ TEST(MuseumPlan, WorksOnTheWallsAreDrawnForMirrorsThatCanShowThemAndKeptUntilThe
     }
 
     const render::PersistentState kept = keptAfter(first);
-    static const NoiseTable table;
+    static const noise::NoiseTable table;
     const auto ofNoise = [](Scene& s) -> ParameterValues& { return s.sceneState.values[*museum().find("noise")]; };
     const auto changed = [&](const auto& change) {
         Scene other = scene;
