@@ -24,7 +24,7 @@ std::vector<std::unique_ptr<Exhibit>> allExhibits()
     exhibits.push_back(std::make_unique<noise::Noise>());
     exhibits.push_back(std::make_unique<PixelArt>());
     exhibits.push_back(std::make_unique<ice_cream::IceCream>());
-    exhibits.push_back(std::make_unique<PaperLanterns>());
+    exhibits.push_back(std::make_unique<paper_lanterns::PaperLanterns>());
     exhibits.push_back(std::make_unique<YourShader>());
     return exhibits;
 }

@@ -173,9 +173,9 @@ TEST(ReferencePreset, OfTheNoiseHasItsConstants)
 
 TEST(ReferencePreset, OfThePaperLanternsHasItsNumbers)
 {
-    const PaperLanternsTable t;
+    const paper_lanterns::PaperLanternsTable t;
     const ParameterValues v = preset("paper_lanterns", "reference", t);
-    EXPECT_EQ(v[t.look], LakeLook::reference);
+    EXPECT_EQ(v[t.look], paper_lanterns::LakeLook::reference);
     EXPECT_EQ(v[t.paperRadius], 0.75);
     EXPECT_EQ(v[t.paperHeight], 2);
     EXPECT_EQ(v[t.paperWall], 0.06);  // A shell of 0.03 to each side.
@@ -186,10 +186,10 @@ TEST(ReferencePreset, OfThePaperLanternsHasItsNumbers)
     EXPECT_EQ(v[t.postWire], 0.05);
     EXPECT_EQ(v[t.frameBlend], 0.1);
     EXPECT_EQ(v[t.waveHeight], 1);
-    EXPECT_EQ(v[t.waveSpeed], LakeSpeed::reference);      // 2.5 radians a second for all waves.
-    EXPECT_EQ(v[t.ride], LakeRide::reference);            // waterHeightRoughAt
-    EXPECT_EQ(v[t.flickerPhase], LakeFlicker::together);  // Depends on TIME only.
-    EXPECT_EQ(v[t.repetition], LakeRepetition::twoByTwo);
+    EXPECT_EQ(v[t.waveSpeed], paper_lanterns::LakeSpeed::reference);      // 2.5 radians a second for all waves.
+    EXPECT_EQ(v[t.ride], paper_lanterns::LakeRide::reference);            // waterHeightRoughAt
+    EXPECT_EQ(v[t.flickerPhase], paper_lanterns::LakeFlicker::together);  // Depends on TIME only.
+    EXPECT_EQ(v[t.repetition], paper_lanterns::LakeRepetition::twoByTwo);
     EXPECT_EQ(v[t.turned], 0);
     EXPECT_EQ(v[t.flameHeight], 1);  // local y 0
     EXPECT_TRUE(v[t.animate]);
