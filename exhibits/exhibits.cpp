@@ -22,7 +22,7 @@ std::vector<std::unique_ptr<Exhibit>> allExhibits()
     exhibits.push_back(std::make_unique<CrepuscularRays>());
     exhibits.push_back(std::make_unique<SdfScenes>());
     exhibits.push_back(std::make_unique<noise::Noise>());
-    exhibits.push_back(std::make_unique<PixelArt>());
+    exhibits.push_back(std::make_unique<pixel_art::PixelArt>());
     exhibits.push_back(std::make_unique<ice_cream::IceCream>());
     exhibits.push_back(std::make_unique<paper_lanterns::PaperLanterns>());
     exhibits.push_back(std::make_unique<YourShader>());

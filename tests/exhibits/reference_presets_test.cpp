@@ -137,17 +137,17 @@ TEST(ReferencePreset, OfTheCardHasItsUniforms)
 
 TEST(ReferencePreset, OfThePixelArtHasItsStrengths)
 {
-    const PixelArtTable t;
+    const pixel_art::PixelArtTable t;
     const ParameterValues v = preset("pixel_art", "reference", t);
     EXPECT_EQ(v[t.highlightStrength], 0.1);
     EXPECT_EQ(v[t.outlineStrength], 0.4);
     EXPECT_EQ(v[t.highlightColor].value, glm::dvec3(1));
     EXPECT_EQ(v[t.outlineColor].value, glm::dvec3(0));
-    EXPECT_EQ(v[t.edges], EdgeLook::reference);
-    EXPECT_EQ(v[t.method], NormalsBy::tap9Plus);
-    EXPECT_EQ(v[t.resolution], PixelResolution::r240);
-    EXPECT_EQ(v[t.projection], PixelProjection::orthographic);
-    EXPECT_EQ(v[t.world], PixelWorld::testScene);
+    EXPECT_EQ(v[t.edges], pixel_art::EdgeLook::reference);
+    EXPECT_EQ(v[t.method], pixel_art::NormalsBy::tap9Plus);
+    EXPECT_EQ(v[t.resolution], pixel_art::PixelResolution::r240);
+    EXPECT_EQ(v[t.projection], pixel_art::PixelProjection::orthographic);
+    EXPECT_EQ(v[t.world], pixel_art::PixelWorld::testScene);
     EXPECT_TRUE(v[t.fixVoid]);
 }
 

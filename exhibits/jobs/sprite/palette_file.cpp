@@ -18,6 +18,9 @@
 namespace vitrine {
 namespace {
 
+using pixel_art::mainColors;
+using pixel_art::Rgb8;
+
 constexpr std::size_t mostColors = 256;
 constexpr std::uint64_t mostBytes = 1U << 20U;
 

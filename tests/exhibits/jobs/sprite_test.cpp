@@ -24,6 +24,14 @@
 namespace vitrine {
 namespace {
 
+using pixel_art::linearOf;
+using pixel_art::mainColors;
+using pixel_art::nearestColor;
+using pixel_art::PaletteName;
+using pixel_art::paletteTextures;
+using pixel_art::PaletteTextures;
+using pixel_art::Rgb8;
+using pixel_art::shippedPalette;
 using render::Image;
 using test::TemporaryFolder;
 

@@ -15,6 +15,10 @@
 namespace vitrine {
 namespace {
 
+using pixel_art::NormalsBy;
+using pixel_art::PixelArtTable;
+using pixel_art::PixelView;
+
 using namespace test;
 
 class FrameReports : public GlTest {};

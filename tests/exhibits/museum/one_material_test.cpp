@@ -147,7 +147,7 @@ LightAt inTheHall(const std::string& file, int squares)
 
 LightAt asSprite(const std::string& file, int squares)
 {
-    const PixelArtTable look;
+    const pixel_art::PixelArtTable look;
     ParameterValues values = look.initial();
     values.set(look.shadows, false);
     values.set(look.bands, 1);

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::pixel_art {
 namespace {
 
 using namespace test;
@@ -71,4 +71,4 @@ TEST_F(MadeOfPictures, TheTableOfMethodsHasALineForEachAndTheirErrors)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::pixel_art

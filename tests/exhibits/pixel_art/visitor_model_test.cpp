@@ -15,7 +15,7 @@
 #include <cmath>
 #include <map>
 
-namespace vitrine {
+namespace vitrine::pixel_art {
 namespace {
 
 using namespace test;
@@ -362,4 +362,4 @@ TEST_F(SpriteFraming, FailsWhereNothingIsToBeSeen)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::pixel_art

@@ -97,7 +97,7 @@ private:
     [[nodiscard]] static std::vector<std::unique_ptr<Exhibit>> withSprites()
     {
         std::vector<std::unique_ptr<Exhibit>> exhibits;
-        exhibits.push_back(std::make_unique<PixelArt>());
+        exhibits.push_back(std::make_unique<pixel_art::PixelArt>());
         return exhibits;
     }
     void lookAt(const QString& name, const std::function<void()>& open,
