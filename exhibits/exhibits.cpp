@@ -16,7 +16,7 @@ namespace vitrine {
 std::vector<std::unique_ptr<Exhibit>> allExhibits()
 {
     std::vector<std::unique_ptr<Exhibit>> exhibits;
-    exhibits.push_back(std::make_unique<SdfMorph>());
+    exhibits.push_back(std::make_unique<sdf_morph::SdfMorph>());
     exhibits.push_back(std::make_unique<Lenticular>());
     exhibits.push_back(std::make_unique<fur::Fur>());
     exhibits.push_back(std::make_unique<CrepuscularRays>());

@@ -197,7 +197,7 @@ TEST(ReferencePreset, OfThePaperLanternsHasItsNumbers)
 
 TEST(ReferencePreset, OfTheTorusMugHasItsConstants)
 {
-    const SdfMorphTable t;
+    const sdf_morph::SdfMorphTable t;
     const ParameterValues v = preset("sdf_morph", "reference", t);
     EXPECT_EQ(v[t.morph], 0);            // morph_progress
     EXPECT_EQ(v[t.stepLimit], 100);      // MAX_STEPS

@@ -16,17 +16,17 @@ inline const HallTable& hallTable()
 /// Puts the sun nearly straight in front of the window, where it shines on the exhibit in the middle of the hall.
 inline void letTheSunIn(ParameterValues& hall)
 {
-    hall.set(hallTable().sunElevation, straightSunElevation);
-    hall.set(hallTable().sunAzimuth, straightSunAzimuth);
+    hall.set(hallTable().sunElevation, sdf_morph::straightSunElevation);
+    hall.set(hallTable().sunAzimuth, sdf_morph::straightSunAzimuth);
 }
 inline const CrepuscularRaysTable& raysTable()
 {
     static const CrepuscularRaysTable table;
     return table;
 }
-inline const SdfMorphTable& sdfTable()
+inline const sdf_morph::SdfMorphTable& sdfTable()
 {
-    static const SdfMorphTable table;
+    static const sdf_morph::SdfMorphTable table;
     return table;
 }
 

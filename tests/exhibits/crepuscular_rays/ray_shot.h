@@ -11,9 +11,10 @@ namespace vitrine::test {
 class Rays : public GlTest {};
 
 /// Direction to the sun in a RayShot.
-inline const glm::dvec3 shotTowardsSun(std::sin(straightSunAzimuth) * std::cos(straightSunElevation),
-                                       std::sin(straightSunElevation),
-                                       -std::cos(straightSunAzimuth) * std::cos(straightSunElevation));
+inline const glm::dvec3
+    shotTowardsSun(std::sin(sdf_morph::straightSunAzimuth) * std::cos(sdf_morph::straightSunElevation),
+                   std::sin(sdf_morph::straightSunElevation),
+                   -std::cos(sdf_morph::straightSunAzimuth) * std::cos(sdf_morph::straightSunElevation));
 
 /// Shot of the window from the middle of the hall, in linear light. White rays of strength 1; the exposure does not
 /// change them.

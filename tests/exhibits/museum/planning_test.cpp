@@ -80,7 +80,7 @@ std::vector<Scene> twoUsers()
 {
     const fur::FurTable fur;
     const LenticularTable card;
-    const SdfMorphTable& sdf = test::sdfTable();
+    const sdf_morph::SdfMorphTable& sdf = test::sdfTable();
     std::vector<Scene> users(2);
     for (std::size_t u = 0; u < 2; ++u) {
         Scene& scene = users[u];
@@ -132,7 +132,7 @@ TEST(LongPlanning, TwoUsersInTurnGetWhatEachGetsAloneAndNeverRebuildEachOthers)
 
 TEST(Planning, TheMeshDependsOnTheShapeAlone)
 {
-    const SdfMorphTable& table = test::sdfTable();
+    const sdf_morph::SdfMorphTable& table = test::sdfTable();
     Scene scene;
     scene.object().set(table.shownAs, SdfShown::mesh);
     scene.object().set(table.tessellation, 6);

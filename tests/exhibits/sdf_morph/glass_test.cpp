@@ -11,7 +11,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace vitrine {
+namespace vitrine::sdf_morph {
 namespace {
 
 using glm::dvec3;
@@ -227,4 +227,4 @@ TEST_F(GlassInTheHall, OnlyGlassCopiesThePictureAndOnlyRoughGlassBlursIt)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::sdf_morph

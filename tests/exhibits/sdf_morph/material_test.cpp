@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::sdf_morph {
 namespace {
 
 using glm::dvec3;
@@ -260,4 +260,4 @@ TEST_F(Material, TheNormalsMapShowsTheNormals)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::sdf_morph
