@@ -19,7 +19,7 @@ std::vector<std::unique_ptr<Exhibit>> allExhibits()
     exhibits.push_back(std::make_unique<sdf_morph::SdfMorph>());
     exhibits.push_back(std::make_unique<Lenticular>());
     exhibits.push_back(std::make_unique<fur::Fur>());
-    exhibits.push_back(std::make_unique<CrepuscularRays>());
+    exhibits.push_back(std::make_unique<crepuscular_rays::CrepuscularRays>());
     exhibits.push_back(std::make_unique<SdfScenes>());
     exhibits.push_back(std::make_unique<noise::Noise>());
     exhibits.push_back(std::make_unique<pixel_art::PixelArt>());

@@ -100,18 +100,18 @@ TEST(ReferencePreset, OfTheReferenceVideoHasItsScenesValues)
 
 TEST(ReferencePreset, OfTheBeamsHasItsDefaults)
 {
-    const CrepuscularRaysTable t;
+    const crepuscular_rays::CrepuscularRaysTable t;
     const ParameterValues v = preset("crepuscular_rays", "reference", t);
     EXPECT_EQ(v[t.samples], 128);  // NUM_SAMPLES
     EXPECT_EQ(v[t.decay], 0.5);
     EXPECT_EQ(v[t.weight], 0.1);
-    EXPECT_EQ(v[t.density], 1);          // The whole ray.
-    EXPECT_EQ(v[t.rayExposure], 0);      // No exposure.
-    EXPECT_EQ(v[t.sum], RaySum::plain);  // Not divided by the samples.
-    EXPECT_EQ(v[t.method], RayMethod::loop);
-    EXPECT_EQ(v[t.technique], RayTechnique::screen);
-    EXPECT_EQ(v[t.resolution], RayResolution::full);
-    EXPECT_EQ(v[t.mask], RayMask::depth);
+    EXPECT_EQ(v[t.density], 1);                            // The whole ray.
+    EXPECT_EQ(v[t.rayExposure], 0);                        // No exposure.
+    EXPECT_EQ(v[t.sum], crepuscular_rays::RaySum::plain);  // Not divided by the samples.
+    EXPECT_EQ(v[t.method], crepuscular_rays::RayMethod::loop);
+    EXPECT_EQ(v[t.technique], crepuscular_rays::RayTechnique::screen);
+    EXPECT_EQ(v[t.resolution], crepuscular_rays::RayResolution::full);
+    EXPECT_EQ(v[t.mask], crepuscular_rays::RayMask::depth);
     EXPECT_EQ(v[t.threshold], 0);  // a mask of 0 and 1
     EXPECT_FALSE(v[t.skyColor]);
     EXPECT_FALSE(v[t.jitter]);

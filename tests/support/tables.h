@@ -19,9 +19,9 @@ inline void letTheSunIn(ParameterValues& hall)
     hall.set(hallTable().sunElevation, sdf_morph::straightSunElevation);
     hall.set(hallTable().sunAzimuth, sdf_morph::straightSunAzimuth);
 }
-inline const CrepuscularRaysTable& raysTable()
+inline const crepuscular_rays::CrepuscularRaysTable& raysTable()
 {
-    static const CrepuscularRaysTable table;
+    static const crepuscular_rays::CrepuscularRaysTable table;
     return table;
 }
 inline const sdf_morph::SdfMorphTable& sdfTable()

@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::crepuscular_rays {
 namespace {
 
 using glm::dvec2;
@@ -202,4 +202,4 @@ TEST_F(Rays, OfTheVolumeAloneAreTheBeamOfTheWindowAndNothingElse)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::crepuscular_rays

@@ -13,7 +13,7 @@
 #include <limits>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::crepuscular_rays {
 namespace {
 
 using glm::dvec2;
@@ -138,4 +138,4 @@ TEST_F(LongDustyAir, ShowsAShaftFromTheOculusAtNoon)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::crepuscular_rays

@@ -19,7 +19,7 @@ inline const glm::dvec3
 /// Shot of the window from the middle of the hall, in linear light. White rays of strength 1; the exposure does not
 /// change them.
 struct RayShot : Shot {
-    explicit RayShot(RayTechnique technique)
+    explicit RayShot(crepuscular_rays::RayTechnique technique)
     {
         inHall();
         request.frame.subject.reset();
@@ -34,8 +34,8 @@ struct RayShot : Shot {
         rays().set(raysTable().skyColor, false);
         rays().set(raysTable().lightSize, 3.141593);
         rays().set(raysTable().jitter, false);
-        rays().set(raysTable().resolution, RayResolution::full);
-        rays().set(raysTable().view, RayView::light);
+        rays().set(raysTable().resolution, crepuscular_rays::RayResolution::full);
+        rays().set(raysTable().view, crepuscular_rays::RayView::light);
         rays().set(raysTable().densityNoise, 0.0);
     }
     /// Shows the exhibit alone: only sky, a white mask, and the sun in the picture.

@@ -16,7 +16,7 @@
 #include <cstring>
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::crepuscular_rays {
 namespace {
 
 using glm::dvec2;
@@ -406,4 +406,4 @@ TEST(SteadyLightView, KeepsItsGridWhileTheBoxMovesAndGrows)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::crepuscular_rays

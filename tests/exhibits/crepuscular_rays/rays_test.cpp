@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::crepuscular_rays {
 namespace {
 
 using glm::dvec2;
@@ -438,4 +438,4 @@ TEST_F(LongRays, LegalValuesNeverMakeWhatIsNotANumber)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::crepuscular_rays

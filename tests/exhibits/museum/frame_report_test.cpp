@@ -96,8 +96,9 @@ TEST_F(LongFrameReports, AnEffectThatIsOffHasNoPassNoProgramAndNoTexture)
     constexpr double fins = static_cast<double>(fur::FurSilhouette::fins),
                      march = static_cast<double>(fur::FurSilhouette::march);
     constexpr double field = static_cast<double>(SdfShown::field), mesh = static_cast<double>(SdfShown::mesh);
-    constexpr double volume = static_cast<double>(RayTechnique::volume),
-                     screen = static_cast<double>(RayTechnique::screen), none = static_cast<double>(RayTechnique::none);
+    constexpr double volume = static_cast<double>(crepuscular_rays::RayTechnique::volume),
+                     screen = static_cast<double>(crepuscular_rays::RayTechnique::screen),
+                     none = static_cast<double>(crepuscular_rays::RayTechnique::none);
     constexpr double sea = static_cast<double>(noise::NoiseWork::sea),
                      clouds = static_cast<double>(noise::NoiseWork::clouds);
     constexpr double finished = static_cast<double>(PixelView::finished),
