@@ -18,7 +18,7 @@ namespace {
 /// Returns the initial values of all exhibits.
 const NamedValues& initialValues()
 {
-    static const HallTable hall;
+    static const hall::HallTable hall;
     static const auto exhibits = allExhibits();
     static const NamedValues values = [] {
         NamedValues all{{"hall", hall.initial()}};

@@ -24,7 +24,7 @@ namespace {
 /// Returns all tables by the name of their exhibit. They live as long as the tests.
 const std::map<std::string, const Parameters*>& tables()
 {
-    static const HallTable hall;
+    static const hall::HallTable hall;
     static const auto exhibits = allExhibits();
     static const std::map<std::string, const Parameters*> all = [] {
         std::map<std::string, const Parameters*> result{{"hall", &hall}};

@@ -8,9 +8,9 @@
 namespace vitrine::test {
 
 // Tables of equal structure: a handle of one table is the same parameter in all of them.
-inline const HallTable& hallTable()
+inline const hall::HallTable& hallTable()
 {
-    static const HallTable table;
+    static const hall::HallTable table;
     return table;
 }
 /// Puts the sun nearly straight in front of the window, where it shines on the exhibit in the middle of the hall.

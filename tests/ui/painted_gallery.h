@@ -120,7 +120,7 @@ public:
     /// Returns the center of the exhibit's button in world space.
     [[nodiscard]] static glm::dvec3 button()
     {
-        static const HallModel building;
+        static const hall::HallModel building;
         return (*building.place(1)->worldFromButton)[3];
     }
     /// Returns the camera of a visitor who looks at the button from this distance on the floor, in meters.

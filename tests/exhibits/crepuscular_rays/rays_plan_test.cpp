@@ -21,6 +21,12 @@ namespace {
 
 using glm::dvec2;
 using glm::dvec3;
+using hall::HallTable;
+using hall::skyByHour;
+using hall::Sun;
+using hall::sunAtHour;
+using hall::SunBy;
+using hall::sunOf;
 using namespace test;
 
 /// Scene that looks along the hall at the window.

@@ -31,7 +31,7 @@ struct FurShot : ExhibitShot<fur::FurTable> {
     FurShot& withoutFilm()
     {
         request.frame.averageIn = AverageIn::display;
-        hall().set(hallTable().toneCurve, ToneCurve::none);
+        hall().set(hallTable().toneCurve, hall::ToneCurve::none);
         return *this;
     }
     FurShot& hand(const glm::dvec3& tipOffset, double turn)

@@ -15,7 +15,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::hall {
 namespace {
 
 using std::numbers::pi;
@@ -118,4 +118,4 @@ TEST(HallModel, HasABarThatTheCardLeansAgainst)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::hall

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::hall {
 namespace {
 
 using noise::NoiseSun;
@@ -183,4 +183,4 @@ TEST_F(LongHours, LampsWithoutStrengthAreNoLampsToTheBit)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::hall

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::hall {
 namespace {
 
 using namespace test;
@@ -334,4 +334,4 @@ TEST_F(LightLevels, AreNotVeiledByDustInTheBeam)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::hall

@@ -294,7 +294,7 @@ Shot shotOfOverdraw(double scale)
 {
     Shot shot = shotOf(hallIndex, false);
     shot.request.frame.raster.size = {96, 60};
-    shot.hall().set(hallTable().heatMap, HallHeatMap::overdraw);
+    shot.hall().set(hallTable().heatMap, hall::HallHeatMap::overdraw);
     shot.hall().set(hallTable().heatScale, scale);
     return shot;
 }

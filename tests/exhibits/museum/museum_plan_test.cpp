@@ -19,6 +19,9 @@
 namespace vitrine {
 namespace {
 
+using hall::buttonScale;
+using hall::isBehind;
+using hall::Occluder;
 using render::FramePlan;
 using render::toString;
 using namespace test;

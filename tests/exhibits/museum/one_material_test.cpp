@@ -123,10 +123,10 @@ LightAt inTheHall(const std::string& file, int squares)
     hall.set(hallTable().sunTemperature, 4700.0);  // Has less color than the initial one.
     for (const Toggle* off : {&hallTable().sunShadows, &hallTable().reflectionProbe, &hallTable().contactShadows})
         hall.set(*off, false);
-    const OwnObjectParameters& rows = hallTable().objects.front();
+    const hall::OwnObjectParameters& rows = hallTable().objects.front();
     hall.set(rows.model, file);
     // High up and small, so that the light on it is uniform.
-    hall.set(rows.modelStand, ObjectStand::ownPlinth);
+    hall.set(rows.modelStand, hall::ObjectStand::ownPlinth);
     hall.set(rows.modelPlinthHeight, 1.0);
     hall.set(rows.modelSize, 0.8);
     hall.set(rows.modelAcross, 0.0);

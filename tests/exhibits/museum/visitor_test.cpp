@@ -20,6 +20,10 @@ namespace vitrine {
 namespace {
 
 using glm::dvec3;
+using hall::Collider;
+using hall::freePlinthPlace;
+using hall::Place;
+using hall::visitorRadius;
 using test::Scene;
 
 constexpr double eyeHeight = 1.65;
