@@ -30,6 +30,24 @@ const RecordTable& recordTable()
 namespace jobs {
 namespace {
 
+using recording::bookmarksFile;
+using recording::firstCollision;
+using recording::framePath;
+using recording::isFramePattern;
+using recording::isWholeTurns;
+using recording::museumTour;
+using recording::Pace;
+using recording::paced;
+using recording::readTour;
+using recording::RecordedScene;
+using recording::Recording;
+using recording::RecordingRequest;
+using recording::RecordingShare;
+using recording::Tour;
+using recording::tourPath;
+using recording::turntable;
+using recording::whyNotRecordable;
+
 constexpr int frameSideOfDraft = 240;  // Pixels of each frame in the preview.
 
 struct RecordInputs final : JobInputs {

@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::recording {
 namespace {
 
 using glm::dvec3;
@@ -231,4 +231,4 @@ TEST(FramePath, OtherNamesAreRefused)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::recording

@@ -179,7 +179,7 @@ private slots:
         window_->bookmarks().saveAs(at("tour.json"));
         QFile file(at("tour.json"));
         QVERIFY(file.open(QIODevice::ReadOnly));
-        const Tour tour = parseTour(file.readAll().toStdString(), "tour.json");
+        const recording::Tour tour = recording::parseTour(file.readAll().toStdString(), "tour.json");
         QCOMPARE(tour.bookmarks.size(), std::size_t{2});
         QCOMPARE(tour.bookmarks[0].camera.eye.x, -0.5);  // Sorted by number.
         QCOMPARE(tour.bookmarks[1].camera.eye.x, 0.5);
