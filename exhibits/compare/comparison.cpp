@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace vitrine {
+namespace vitrine::compare {
 namespace {
 
 /// Adds a tile to the report of its frame: milliseconds are summed, and steps that ran for the first tile only are
@@ -148,4 +148,4 @@ void Comparison::finish()
     finished_ = true;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::compare

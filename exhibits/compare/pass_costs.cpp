@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::compare {
 namespace {
 
 /// Name of a step, and its index among those of that name.
@@ -78,4 +78,4 @@ std::vector<CounterCost> counterCosts(const render::FrameReport& a, const render
     return costs;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::compare

@@ -13,7 +13,7 @@
 #include <set>
 #include <string>
 
-namespace vitrine {
+namespace vitrine::compare {
 namespace {
 
 /// Returns the error for a comparison that is not offered; empty if it is offered.
@@ -80,4 +80,4 @@ TEST(OfferedComparison, IsNoneWhereAnExhibitOffersNone)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::compare
