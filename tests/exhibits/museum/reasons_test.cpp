@@ -22,7 +22,7 @@ using namespace test;
 
 /// Skipped pass, and its picture.
 struct Skipped {
-    const ScanCase& picture;
+    const stability::ScanCase& picture;
     const render::FramePlan& plan;
     const render::CulledPass& step;
 
@@ -424,7 +424,7 @@ void Reasons::expectTrueReasons(std::uint64_t firstSeed, std::uint64_t lastSeed)
     std::set<std::string> told;
     for (std::uint64_t seed = firstSeed; seed <= lastSeed; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
-        ScanCase c = scanCase(museum(), exhibit, seed * 32);
+        stability::ScanCase c = stability::scanCase(museum(), exhibit, seed * 32);
         RandomNumbers random(seed);
         if (random.chance(0.7)) drawSettings(c.sceneState.values[exhibit], random);
         if (random.chance(0.3)) drawSettings(c.sceneState.hall(), random);
