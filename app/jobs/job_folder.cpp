@@ -10,7 +10,7 @@
 namespace vitrine::app {
 namespace {
 
-std::unique_ptr<StudyParts> measuresIn(Parts& parts, bool isPart)
+std::unique_ptr<study::StudyParts> measuresIn(Parts& parts, bool isPart)
 {
     return std::make_unique<StudyInParts>(parts, isPart);
 }

@@ -86,9 +86,9 @@ void Comparison::takePicture(std::size_t side)
     ComparedSide& compared = result_.sides[side];
     const render::Image& picture = makers_[side]->picture();
     compared.report = makers_[side]->report();
-    if (const std::int64_t evaluations = channelTotal(picture, "evaluations"); evaluations > 0)
+    if (const std::int64_t evaluations = study::channelTotal(picture, "evaluations"); evaluations > 0)
         compared.report.counters["evaluations"] = evaluations;
-    compared.picture = colorsOf(picture);
+    compared.picture = study::colorsOf(picture);
 }
 
 void Comparison::drawTimed(std::size_t side)

@@ -123,7 +123,7 @@ TEST(Tables, EveryExhibitSaysWhatItsAccuracyIs)
                 << exhibit << '.' << parameter.name << ": its reference is not legal";
             EXPECT_GE(derive::sweep(parameter, 3).size(), 2U)
                 << exhibit << '.' << parameter.name << ": nothing to vary";
-            const bool isChecked = parameter.exactByMeaning || !exactness(parameter).neighbors.empty();
+            const bool isChecked = parameter.exactByMeaning || !study::exactness(parameter).neighbors.empty();
             EXPECT_TRUE(isChecked || !parameter.isNumeric())
                 << exhibit << '.' << parameter.name
                 << ": no study can check its reference: let its scale be logarithmic, or say exactAt";

@@ -225,7 +225,7 @@ public:
     [[nodiscard]] std::vector<render::gl::ShaderProblem> problems() const override { return shaderProblems; }
     [[nodiscard]] ui::PictureJob makePicture(const SceneState&, const PictureRequest&) override { return {}; }
     void nextPicture(ui::PictureJob&, const SceneState&, const PictureRequest&) override {}
-    [[nodiscard]] ui::StudyJob makeStudy(const StudyRequest&) override { return {}; }
+    [[nodiscard]] ui::StudyJob makeStudy(const study::StudyRequest&) override { return {}; }
 
     [[nodiscard]] std::unique_ptr<render::RenderBackend> makeBackend(bool) override
     {

@@ -71,7 +71,7 @@ public:
     [[nodiscard]] std::vector<render::gl::ShaderProblem> problems() const override { return {}; }
     [[nodiscard]] PictureJob makePicture(const SceneState&, const PictureRequest&) override { return {}; }
     void nextPicture(PictureJob&, const SceneState&, const PictureRequest&) override {}
-    [[nodiscard]] StudyJob makeStudy(const StudyRequest&) override { return {}; }
+    [[nodiscard]] StudyJob makeStudy(const study::StudyRequest&) override { return {}; }
     [[nodiscard]] std::unique_ptr<render::RenderBackend> makeBackend(bool) override
     {
         return std::make_unique<test::BlankBackend>();
