@@ -9,7 +9,7 @@
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
 
-namespace vitrine {
+namespace vitrine::jobs {
 
 const std::vector<std::string>& comparisonGainTexts()
 {
@@ -27,7 +27,6 @@ const ComparisonTable& comparisonTable()
     return table;
 }
 
-namespace jobs {
 namespace comparisons {
 namespace {
 
@@ -211,5 +210,4 @@ ParameterValues ComparisonJob::draft(const ParameterValues& values, const JobInp
     return small;
 }
 
-}  // namespace jobs
-}  // namespace vitrine
+}  // namespace vitrine::jobs

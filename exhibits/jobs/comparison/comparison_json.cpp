@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::jobs {
 
 using render::Json;
 
@@ -79,4 +79,4 @@ Json comparisonJson(Subjects subjects, const compare::Comparison& comparison, co
         {"counters", counters}};
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::jobs

@@ -19,7 +19,7 @@
 #include <numbers>
 #include <optional>
 
-namespace vitrine {
+namespace vitrine::jobs {
 
 const RecordTable& recordTable()
 {
@@ -27,7 +27,6 @@ const RecordTable& recordTable()
     return table;
 }
 
-namespace jobs {
 namespace {
 
 using recording::bookmarksFile;
@@ -344,5 +343,4 @@ std::string RecordJob::partItems(const std::filesystem::path& out) const
     return isFramePattern(out) ? std::string() : "%06d.png";
 }
 
-}  // namespace jobs
-}  // namespace vitrine
+}  // namespace vitrine::jobs

@@ -15,7 +15,7 @@
 #include <sstream>
 #include <tuple>
 
-namespace vitrine {
+namespace vitrine::jobs {
 namespace {
 
 using pixel_art::mainColors;
@@ -176,4 +176,4 @@ std::string paletteText(PaletteFormat format, const std::vector<Rgb8>& colors, c
     return text;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::jobs

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::jobs {
 
 /// Forms of a palette's file. `gpl`: GIMP. `hex`: Lospec, a color per line. `pal`: Paint Shop Pro (JASC).
 enum class PaletteFormat { gpl, hex, pal };
@@ -23,4 +23,4 @@ enum class PaletteFormat { gpl, hex, pal };
 /// Returns the text of a palette's file. `name` is the title in a .gpl.
 [[nodiscard]] std::string paletteText(PaletteFormat, const std::vector<pixel_art::Rgb8>&, const std::string& name);
 
-}  // namespace vitrine
+}  // namespace vitrine::jobs

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace vitrine {
+namespace vitrine::jobs {
 namespace {
 
 using render::Image;
@@ -118,4 +118,4 @@ Image SpriteColors::of(const Image& frame)
     return made;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::jobs

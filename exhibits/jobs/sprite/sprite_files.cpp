@@ -5,7 +5,7 @@
 #include "render/image/image_io.h"
 #include "render/image/srgb.h"
 
-namespace vitrine {
+namespace vitrine::jobs {
 namespace {
 
 constexpr std::int64_t longestSide = 16384;
@@ -165,4 +165,4 @@ std::vector<render::NamedBytes> sheetBytes(const SpriteSheet& sheet, const Param
     return files;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::jobs

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <map>
 
-namespace vitrine {
+namespace vitrine::jobs {
 namespace {
 
 using render::Image;
@@ -158,4 +158,4 @@ SpriteSheet spriteSheet(const std::vector<SpriteFrame>& frames, const SpriteShee
     return sheet;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::jobs

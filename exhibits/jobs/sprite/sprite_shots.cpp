@@ -15,7 +15,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::jobs {
 
 /// Extent that contains every vertex of every frame from every direction: half the width, and the lowest and highest
 /// position.
@@ -332,4 +332,4 @@ std::vector<SpriteFrame> drawSprite(const ParameterValues& look, const SpriteSub
     return std::move(shots.frames());
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::jobs

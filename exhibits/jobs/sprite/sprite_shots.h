@@ -15,7 +15,7 @@ namespace vitrine::pixel_art {
 struct WorldPart;
 }
 
-namespace vitrine {
+namespace vitrine::jobs {
 
 /// Name of the exhibit whose style sprites are drawn in.
 inline constexpr const char* spriteLookName = "pixel_art";
@@ -93,4 +93,4 @@ private:
 [[nodiscard]] std::vector<SpriteFrame> drawSprite(const ParameterValues& look, const SpriteSubject&,
                                                   const SpriteRequest&, render::RenderBackend&);
 
-}  // namespace vitrine
+}  // namespace vitrine::jobs

@@ -21,7 +21,7 @@
 #include <set>
 #include <tuple>
 
-namespace vitrine {
+namespace vitrine::jobs {
 namespace {
 
 using pixel_art::linearOf;
@@ -642,4 +642,4 @@ TEST(SpriteSheet, HasThePivotThatIsAskedFor)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::jobs

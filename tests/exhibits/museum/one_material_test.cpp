@@ -155,13 +155,13 @@ LightAt asSprite(const std::string& file, int squares)
     values.set(look.highlightStrength, 0.0);
     values.set(look.azimuth, 0.0);
     values.set(look.elevation, 0.0);
-    const auto frames =
-        drawSprite(values, SpriteSubject{std::filesystem::path(file)}, {1, 1, {480, 240}, {}}, gallery().renderer);
+    const auto frames = jobs::drawSprite(values, jobs::SpriteSubject{std::filesystem::path(file)},
+                                         {1, 1, {480, 240}, {}}, gallery().renderer);
     const render::Image image = frames.front().color;
     glm::dvec2 low(1e9), high(-1);
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x) {
-            if (!isSeen(image, x, y)) continue;
+            if (!jobs::isSeen(image, x, y)) continue;
             low = glm::min(low, glm::dvec2(x, y));
             high = glm::max(high, glm::dvec2(x + 1, y + 1));
         }

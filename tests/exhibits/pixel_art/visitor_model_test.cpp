@@ -18,6 +18,14 @@
 namespace vitrine::pixel_art {
 namespace {
 
+using jobs::drawSprite;
+using jobs::isSeen;
+using jobs::seenPixels;
+using jobs::SpriteFrame;
+using jobs::SpriteMotion;
+using jobs::SpriteRequest;
+using jobs::SpriteSubject;
+
 using namespace test;
 
 const PixelArtTable& modelParameters()
