@@ -425,7 +425,7 @@ std::optional<TreeParameters> SdfScenes::parametersOf(const ParameterValues& val
     const std::vector<double> numbers = numbersAt(values, 0);
     std::optional<TreeParameters> rows = scenes::nodeParameters(*scene.scene, numbers, node);
     const std::uint32_t at = scenes::nodeAt(*scene.scene, node);
-    if (!rows || at == scenes::none) return rows;
+    if (!rows || at == scenes::noIndex) return rows;
     const std::string without = scenes::placeInScene(scene, numbers, at).without;
     if (!without.empty()) rows->note += (rows->note.empty() ? "" : " ") + without;
     return rows;
@@ -470,14 +470,14 @@ std::string SdfScenes::pick(const ExhibitState& state, const render::Ray& ray) c
     const double t = scenes::marched(field, through.origin, through.direction, through.start, 1e5);
     if (!std::isfinite(t)) return {};
     const std::uint32_t node = field.sample(through.origin + t * through.direction).node;
-    return node == scenes::none ? std::string() : scenes::pathOf(*scene.scene, node);
+    return node == scenes::noIndex ? std::string() : scenes::pathOf(*scene.scene, node);
 }
 
 std::optional<TreePlace> SdfScenes::placeOf(const ExhibitState& state, std::string_view node) const
 {
     const scenes::Scene& scene = *shown(state.values).scene;
     const std::uint32_t at = scenes::nodeAt(scene, node);
-    if (at == scenes::none) return std::nullopt;
+    if (at == scenes::noIndex) return std::nullopt;
     TreePlace place = scenes::placeInScene(shown(state.values), numbersAt(state.values, state.time), at);
     place.exhibitFromParent =
         glm::affineInverse(portalAt(state.values, state.time).workFromExhibit) * place.exhibitFromParent;
@@ -487,7 +487,7 @@ std::optional<TreePlace> SdfScenes::placeOf(const ExhibitState& state, std::stri
 std::shared_ptr<const TreeShape> SdfScenes::shapeOf(const ExhibitState& state, std::string_view node) const
 {
     const scenes::Scene& scene = *shown(state.values).scene;
-    if (scenes::nodeAt(scene, node) == scenes::none) return nullptr;
+    if (scenes::nodeAt(scene, node) == scenes::noIndex) return nullptr;
     const auto program = std::make_shared<const scenes::SceneProgram>(scenes::onlyNode(scene, node));
     const auto field = std::make_shared<const SceneField>(program, program->words(numbersAt(state.values, state.time)));
     const Portal portal = portalAt(state.values, state.time);

@@ -16,7 +16,7 @@ namespace {
 
 using scenes::Node;
 using scenes::NodeKind;
-using scenes::none;
+using scenes::noIndex;
 using scenes::Number;
 using scenes::NumberExpression;
 using scenes::ProgramNode;
@@ -101,10 +101,10 @@ private:
         std::vector<std::vector<double>> words;
         render::Box box{glm::dvec3(1e9), glm::dvec3(-1e9)};
     };
-    [[nodiscard]] bool varies(std::uint32_t number) const { return scene_.numbers[number].expression != none; }
+    [[nodiscard]] bool varies(std::uint32_t number) const { return scene_.numbers[number].expression != noIndex; }
     [[nodiscard]] bool anyVaries(std::uint32_t first, std::size_t count) const
     {
-        for (std::size_t i = 0; i < count && first != none; ++i)
+        for (std::size_t i = 0; i < count && first != noIndex; ++i)
             if (varies(first + static_cast<std::uint32_t>(i))) return true;
         return false;
     }
@@ -168,7 +168,7 @@ private:
     {
         const std::uint32_t word = program_.materialWord(m);
         const scenes::Record& material = scene_.materials[m];
-        if (word == none || !anyVaries(material.numbers, numbersOfRecord(material))) return;
+        if (word == noIndex || !anyVaries(material.numbers, numbersOfRecord(material))) return;
         const bool isPhong = material.kind->name == "phong";
         for (std::uint32_t i = 0; i < 3; ++i) set(word + i, number(material.numbers + i));
         const std::size_t count = numbersOfRecord(material);
@@ -201,16 +201,16 @@ private:
             }
             at += count;
         }
-        for (std::uint32_t i = 0; i < 3 && node.translate != none; ++i) {
+        for (std::uint32_t i = 0; i < 3 && node.translate != noIndex; ++i) {
             if (!varies(of.translate + i)) continue;
             set(node.translate + i, number(of.translate + i));
             anyNode_ = true;
         }
-        if (node.rotate != none && anyVaries(of.rotate, 3)) {
+        if (node.rotate != noIndex && anyVaries(of.rotate, 3)) {
             setFrom(node.rotate, "mat3", "sceneTurn(" + vector(of.rotate) + ')', 9);
             anyNode_ = true;
         }
-        if (node.scale == none || !anyVaries(of.scale, 3)) return;
+        if (node.scale == noIndex || !anyVaries(of.scale, 3)) return;
         anyNode_ = true;
         for (std::uint32_t i = 0; i < 3; ++i) set(node.scale + i, "1.0 / " + number(of.scale + i));
         set(node.scale + 3,
