@@ -17,7 +17,7 @@ std::vector<std::unique_ptr<Exhibit>> allExhibits()
 {
     std::vector<std::unique_ptr<Exhibit>> exhibits;
     exhibits.push_back(std::make_unique<sdf_morph::SdfMorph>());
-    exhibits.push_back(std::make_unique<Lenticular>());
+    exhibits.push_back(std::make_unique<lenticular::Lenticular>());
     exhibits.push_back(std::make_unique<fur::Fur>());
     exhibits.push_back(std::make_unique<crepuscular_rays::CrepuscularRays>());
     exhibits.push_back(std::make_unique<SdfScenes>());

@@ -120,15 +120,15 @@ TEST(ReferencePreset, OfTheBeamsHasItsDefaults)
 
 TEST(ReferencePreset, OfTheCardHasItsUniforms)
 {
-    const LenticularTable t;
+    const lenticular::LenticularTable t;
     const ParameterValues v = preset("lenticular", "reference", t);
     EXPECT_EQ(v[t.views], 16);  // IMAGE_COUNT
     EXPECT_EQ(v[t.slices], 10);
     EXPECT_EQ(v[t.magnification], 1);                        // lenticular_magnification
     EXPECT_NEAR(std::tan(v[t.intendedMaxAngle]), 1, 1e-12);  // intended_max_angle 1, a tangent
-    EXPECT_EQ(v[t.model], CardModel::linear);
-    EXPECT_EQ(v[t.strips], CardStrips::squeezed);
-    EXPECT_EQ(v[t.axis], CardAxis::vertical);
+    EXPECT_EQ(v[t.model], lenticular::CardModel::linear);
+    EXPECT_EQ(v[t.strips], lenticular::CardStrips::squeezed);
+    EXPECT_EQ(v[t.axis], lenticular::CardAxis::vertical);
     EXPECT_FALSE(v[t.prefilter]);
     EXPECT_FALSE(v[t.dispersion]);
     EXPECT_EQ(v[t.apertureSamples], 1);

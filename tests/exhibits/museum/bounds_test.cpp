@@ -210,11 +210,11 @@ TEST_F(BoundsOfEffects, OcclusionOfGlassIsCulledAndWouldHaveChangedNothing)
 
 TEST_F(BoundsOfEffects, ColorsThatSpreadStayBelowWhitePaper)
 {
-    const LenticularTable table;
+    const lenticular::LenticularTable table;
     expectHeld({"lenticular", "lenticular/dispersion",
                 [&](Shot& s, bool on) { valuesOf(s, "lenticular").set(table.dispersion, on); }, false,
                 // The print with the brighter paper: the other one is dark.
-                [&](Shot& s) { valuesOf(s, "lenticular").set(table.face, CardFace::back); }, 1e-3});
+                [&](Shot& s) { valuesOf(s, "lenticular").set(table.face, lenticular::CardFace::back); }, 1e-3});
 }
 
 TEST_F(BoundsOfEffects, RaysAddNoMoreThanTheMaskTimesTheirStrength)

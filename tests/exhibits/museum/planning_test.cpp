@@ -79,7 +79,7 @@ TEST(LongPlanning, TwiceGivesTheSamePlanToTheLastByte)
 std::vector<Scene> twoUsers()
 {
     const fur::FurTable fur;
-    const LenticularTable card;
+    const lenticular::LenticularTable card;
     const sdf_morph::SdfMorphTable& sdf = test::sdfTable();
     std::vector<Scene> users(2);
     for (std::size_t u = 0; u < 2; ++u) {
