@@ -20,7 +20,7 @@ std::vector<std::unique_ptr<Exhibit>> allExhibits()
     exhibits.push_back(std::make_unique<lenticular::Lenticular>());
     exhibits.push_back(std::make_unique<fur::Fur>());
     exhibits.push_back(std::make_unique<crepuscular_rays::CrepuscularRays>());
-    exhibits.push_back(std::make_unique<SdfScenes>());
+    exhibits.push_back(std::make_unique<scenes::SdfScenes>());
     exhibits.push_back(std::make_unique<noise::Noise>());
     exhibits.push_back(std::make_unique<pixel_art::PixelArt>());
     exhibits.push_back(std::make_unique<ice_cream::IceCream>());

@@ -225,19 +225,19 @@ TEST_F(FrameReports, OcclusionOfABlackLightIsNotEvaluated)
 TEST_F(FrameReports, ShadowsOnWhatSendsNoLightOfTheLightsAreNotEvaluated)
 {
     const std::size_t exhibit = *gallery().museum.find("sdf_scenes");
-    const SdfScenesTable table;
+    const scenes::SdfScenesTable table;
     Shot shot = shotOf(exhibit, true);
-    const auto take = [&](SceneShadow shadows) {
+    const auto take = [&](scenes::SceneShadow shadows) {
         ParameterValues& values = shot.sceneState.values[exhibit];
         values.set(table.scene, std::string(VITRINE_SOURCE_DIR "/assets/scenes/ambient_occlusion.json"));
-        values.set(table.look, SceneLook::reference);
+        values.set(table.look, scenes::SceneLook::reference);
         values.set(table.shadowMethod, shadows);
         shot.sceneState = gallery().museum.readTables(shot.sceneState).sceneState;
         shot.request.frame.camera = gallery().museum.subject(exhibit).bestView(shot.sceneState.values[exhibit]);
         return counted(shot);
     };
-    const Counted none = take(SceneShadow::none);
-    const Counted any = take(SceneShadow::look);
+    const Counted none = take(scenes::SceneShadow::none);
+    const Counted any = take(scenes::SceneShadow::look);
     EXPECT_EQ(any.evaluations, none.evaluations);
     EXPECT_EQ(colorsDiffer(any.picture, none.picture), 0);
 }

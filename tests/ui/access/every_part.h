@@ -24,7 +24,7 @@ namespace vitrine::test {
 class EveryPart : public OpenWindow {
 protected:
     EveryPart() { mostSamples_ = asTheHallRequests; }
-    [[nodiscard]] std::unique_ptr<Exhibit> anotherExhibit() override { return std::make_unique<SdfScenes>(); }
+    [[nodiscard]] std::unique_ptr<Exhibit> anotherExhibit() override { return std::make_unique<scenes::SdfScenes>(); }
 
     void activate(QWidget* window)
     {

@@ -74,7 +74,7 @@ class ShaderPictureTest : public test::OpenMuseum {
         others_ = others;
         std::vector<std::unique_ptr<Exhibit>> exhibits;
         exhibits.push_back(std::make_unique<YourShader>());
-        if (others > 0) exhibits.push_back(std::make_unique<SdfScenes>());
+        if (others > 0) exhibits.push_back(std::make_unique<scenes::SdfScenes>());
         if (others > 1) exhibits.push_back(std::make_unique<fur::Fur>());
         museum_ = std::make_unique<Museum>(std::move(exhibits));
     }
