@@ -25,7 +25,7 @@ std::vector<std::unique_ptr<Exhibit>> allExhibits()
     exhibits.push_back(std::make_unique<pixel_art::PixelArt>());
     exhibits.push_back(std::make_unique<ice_cream::IceCream>());
     exhibits.push_back(std::make_unique<paper_lanterns::PaperLanterns>());
-    exhibits.push_back(std::make_unique<YourShader>());
+    exhibits.push_back(std::make_unique<guest::YourShader>());
     return exhibits;
 }
 
