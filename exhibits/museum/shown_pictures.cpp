@@ -1,5 +1,6 @@
 #include "exhibits/museum/shown_pictures.h"
 
+#include "exhibits/hall/hall_scene.h"
 #include "exhibits/museum/museum.h"
 #include "exhibits/museum/present.h"
 
