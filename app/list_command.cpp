@@ -31,7 +31,7 @@ using render::Json;
 
 int manual(const std::string& name)
 {
-    const HallTable hall;
+    const hall::HallTable hall;
     if (name == "hall") {
         std::fputs(derive::manualTable(hall).c_str(), stdout);
         return 0;

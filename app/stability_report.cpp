@@ -22,6 +22,11 @@ namespace vitrine::app {
 namespace {
 
 using render::Json;
+using stability::arithmeticCases;
+using stability::pictureCases;
+using stability::scanExhibit;
+using stability::StabilityProgress;
+using stability::StabilityResult;
 
 std::string measured(double x)
 {

@@ -16,16 +16,16 @@ namespace vitrine {
 std::vector<std::unique_ptr<Exhibit>> allExhibits()
 {
     std::vector<std::unique_ptr<Exhibit>> exhibits;
-    exhibits.push_back(std::make_unique<SdfMorph>());
-    exhibits.push_back(std::make_unique<Lenticular>());
-    exhibits.push_back(std::make_unique<Fur>());
-    exhibits.push_back(std::make_unique<CrepuscularRays>());
-    exhibits.push_back(std::make_unique<SdfScenes>());
-    exhibits.push_back(std::make_unique<Noise>());
-    exhibits.push_back(std::make_unique<PixelArt>());
-    exhibits.push_back(std::make_unique<IceCream>());
-    exhibits.push_back(std::make_unique<PaperLanterns>());
-    exhibits.push_back(std::make_unique<YourShader>());
+    exhibits.push_back(std::make_unique<sdf_morph::SdfMorph>());
+    exhibits.push_back(std::make_unique<lenticular::Lenticular>());
+    exhibits.push_back(std::make_unique<fur::Fur>());
+    exhibits.push_back(std::make_unique<crepuscular_rays::CrepuscularRays>());
+    exhibits.push_back(std::make_unique<scenes::SdfScenes>());
+    exhibits.push_back(std::make_unique<noise::Noise>());
+    exhibits.push_back(std::make_unique<pixel_art::PixelArt>());
+    exhibits.push_back(std::make_unique<ice_cream::IceCream>());
+    exhibits.push_back(std::make_unique<paper_lanterns::PaperLanterns>());
+    exhibits.push_back(std::make_unique<guest::YourShader>());
     return exhibits;
 }
 

@@ -19,7 +19,7 @@ constexpr const char* initialSettings = "initial";
 /// Returns the first exhibit that differs; the hall if none does.
 std::size_t differingExhibit(const SceneState& a, const SceneState& b)
 {
-    for (const DifferingParameter& row : differingParameters(a, b))
+    for (const compare::DifferingParameter& row : compare::differingParameters(a, b))
         if (row.subject != hallIndex) return row.subject;
     return hallIndex;
 }

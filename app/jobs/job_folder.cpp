@@ -10,7 +10,7 @@
 namespace vitrine::app {
 namespace {
 
-std::unique_ptr<StudyParts> measuresIn(Parts& parts, bool isPart)
+std::unique_ptr<study::StudyParts> measuresIn(Parts& parts, bool isPart)
 {
     return std::make_unique<StudyInParts>(parts, isPart);
 }
@@ -19,7 +19,7 @@ std::unique_ptr<StudyParts> measuresIn(Parts& parts, bool isPart)
 int tellComparison(const std::filesystem::path& folder, const jobs::JobRun& run, bool quietly)
 {
     if (quietly) return 0;
-    const ComparisonResult& result = static_cast<const jobs::ComparisonRun&>(run).comparison().result();
+    const compare::ComparisonResult& result = static_cast<const jobs::ComparisonRun&>(run).comparison().result();
     for (const auto& [metric, error] : result.errors)
         std::printf("%-8s %.6g\n", std::string(toString(metric)).c_str(), error);
     std::printf("%zu %s; a frame of A takes %.2f ms, one of B %.2f ms.\n", result.rows.size(),

@@ -19,7 +19,7 @@ struct JobFolder {
     int (*tell)(const std::filesystem::path&, const jobs::JobRun&, bool quietly);
     /// Returns the measures in the parts of the output; null for a job that is not made in parts. `isPart`: this
     /// process makes one part; otherwise it merges.
-    std::unique_ptr<StudyParts> (*measures)(Parts&, bool isPart);
+    std::unique_ptr<study::StudyParts> (*measures)(Parts&, bool isPart);
 };
 
 /// Returns null for a job that writes its files itself.

@@ -137,7 +137,7 @@ int runPartOf(const jobs::Job& job, jobs::JobOrder order, const jobs::JobPlan& p
     return runPart(order.out, shard, [&](Parts& parts) -> std::optional<std::string> {
         render::gl::ContextInfo drawn;
         const JobFolder* folder = folderOf(job);
-        const std::unique_ptr<StudyParts> measures = folder ? folder->measures(parts, true) : nullptr;
+        const std::unique_ptr<study::StudyParts> measures = folder ? folder->measures(parts, true) : nullptr;
         order.share.measures = measures.get();
         order.share.keep = [&parts](const std::string& name, const render::Image& image) { parts.keep(name, image); };
         order.out = parts.file(job.partItems(order.out));
@@ -182,7 +182,7 @@ int runJob(const jobs::Job& job, jobs::JobOrder order, const jobs::JobPlan& plan
     }
     const JobFolder* folder = folderOf(job);
     std::optional<Parts> made;
-    std::unique_ptr<StudyParts> measures;
+    std::unique_ptr<study::StudyParts> measures;
     if (part.fromParts) {
         made.emplace(out);
         order.share.from = made->file(items);

@@ -177,7 +177,7 @@ render::Camera chosenCamera(const Museum& museum, const RequestedPicture& job, b
 /// Returns the samples per pixel if no option gives them. `supersamples` is the hall's value in the preset.
 int chosenSamples(const RequestedPicture& job, int supersamples)
 {
-    const HallTable names;
+    const hall::HallTable names;
     const ParameterValues& hall = job.sceneState.hall();
     const bool setHere = hall[names.supersamples] != supersamples;
     if (setHere) return hall[names.supersamples];
@@ -213,7 +213,7 @@ RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& op
             job.notes.push_back(leftOut);
     }
     const PictureRecord* taken = job.taken ? &*job.taken : nullptr;
-    const HallTable names;
+    const hall::HallTable names;
     const int supersamples = job.sceneState.hall()[names.supersamples];
     applySets(museum, job.sceneState, *subject, options.sets, job.notes);
     for (const std::string& motion : options.motions) applyMotion(museum, job.sceneState, *subject, motion);

@@ -12,7 +12,7 @@ namespace vitrine::app {
 
 /// Names and initial values of all subjects of the museum, without the building itself.
 struct SubjectTables {
-    const HallTable hall;
+    const hall::HallTable hall;
     const std::vector<std::unique_ptr<Exhibit>> exhibits = allExhibits();
     NamedValues values{{"hall", hall.initial()}};
 

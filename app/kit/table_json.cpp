@@ -57,7 +57,7 @@ Json parameterJson(const ParameterInfo& parameter, const Parameters& table)
 Json comparisonsJson(const SceneObject& subject, const Parameters& table)
 {
     Json all = Json::array();
-    for (const OfferedComparison& offered : offeredComparisons(subject)) {
+    for (const OfferedComparison& offered : compare::offeredComparisons(subject)) {
         Json values = Json::object();
         for (const auto& [name, value] : offered.rows)
             if (const auto row = table.find(name)) values[std::string(name)] = jsonFromValue(table.rows()[*row], value);

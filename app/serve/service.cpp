@@ -416,7 +416,7 @@ Json Service::renderPicture(const Json& params, const Watch& watch)
     if (inAnswer) arguments.out = raw == rawLinear ? answerOfLight : answerOnDisplay;
     const OrderedJob ordered = orderedJob(options, pictureJob(), arguments, start(true));
     const jobs::JobOrder& order = ordered.order;
-    requireRawChannels(raw, order.values[pictureTable().channels]);
+    requireRawChannels(raw, order.values[jobs::pictureTable().channels]);
     if (!ordered.plan.refusal.empty()) throw Failure(ErrorKind::usage, ordered.plan.refusal);
     const RequestedPicture job{order.scene.subject, order.scene.state,
                                jobs::pictureRequest(order.values, order.scene, order.out)};

@@ -18,6 +18,20 @@
 namespace vitrine::app {
 namespace {
 
+using study::ComparedCurve;
+using study::compareStudies;
+using study::KeptStudy;
+using study::labelsOf;
+using study::nameOfStudyFile;
+using study::parseStudies;
+using study::sharedCosts;
+using study::StudyAndJson;
+using study::StudyComparison;
+using study::StudyDifference;
+using study::studyLimits;
+using study::TimesDiffer;
+using study::timesDiffer;
+
 constexpr std::size_t mostStudies = 8;
 
 struct ComparisonOptions {

@@ -16,6 +16,13 @@ namespace vitrine::app {
 namespace {
 
 using jobs::pageHead;
+using study::ComparedCurve;
+using study::comparisonCsv;
+using study::comparisonJson;
+using study::KeptStudy;
+using study::StudyComparison;
+using study::StudyDifference;
+using study::timesDiffer;
 
 std::string studiesTable(const std::vector<KeptStudy>& studies, const StudyComparison& comparison)
 {

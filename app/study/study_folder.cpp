@@ -21,6 +21,22 @@
 namespace vitrine::app {
 namespace {
 
+using study::choiceSentence;
+using study::CostAxis;
+using study::costsAlong;
+using study::costTitle;
+using study::lawSentence;
+using study::pointText;
+using study::settingParts;
+using study::settingText;
+using study::situationSentences;
+using study::Study;
+using study::StudyCosts;
+using study::studyCsv;
+using study::StudyPoint;
+using study::StudyRequest;
+using study::StudyResult;
+
 namespace fs = std::filesystem;
 
 render::Image colorOf(const render::Image& picture)

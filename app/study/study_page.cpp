@@ -51,7 +51,7 @@ wipeTo(by("wipe").getBoundingClientRect().left + by("wipe").clientWidth / 2);
 </html>
 )page";
 
-std::string numbersOf(const StudyShot& shot)
+std::string numbersOf(const study::StudyShot& shot)
 {
     std::string text;
     for (const auto& [metric, error] : shot.errors)
@@ -59,9 +59,9 @@ std::string numbersOf(const StudyShot& shot)
     return text;
 }
 
-std::string marksOf(const StudyResult& result, const StudyCosts& costs, std::size_t i)
+std::string marksOf(const study::StudyResult& result, const study::StudyCosts& costs, std::size_t i)
 {
-    const StudyPoint& p = result.points[i];
+    const study::StudyPoint& p = result.points[i];
     const bool dominated = costs.settings[i].cost > 0 && !costs.onFront(i);
     std::string marks;
     for (const auto& [holds, mark] : {std::pair(result.choice && result.choice->point == i, "chosen"),
@@ -71,17 +71,17 @@ std::string marksOf(const StudyResult& result, const StudyCosts& costs, std::siz
     return marks;
 }
 
-std::string table(const StudyRequest& request, const StudyResult& result, const std::vector<StudyPageChart>& charts,
-                  const std::vector<StudyPagePoint>& points)
+std::string table(const study::StudyRequest& request, const study::StudyResult& result,
+                  const std::vector<StudyPageChart>& charts, const std::vector<StudyPagePoint>& points)
 {
     std::string text = "<div class=\"sheet scroll\"><table><thead><tr><th>setting</th><th>" +
                        std::string(toString(request.metric)) + "</th><th>over the views</th>";
     if (request.modelError) text += "<th>against everything exact</th>";
     text += "<th>ms, median</th><th>interval of the median</th><th>spread</th>";
-    if (!result.workName.empty()) text += "<th>" + escaped(costTitle(result.workName)) + "</th>";
+    if (!result.workName.empty()) text += "<th>" + escaped(study::costTitle(result.workName)) + "</th>";
     text += "<th></th></tr></thead><tbody>\n";
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const StudyPoint& p = result.points[i];
+        const study::StudyPoint& p = result.points[i];
         std::string row = "<tr tabindex=\"0\" data-point=\"" + std::to_string(i) + "\"><td>" + escaped(points[i].text) +
                           "</td><td>" + pageNumber(p.error) + "</td><td>" + pageNumber(p.lowestError, 3) + " to " +
                           pageNumber(p.worstError, 3) + "</td>";
@@ -99,7 +99,7 @@ std::string table(const StudyRequest& request, const StudyResult& result, const 
         row += "<td>";
         for (const StudyPageChart& chart : charts)
             row += "<span" + shownWith(chart.cost) + ">" +
-                   escaped(marksOf(result, costsAlong(chart.axis, request, result), i)) + "</span>";
+                   escaped(marksOf(result, study::costsAlong(chart.axis, request, result), i)) + "</span>";
         text += row + "</td></tr>\n";
     }
     return text + "</tbody></table></div>\n";
@@ -135,14 +135,14 @@ std::string chartsOf(const std::vector<StudyPageChart>& charts, glm::ivec2 size,
 
 }  // namespace
 
-std::string studyPage(Subjects subjects, const StudyRequest& request, const StudyResult& result,
+std::string studyPage(Subjects subjects, const study::StudyRequest& request, const study::StudyResult& result,
                       const std::vector<StudyPageChart>& charts, glm::ivec2 chartSize,
                       const std::vector<StudyPagePoint>& points)
 {
     const SceneObject& subject = *subjects[request.subject];
-    const std::string title = std::string(subject.title()) + ": what " +
-                              (request.axes.size() > 2 ? std::string("accuracy") : axisLabels(subjects, request)) +
-                              " costs";
+    const std::string title =
+        std::string(subject.title()) + ": what " +
+        (request.axes.size() > 2 ? std::string("accuracy") : study::axisLabels(subjects, request)) + " costs";
 
     std::string page = pageHead(title);
     page += "<h1>" + escaped(title) + "</h1>\n";
@@ -153,12 +153,13 @@ std::string studyPage(Subjects subjects, const StudyRequest& request, const Stud
             (result.clockTrusted ? ", trusted" : ", not trusted") + "; taking a time adds " +
             pageNumber(1000 * result.overheadMilliseconds, 2) + " µs to a picture.</p>\n";
     page += "<p class=\"dim\">" + escaped(result.convergence) + "</p>\n";
-    for (const std::string& sentence : situationSentences(subjects, request, result, ParameterNames::shown))
+    for (const std::string& sentence :
+         study::situationSentences(subjects, request, result, study::ParameterNames::shown))
         page += "<p class=\"dim\">" + escaped(sentence) + "</p>\n";
     for (const StudyPageChart& chart : charts)
-        if (const std::string law = lawSentence(costsAlong(chart.axis, request, result)); !law.empty())
+        if (const std::string law = study::lawSentence(study::costsAlong(chart.axis, request, result)); !law.empty())
             page += "<p class=\"law\"" + shownWith(chart.cost) + ">" + escaped(law) + "</p>\n";
-    if (const std::string choice = choiceSentence(subjects, request, result); !choice.empty())
+    if (const std::string choice = study::choiceSentence(subjects, request, result); !choice.empty())
         page += "<p class=\"law\">" + escaped(choice) + "</p>\n";
 
     page += chartsOf(charts, chartSize, points) + "<div class=\"sheet\"><nav>";
@@ -173,13 +174,13 @@ std::string studyPage(Subjects subjects, const StudyRequest& request, const Stud
 
     const auto shown =
         std::find_if(charts.begin(), charts.end(), [](const StudyPageChart& chart) { return chart.cost.shown; });
-    const StudyCosts costs = costsAlong(shown->axis, request, result);
+    const study::StudyCosts costs = study::costsAlong(shown->axis, request, result);
     const std::size_t best = costs.knee.value_or(costs.front.empty() ? 0 : costs.front.front());
     Json data{{"first", result.choice ? result.choice->point : result.present.value_or(best)},
               {"points", Json::array()}};
     for (std::size_t i = 0; i < points.size(); ++i) {
         Json numbers = Json::array();
-        for (const StudyShot& shot : result.points[i].shots) numbers.push_back(numbersOf(shot));
+        for (const study::StudyShot& shot : result.points[i].shots) numbers.push_back(numbersOf(shot));
         data["points"].push_back(
             Json{{"text", points[i].text}, {"pictures", points[i].hasPictures}, {"numbers", numbers}});
     }

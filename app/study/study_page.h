@@ -19,7 +19,7 @@ struct StudyPagePoint {
 
 /// Chart of the page for one cost axis.
 struct StudyPageChart {
-    CostAxis axis = CostAxis::time;
+    study::CostAxis axis = study::CostAxis::time;
     std::string svg;
     /// Position of each point in pixels from the top left; unset: not in the chart.
     std::vector<std::optional<glm::dvec2>> places;
@@ -28,7 +28,7 @@ struct StudyPageChart {
 
 /// Returns an HTML page with chart, pictures, heat maps and numbers, a wipe against the reference, and a button for
 /// each cost axis. It needs the folder pictures/ beside it, and no network.
-[[nodiscard]] std::string studyPage(Subjects, const StudyRequest&, const StudyResult&,
+[[nodiscard]] std::string studyPage(Subjects, const study::StudyRequest&, const study::StudyResult&,
                                     const std::vector<StudyPageChart>&, glm::ivec2 chartSize,
                                     const std::vector<StudyPagePoint>&);
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace vitrine {
+namespace vitrine::compare {
 namespace {
 
 /// Adds a tile to the report of its frame: milliseconds are summed, and steps that ran for the first tile only are
@@ -86,9 +86,9 @@ void Comparison::takePicture(std::size_t side)
     ComparedSide& compared = result_.sides[side];
     const render::Image& picture = makers_[side]->picture();
     compared.report = makers_[side]->report();
-    if (const std::int64_t evaluations = channelTotal(picture, "evaluations"); evaluations > 0)
+    if (const std::int64_t evaluations = study::channelTotal(picture, "evaluations"); evaluations > 0)
         compared.report.counters["evaluations"] = evaluations;
-    compared.picture = colorsOf(picture);
+    compared.picture = study::colorsOf(picture);
 }
 
 void Comparison::drawTimed(std::size_t side)
@@ -148,4 +148,4 @@ void Comparison::finish()
     finished_ = true;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::compare

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::compare {
 
 /// Two settings of one museum, A and B, seen by one camera at one time with one seed.
 struct ComparisonRequest {
@@ -78,4 +78,4 @@ private:
     bool finished_ = false;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::compare

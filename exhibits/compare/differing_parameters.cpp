@@ -3,7 +3,7 @@
 #include "exhibits/framework/table/acting.h"
 #include "exhibits/framework/table/value_text.h"
 
-namespace vitrine {
+namespace vitrine::compare {
 namespace {
 
 /// Returns the parameter of the same name and kind.
@@ -62,4 +62,4 @@ std::string valueWithUnit(const ParameterInfo& parameter, const Value& value)
     return unit.empty() ? text : unit == "°" ? text + unit : text + ' ' + unit;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::compare

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::compare {
 
 /// Parameter whose values in two settings, A and B, differ.
 struct DifferingParameter {
@@ -29,4 +29,4 @@ bool copyParameter(const SceneState& from, SceneState& to, std::size_t subject, 
 /// Returns a value with its unit, in the form of `--set`: "30°", "0.5", "hard".
 [[nodiscard]] std::string valueWithUnit(const ParameterInfo&, const Value&);
 
-}  // namespace vitrine
+}  // namespace vitrine::compare

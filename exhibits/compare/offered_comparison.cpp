@@ -5,7 +5,7 @@
 #include "render/text/joined.h"
 #include "render/text/nearest_word.h"
 
-namespace vitrine {
+namespace vitrine::compare {
 
 std::vector<OfferedComparison> offeredComparisons(const SceneObject& subject)
 {
@@ -40,4 +40,4 @@ SceneState otherSide(const SceneState& a, std::size_t subject, const OfferedComp
     return b;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::compare

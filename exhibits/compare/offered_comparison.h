@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::compare {
 
 /// Returns the comparisons that the subject offers; empty if none.
 [[nodiscard]] std::vector<OfferedComparison> offeredComparisons(const SceneObject&);
@@ -17,4 +17,4 @@ namespace vitrine {
 /// Returns B of the comparison: A with the offered values of that subject, without their motions.
 [[nodiscard]] SceneState otherSide(const SceneState& a, std::size_t subject, const OfferedComparison&);
 
-}  // namespace vitrine
+}  // namespace vitrine::compare

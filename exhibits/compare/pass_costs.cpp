@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::compare {
 namespace {
 
 /// Name of a step, and its index among those of that name.
@@ -66,8 +66,8 @@ std::vector<CounterCost> counterCosts(const render::FrameReport& a, const render
 {
     std::map<std::string, CounterCost> byName;
     std::map<std::string, std::int64_t> ofA = a.counters, ofB = b.counters;
-    eraseStateCounters(ofA);
-    eraseStateCounters(ofB);
+    study::eraseStateCounters(ofA);
+    study::eraseStateCounters(ofB);
     for (const auto& [name, count] : ofA) byName[name].a = count;
     for (const auto& [name, count] : ofB) byName[name].b = count;
     std::vector<CounterCost> costs;
@@ -78,4 +78,4 @@ std::vector<CounterCost> counterCosts(const render::FrameReport& a, const render
     return costs;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::compare

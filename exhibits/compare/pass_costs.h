@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::compare {
 
 /// State of a pass in one of two frames.
 struct PassSide {
@@ -42,4 +42,4 @@ struct CounterCost {
 /// Returns the counters by name, without those of the program's state.
 [[nodiscard]] std::vector<CounterCost> counterCosts(const render::FrameReport& a, const render::FrameReport& b);
 
-}  // namespace vitrine
+}  // namespace vitrine::compare

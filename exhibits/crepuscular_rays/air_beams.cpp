@@ -3,7 +3,7 @@
 #include "exhibits/kit/blue_noise.h"
 #include "shaders/lib/bindings.glsl"
 
-namespace vitrine {
+namespace vitrine::crepuscular_rays {
 
 render::ResourceId planMarch(const RaysScene& s, render::FramePlan& plan)
 {
@@ -26,4 +26,4 @@ render::ResourceId planMarch(const RaysScene& s, render::FramePlan& plan)
     return scattered;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::crepuscular_rays

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <optional>
 
-namespace vitrine {
+namespace vitrine::crepuscular_rays {
 namespace {
 
 /// Images that are made before the beams are drawn over the picture.
@@ -183,4 +183,4 @@ void CrepuscularRays::planOverFrame(const PlanContext& context, render::FramePla
                                    {0, "there are no beams to add to the picture"}}));
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::crepuscular_rays

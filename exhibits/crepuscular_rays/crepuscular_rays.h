@@ -4,7 +4,7 @@
 #include "exhibits/framework/scene/exhibit.h"
 #include "exhibits/framework/scene/offers_comparisons.h"
 
-namespace vitrine {
+namespace vitrine::crepuscular_rays {
 
 /// Sunbeams through the tall window, drawn over the finished frame. They are smeared from the sky in screen space, or
 /// marched through the hall's air. Start reading with the parameters, then `planOverFrame`, then sun_in_picture.h
@@ -45,4 +45,4 @@ private:
     Table table_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::crepuscular_rays

@@ -3,7 +3,7 @@
 #include "exhibits/framework/table/parameters.h"
 #include "exhibits/framework/table/studied_parameters.h"
 
-namespace vitrine {
+namespace vitrine::crepuscular_rays {
 
 enum class RayTechnique : int { none, screen, volume, both };
 enum class RayMethod : int { loop, threePasses, polar };
@@ -138,4 +138,4 @@ struct CrepuscularRaysTable final : Parameters {
                            when(animate) and volume and whenAbove(densityNoise, 0));
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::crepuscular_rays

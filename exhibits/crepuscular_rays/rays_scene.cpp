@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::crepuscular_rays {
 namespace {
 
 // Shown alone, the exhibit has an opening in the position of the hall's tall window, in its own space and without
@@ -210,4 +210,4 @@ render::ContributionBound beamBound(const RaysScene& s, const render::View& view
                             render::required(seen, "the beams are out of view")});
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::crepuscular_rays

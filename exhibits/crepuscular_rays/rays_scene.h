@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::crepuscular_rays {
 
 #include "shaders/crepuscular_rays/rays_block.glsl"
 
@@ -69,4 +69,4 @@ struct RaysScene {
 /// Plans the light scattered from the sun's beams. Returns its image.
 [[nodiscard]] render::ResourceId planMarch(const RaysScene&, render::FramePlan&);
 
-}  // namespace vitrine
+}  // namespace vitrine::crepuscular_rays

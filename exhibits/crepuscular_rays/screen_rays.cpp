@@ -10,7 +10,7 @@
 #include <map>
 #include <string>
 
-namespace vitrine {
+namespace vitrine::crepuscular_rays {
 namespace {
 
 using render::Attachment;
@@ -162,4 +162,4 @@ ResourceId planGathering(RaysScene& s, const ResourceId& mask, render::FramePlan
     return rays;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::crepuscular_rays

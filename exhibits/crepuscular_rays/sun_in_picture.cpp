@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::crepuscular_rays {
 namespace {
 
 constexpr double thinnestBeam = 0.3;  ///< Meters.
@@ -113,4 +113,4 @@ std::vector<Beam> beams(std::span<const render::Box> openings, const render::Box
     return result;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::crepuscular_rays

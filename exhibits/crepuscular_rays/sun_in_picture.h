@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::crepuscular_rays {
 
 /// Position of a light at infinity in a picture.
 struct SunInPicture {
@@ -47,4 +47,4 @@ struct Beam {
 [[nodiscard]] std::vector<Beam> beams(std::span<const render::Box> openings, const render::Box& room,
                                       const glm::dvec3& towardsSun);
 
-}  // namespace vitrine
+}  // namespace vitrine::crepuscular_rays

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::fur {
 namespace {
 
 // Places of the bodies at rest, in meters from the center of the pit, and their rotations about y.
@@ -438,4 +438,4 @@ std::int64_t RecordedJump::stepsTaken() const
     return bounce_.steps();
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::fur

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::fur {
 
 /// Periodic change of the ball's size.
 struct Growth {
@@ -136,4 +136,4 @@ private:
     mutable Bounce bounce_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::fur

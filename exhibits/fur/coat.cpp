@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::fur {
 namespace {
 
 /// Returns the thickness of a body around its spine, meters.
@@ -147,4 +147,4 @@ std::vector<Coats::FreeSide> Coats::freeSides(int index) const
     return sides;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::fur

@@ -11,7 +11,7 @@
 #include <array>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::fur {
 
 // Sizes of the skins and of the pit, meters. A test compares the pit's to the hall's node "pit_3". Its leather padding
 // is modeled in assets/models/hall_props.py.
@@ -72,4 +72,4 @@ struct Coats {
 /// that contact does not flatten.
 [[nodiscard]] double colliderRadius(const FurTable&, const ParameterValues&, int body, double skinScale);
 
-}  // namespace vitrine
+}  // namespace vitrine::fur

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <set>
 
-namespace vitrine {
+namespace vitrine::fur {
 namespace {
 
 using render::Mesh;
@@ -156,4 +156,4 @@ std::shared_ptr<const Mesh> diskMesh()
     return disk;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::fur

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::fur {
 
 // Skins for coats. Vertex::extra.x is the mean curvature in 1/m, at least 0: concave parts count as flat. Vertices at
 // the same place share one normal, so shells have no gaps along edges.
@@ -43,4 +43,4 @@ namespace vitrine {
 /// Returns a flat disk of radius 1 at y = 0, facing up, fine enough for lighting at its vertices.
 [[nodiscard]] std::shared_ptr<const render::Mesh> diskMesh();
 
-}  // namespace vitrine
+}  // namespace vitrine::fur

@@ -17,7 +17,7 @@
 #include <filesystem>
 #include <limits>
 
-namespace vitrine {
+namespace vitrine::fur {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
@@ -348,4 +348,4 @@ void Fur::plan(const PlanContext& context, render::FramePlan& plan) const
     planCoats(sceneOf(context, plan.seed), plan);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::fur

@@ -7,7 +7,7 @@
 #include <array>
 #include <memory>
 
-namespace vitrine {
+namespace vitrine::fur {
 
 struct FurScene;
 
@@ -61,4 +61,4 @@ private:
     std::array<std::shared_ptr<const render::Mesh>, furBodyCount> skins_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::fur

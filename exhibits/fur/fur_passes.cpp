@@ -9,7 +9,7 @@
 #include <cmath>
 #include <optional>
 
-namespace vitrine {
+namespace vitrine::fur {
 namespace {
 
 using render::Attachment;
@@ -221,4 +221,4 @@ void planCoats(const FurScene& scene, render::FramePlan& plan)
     planner.floor();
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::fur

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-namespace vitrine {
+namespace vitrine::fur {
 
 /// State of the exhibit at one time, from which its passes are planned.
 struct FurScene {
@@ -23,4 +23,4 @@ void planCoatShadow(const FurScene&, render::FramePlan&);
 /// Plans shells, fins, shading and floor, or the reasons for skipping them.
 void planCoats(const FurScene&, render::FramePlan&);
 
-}  // namespace vitrine
+}  // namespace vitrine::fur

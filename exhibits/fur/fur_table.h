@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::fur {
 
 inline constexpr int furBodyCount = 3;
 enum FurBodyIndex : int { furBall, furRoll, furRing };
@@ -270,4 +270,4 @@ private:
     }
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::fur

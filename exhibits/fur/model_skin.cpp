@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <map>
 
-namespace vitrine {
+namespace vitrine::fur {
 namespace {
 
 using render::Mesh;
@@ -152,4 +152,4 @@ double meanRadius(const Mesh& mesh)
     return mesh.vertices.empty() ? 0 : sum / static_cast<double>(mesh.vertices.size());
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::fur

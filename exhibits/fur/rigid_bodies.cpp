@@ -8,7 +8,7 @@
 
 extern btScalar gDeactivationTime;
 
-namespace vitrine {
+namespace vitrine::fur {
 namespace {
 
 btVector3 bulletOf(const glm::dvec3& v)
@@ -211,4 +211,4 @@ bool RigidBodies::asleep(int body) const
     return !world_->at(body).isActive();
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::fur

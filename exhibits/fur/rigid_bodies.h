@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::fur {
 
 /// Ball around the origin.
 struct BallShape {
@@ -77,4 +77,4 @@ private:
     std::unique_ptr<World> world_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::fur

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::fur {
 namespace {
 
 /// Cosine and sine parts of a damped oscillation after t seconds, including the decay.
@@ -91,4 +91,4 @@ glm::dquat rotationOf(const glm::dvec3& r)
     return {std::cos(0.5 * angle), s * r.x, s * r.y, s * r.z};
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::fur

@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-namespace vitrine {
+namespace vitrine::fur {
 
 /// Damped oscillator: undamped angular frequency in rad/s (0: no restoring force) and damping ratio (0 oscillates
 /// forever, 1 returns fastest without oscillating). Both are at least 0.
@@ -41,4 +41,4 @@ struct SpringState {
 /// Returns the unit quaternion of an axis times an angle; exact near 0.
 [[nodiscard]] glm::dquat rotationOf(const glm::dvec3& rotationVector);
 
-}  // namespace vitrine
+}  // namespace vitrine::fur

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace vitrine {
+namespace vitrine::hall {
 namespace {
 
 #include "shaders/hall/air_light_block.glsl"
@@ -178,4 +178,4 @@ void bindLightmaps(const HallScene& scene, const SceneLighting& light, render::P
     pass.inputs.push_back({UNIT_BOUNCED_LIGHT, std::string(bouncedImage)});
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::hall

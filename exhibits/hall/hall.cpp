@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace vitrine {
+namespace vitrine::hall {
 
 Hall::Hall(std::shared_ptr<const HallModel> model, std::vector<ExhibitSlot> exhibits)
     : model_(std::move(model)), exhibits_(std::move(exhibits)), text_(std::make_shared<PlaqueText>(*model_, exhibits_))
@@ -89,4 +89,4 @@ ParameterValues Hall::whileOpening(const ParameterValues& values) const
     return coarse;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::hall

@@ -7,7 +7,7 @@
 
 #include <memory>
 
-namespace vitrine {
+namespace vitrine::hall {
 
 /// The building: light, walls, shadows, reflections and tone mapping.
 class Hall final : public SceneObject, public HasLocalLights {
@@ -44,4 +44,4 @@ private:
     std::shared_ptr<const PlaqueText> text_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::hall

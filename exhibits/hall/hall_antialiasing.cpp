@@ -3,7 +3,7 @@
 #include "render/glsl/std140.h"
 #include "shaders/lib/bindings.glsl"
 
-namespace vitrine {
+namespace vitrine::hall {
 
 #include "shaders/hall/antialiasing_block.glsl"
 
@@ -69,4 +69,4 @@ void planAntialiasing(const FrameRequest& request, const FrameHistory& history, 
     plan.add(std::move(pass));
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::hall

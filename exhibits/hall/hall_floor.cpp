@@ -12,7 +12,7 @@
 #include <numbers>
 #include <string>
 
-namespace vitrine {
+namespace vitrine::hall {
 namespace {
 
 #include "shaders/kit/floor_block.glsl"
@@ -205,4 +205,4 @@ void planFloor(const HallScene& scene, const SceneLighting& light, const Channel
     plan.add(std::move(floor));
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::hall

@@ -12,7 +12,7 @@
 #include <string>
 #include <unordered_map>
 
-namespace vitrine {
+namespace vitrine::hall {
 namespace {
 
 using render::MeshInstance;
@@ -233,4 +233,4 @@ std::vector<StandingShape> shapesOf(const HallModel& model, std::span<const Mesh
     return shapes;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::hall

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::hall {
 
 class HallModel;
 
@@ -52,4 +52,4 @@ struct Furniture {
 /// Returns the shapes of a place's own parts, in world space. No light is baked with them.
 [[nodiscard]] std::vector<StandingShape> shapesOf(const HallModel&, std::span<const render::MeshInstance> parts);
 
-}  // namespace vitrine
+}  // namespace vitrine::hall

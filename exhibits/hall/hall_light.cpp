@@ -13,7 +13,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::hall {
 namespace {
 
 /// Exposures: in the hall, at which plaster in the shade of the initial light is a little below middle gray, as one
@@ -297,4 +297,4 @@ std::uint64_t lightKey(const HallScene& scene)
     return hash.value();
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::hall

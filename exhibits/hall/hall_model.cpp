@@ -15,7 +15,7 @@
 #include <future>
 #include <map>
 
-namespace vitrine {
+namespace vitrine::hall {
 namespace {
 
 using render::Json;
@@ -167,4 +167,4 @@ const Place* HallModel::place(int number) const
     return found == places_.end() ? nullptr : &found->second;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::hall

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::hall {
 
 /// Number of the free plinth for the user's own object, after those of all places for exhibits.
 inline constexpr int freePlinthPlace = 1000;
@@ -87,4 +87,4 @@ private:
     Furniture furniture_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::hall

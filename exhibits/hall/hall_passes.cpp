@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace vitrine {
+namespace vitrine::hall {
 namespace {
 
 using render::Attachment;
@@ -322,4 +322,4 @@ void planHeatMap(const HallScene& scene, const SceneLighting& light, const Frame
     plan.add(std::move(show));
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::hall

@@ -7,7 +7,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-namespace vitrine {
+namespace vitrine::hall {
 namespace {
 
 using render::Attachment;
@@ -93,4 +93,4 @@ void planPlaques(const HallScene& scene, const SceneLighting& light, const Chann
     planLetters(scene, light, channels, plan);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::hall

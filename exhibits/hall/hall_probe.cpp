@@ -12,7 +12,7 @@
 #include <bit>
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::hall {
 namespace {
 
 using render::Attachment;
@@ -369,4 +369,4 @@ void planMirroredWorks(const HallScene& scene, SceneLighting& light, std::span<c
     light.hasMirroredWorks = true;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::hall

@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::hall {
 
 class PlaqueText;
 
@@ -232,4 +232,4 @@ inline constexpr double buttonTime = 0.2;
 /// Returns the vertical scale of a button `seconds` after it was pressed: 1 to 0.1 in half of `buttonTime`, then back.
 [[nodiscard]] double buttonScale(double seconds);
 
-}  // namespace vitrine
+}  // namespace vitrine::hall

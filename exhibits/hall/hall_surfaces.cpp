@@ -7,7 +7,7 @@
 
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::hall {
 namespace {
 
 using render::Json;
@@ -121,4 +121,4 @@ const HallMaterial& HallSurfaces::material(const std::string& name) const
     return found == textured_.get().end() ? untextured(name) : found->second;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::hall

@@ -12,7 +12,7 @@
 #include <mutex>
 #include <string>
 
-namespace vitrine {
+namespace vitrine::hall {
 
 /// Material of the hall, from assets/models/materials.json.
 struct HallMaterial {
@@ -65,4 +65,4 @@ private:
     mutable std::future<void> readingTextures_, readingLightmaps_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::hall

@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::hall {
 
 enum class SunBy : int { angles, hour };
 enum class ShadowFilter : int { hard, tent3, tent5, disk };
@@ -230,4 +230,4 @@ private:
     }
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::hall

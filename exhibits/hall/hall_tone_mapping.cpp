@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <bit>
 
-namespace vitrine {
+namespace vitrine::hall {
 
 #include "shaders/lib/glare_block.glsl"
 
@@ -172,4 +172,4 @@ void planToneMapping(const HallScene& scene, const SceneLighting& lighting, doub
     planAntialiasing(request, history, plan);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::hall

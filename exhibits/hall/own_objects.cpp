@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::hall {
 namespace {
 
 using render::Draw;
@@ -252,4 +252,4 @@ std::vector<StandingShape> ownShapes(const HallScene& scene)
     return shapes;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::hall

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace vitrine {
+namespace vitrine::hall {
 namespace {
 
 // Layout of a plate of 0.42 x 0.26 m, in meters. Sizes are those of the smallest letters, for the longest text.
@@ -182,4 +182,4 @@ std::shared_ptr<const render::Mesh> PlaqueText::set(int number, const ExhibitSlo
     return mesh;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::hall

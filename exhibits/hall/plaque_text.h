@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::hall {
 
 struct ExhibitSlot;
 
@@ -56,4 +56,4 @@ private:
     std::vector<Plaque> plaques_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::hall

@@ -8,7 +8,7 @@
 #include <memory>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::hall {
 namespace {
 
 /// Adds the four sides of a plinth between two levels (half width, height), flat shaded.
@@ -58,4 +58,4 @@ render::AssetStore::Made<render::Mesh> makePlinth(double halfWidth, double heigh
     return {std::move(mesh), bytes};
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::hall

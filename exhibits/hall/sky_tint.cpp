@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::hall {
 namespace {
 
 /// Returns the ratio of two sky colors at half the saturation, since the hall's own sky is paler than clear air.
@@ -31,4 +31,4 @@ SkyTint skyTint(double sunElevation)
             more / glm::dot(referenceHorizon, glm::dvec3(0.2126, 0.7152, 0.0722))};
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::hall

@@ -2,7 +2,7 @@
 
 #include <glm/glm.hpp>
 
-namespace vitrine {
+namespace vitrine::hall {
 
 /// Color of a clear sky relative to the one for which the hall's colors of sun and sky were chosen.
 struct SkyTint {
@@ -18,4 +18,4 @@ struct SkyTint {
 /// Elevation of the sun at the hall's initial parameters, radians.
 inline constexpr double referenceSunElevation = 0.3316;
 
-}  // namespace vitrine
+}  // namespace vitrine::hall

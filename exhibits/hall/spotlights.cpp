@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::hall {
 namespace {
 
 /// Color temperature of spotlights, kelvin: halogen.
@@ -81,4 +81,4 @@ std::vector<render::LocalLight> spotlights(const HallModel& model, const std::ve
     return lights;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::hall

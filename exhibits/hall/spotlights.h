@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::hall {
 
 /// Returns whether the place is a frame in, or on, one of the upright walls of the room: its origin is at the wall, and
 /// its z axis points out of it.
@@ -17,4 +17,4 @@ namespace vitrine {
 [[nodiscard]] std::vector<render::LocalLight> spotlights(const HallModel&, const std::vector<ExhibitSlot>&,
                                                          const HallTable&, const ParameterValues&);
 
-}  // namespace vitrine
+}  // namespace vitrine::hall

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::hall {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
@@ -71,4 +71,4 @@ Sun sunOf(const HallTable& table, const ParameterValues& values)
             values[table.sunTemperature]};
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::hall

@@ -6,7 +6,7 @@
 
 #include <glm/glm.hpp>
 
-namespace vitrine {
+namespace vitrine::hall {
 
 /// The sun over the museum, set by hand or by the hour.
 struct Sun {
@@ -39,4 +39,4 @@ inline constexpr glm::dvec3 moonlitSky{0.011, 0.015, 0.024};
 /// Its color temperature falls from 5,700 K at the zenith to 2,000 K at the horizon.
 [[nodiscard]] Sun sunAtHour(double hour);
 
-}  // namespace vitrine
+}  // namespace vitrine::hall

@@ -9,7 +9,7 @@
 #include <map>
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::hall {
 namespace {
 
 using render::Json;
@@ -95,4 +95,4 @@ double SunTransfer::most(const std::vector<Source>& sources) const
     return sum;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::hall

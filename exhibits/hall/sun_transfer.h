@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::hall {
 
 /// Bounced sunlight in the hall for every direction of the sun, computed by assets/models/hall_transfer.py, which
 /// describes the method. Parts of floor and walls that the sun can reach are sources of light for the air. Light in the
@@ -63,4 +63,4 @@ private:
     Grid grid_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::hall

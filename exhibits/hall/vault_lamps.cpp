@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace vitrine {
+namespace vitrine::hall {
 namespace {
 
 /// Radiance of a lamp of strength 1. The vault is then a dim background for the pools of the spotlights.
@@ -48,4 +48,4 @@ LampLight::LampLight(const render::Json& table)
     surfaceScale_ = table.at("surfaces").get<double>();
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::hall

@@ -10,7 +10,7 @@
 #include <memory>
 #include <string_view>
 
-namespace vitrine {
+namespace vitrine::hall {
 
 /// Current state of the lamps in the coffers of the vault.
 struct VaultLamps {
@@ -46,4 +46,4 @@ private:
     double airScale_ = 1, surfaceScale_ = 1;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::hall

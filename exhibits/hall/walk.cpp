@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::hall {
 namespace {
 
 constexpr double visitorHeight = 1.8;
@@ -133,4 +133,4 @@ bool isBehind(const Occluder& occluder, const render::Box& box, const glm::dvec3
     return true;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::hall

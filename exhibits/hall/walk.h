@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::hall {
 
 /// Radius in meters of the upright cylinder that a walking user fills.
 inline constexpr double visitorRadius = 0.28;
@@ -30,4 +30,4 @@ inline constexpr double cameraRadius = 0.08;
 /// Returns whether one occluder alone hides the whole box from `eye`. The test is exact for a rectangle and a box.
 [[nodiscard]] bool isBehind(const Occluder&, const render::Box&, const glm::dvec3& eye);
 
-}  // namespace vitrine
+}  // namespace vitrine::hall

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace vitrine {
+namespace vitrine::hall {
 namespace {
 
 /// Adds a quad, counter-clockwise seen from its front, with the normal of its plane.
@@ -69,4 +69,4 @@ glm::dmat4 plaqueBeside(const WallFrame& frame)
     return glm::rotate(at, glm::radians(-5.0), glm::dvec3(1, 0, 0));
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::hall

@@ -6,7 +6,7 @@
 
 #include <memory>
 
-namespace vitrine {
+namespace vitrine::hall {
 
 /// Picture frame on a wall. In its own space the middle of the opening is the origin, the wall is the plane z = 0, z
 /// runs into the room and y up. Meters.
@@ -23,4 +23,4 @@ struct WallFrame {
 /// Returns where the plaque hangs, frame from plaque: to the right of the border, at reading height below its middle.
 [[nodiscard]] glm::dmat4 plaqueBeside(const WallFrame&);
 
-}  // namespace vitrine
+}  // namespace vitrine::hall

@@ -8,7 +8,7 @@
 #include <memory>
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::ice_cream {
 namespace backdrop_sheet {
 namespace {
 
@@ -97,4 +97,4 @@ void planBackdrop(const IceCreamTable& table, const PlanContext& context, const 
     plan.add(std::move(pass));
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::ice_cream

@@ -5,7 +5,7 @@
 #include "render/glsl/std140.h"
 #include "render/plan/frame_plan.h"
 
-namespace vitrine {
+namespace vitrine::ice_cream {
 
 #include "shaders/ice_cream/backdrop_block.glsl"
 
@@ -18,4 +18,4 @@ namespace vitrine {
 void planBackdrop(const IceCreamTable&, const PlanContext&, const glm::dvec3& foot, double footRadius,
                   render::FramePlan&);
 
-}  // namespace vitrine
+}  // namespace vitrine::ice_cream

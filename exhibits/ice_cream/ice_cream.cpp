@@ -19,7 +19,7 @@
 #include <memory>
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::ice_cream {
 namespace {
 
 constexpr double plinthTop = -0.62;  ///< Meters above the center of the niche.
@@ -137,7 +137,7 @@ void IceCream::complete(SdfBody& body, const PreparedPart* prepared) const
 
 render::Box IceCream::boxOverTime(const ParameterValues& values) const
 {
-    render::Box box = vitrine::boxOverTime(table_, values);
+    render::Box box = ice_cream::boxOverTime(table_, values);
     if (values[table_.animate] && values[table_.orbitSpeed] != 0) {
         const double reach = glm::length(
             glm::max(glm::abs(glm::dvec2(box.low.x, box.low.z)), glm::abs(glm::dvec2(box.high.x, box.high.z))));
@@ -240,4 +240,4 @@ void IceCream::planBeside(const SdfScene& scene, render::FramePlan& plan) const
     }
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::ice_cream

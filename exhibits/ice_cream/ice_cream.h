@@ -3,7 +3,7 @@
 #include "exhibits/ice_cream/ice_cream_table.h"
 #include "exhibits/kit/sdf_exhibit.h"
 
-namespace vitrine {
+namespace vitrine::ice_cream {
 
 /// A soft serve in a wafer with candies: a union of thirty-five solids, of which each point evaluates only the few that
 /// can be nearest. Start reading with the parameters, then ice_cream_shape.cpp (meaning of the numbers),
@@ -54,4 +54,4 @@ private:
     Table table_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::ice_cream

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::ice_cream {
 namespace {
 
 using glm::dvec3;
@@ -246,4 +246,4 @@ render::Box boxOverTime(const IceCreamParameters& t, const ParameterValues& valu
     return box;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::ice_cream

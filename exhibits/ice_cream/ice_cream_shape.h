@@ -7,7 +7,7 @@
 
 #include <type_traits>
 
-namespace vitrine {
+namespace vitrine::ice_cream {
 
 #include "shaders/ice_cream/ice_cream_block.glsl"
 
@@ -45,4 +45,4 @@ template <typename To, typename From> void copyShape(To& to, const From& from)
 #undef COPY_FIELD
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::ice_cream

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::ice_cream {
 
 inline constexpr std::size_t creamLayerCount = 2;
 inline constexpr std::size_t candyCount = 10;
@@ -346,4 +346,4 @@ struct IceCreamTable final : IceCreamParameters, SdfParameters {
                                {.name = "shadowRays", .with = {{"sunWidth", degrees(10)}}, .views = {"reference"}}}};
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::ice_cream

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <optional>
 
-namespace vitrine {
+namespace vitrine::ice_cream {
 namespace {
 
 using glm::dvec3;
@@ -206,4 +206,4 @@ Sprinkles strewn(const IceCreamShape& shape, const SprinkleSettings& settings)
     return s;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::ice_cream

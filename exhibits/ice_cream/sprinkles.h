@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::ice_cream {
 
 struct SprinkleSettings {
     int count = 0;
@@ -40,4 +40,4 @@ struct Sprinkles {
 /// none of the others. There are fewer than `count` if the cream is too small to be hit.
 [[nodiscard]] Sprinkles strewn(const IceCreamShape&, const SprinkleSettings&);
 
-}  // namespace vitrine
+}  // namespace vitrine::ice_cream

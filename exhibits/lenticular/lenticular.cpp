@@ -16,13 +16,9 @@
 #include <limits>
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::lenticular {
 namespace {
 
-using lenticular::cardHalfSize;
-using lenticular::cardMesh;
-using lenticular::CardObject;
-using lenticular::CardPicture;
 using render::Attachment;
 using render::Pass;
 
@@ -155,15 +151,14 @@ std::shared_ptr<const PreparedPart> Lenticular::prepare(const PrepareContext& co
     if (!context.seen) return nullptr;
     const ParameterValues& values = context.values;
     auto made = std::make_shared<PreparedCard>();
-    const lenticular::CardSheetFound found = lenticular::cardSheet(table_, values);
+    const CardSheetFound found = cardSheet(table_, values);
     made->sheetNote = found.note;
     const CardPose pose = poseAt(table_, values, context.time, context.sinceOwnPress);
     for (const CardFace face : {pose.first, otherFace(pose.first)}) {
         if (face != pose.first && pose.roll == 0) continue;
         const bool front = face == CardFace::front;
         const File row = front ? table_.frontPrint : table_.backPrint;
-        const lenticular::CardPrint print =
-            lenticular::cardPrint(context.assets, face, values[row], values[table_.views]);
+        const CardPrint print = cardPrint(context.assets, face, values[row], values[table_.views]);
         const std::string step = front ? "lenticular/front print" : "lenticular/back print";
         if (print.source && !print.source->doubt.empty()) made->doubts.emplace_back(step, print.source->doubt);
         if (!print.failure.empty())
@@ -172,8 +167,8 @@ std::shared_ptr<const PreparedPart> Lenticular::prepare(const PrepareContext& co
                                                      : message("The card is left out until it can be read.")});
         if (!print.source) continue;
         made->faces[static_cast<std::size_t>(face)] = {
-            lenticular::cardPicture(table_, values, found.sheet, print.source, context.assets),
-            lenticular::horizontal(table_, values, *print.source)};
+            cardPicture(table_, values, found.sheet, print.source, context.assets),
+            horizontal(table_, values, *print.source)};
     }
     return made;
 }
@@ -322,4 +317,4 @@ void Lenticular::plan(const PlanContext& context, render::FramePlan& plan) const
     plan.add(std::move(count));
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::lenticular

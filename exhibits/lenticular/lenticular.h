@@ -6,7 +6,7 @@
 #include <memory>
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::lenticular {
 
 /// A glossy card with strips of many views under a sheet of cylindrical lenses, which show each eye a different view.
 /// Its two prints scroll like a billboard. Each is a set of views, or the raster of a file that `vitrine print` wrote.
@@ -73,4 +73,4 @@ inline constexpr double cardLean = 18.5 * std::numbers::pi / 180;
 /// the front and z towards the viewer.
 [[nodiscard]] glm::dmat4 exhibitFromCard();
 
-}  // namespace vitrine
+}  // namespace vitrine::lenticular

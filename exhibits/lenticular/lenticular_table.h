@@ -3,7 +3,7 @@
 #include "exhibits/framework/table/parameters.h"
 #include "render/image/picture_formats.h"
 
-namespace vitrine {
+namespace vitrine::lenticular {
 
 enum class CardFace : int { front, back };
 enum class CardSheet : int { twenty3d = 4, custom = 23 };
@@ -144,4 +144,4 @@ struct LenticularTable final : Parameters {
               "Number of normals across a lens whose reflections are averaged: few show streaks.", quality(32));
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::lenticular

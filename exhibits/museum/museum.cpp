@@ -11,9 +11,9 @@
 namespace vitrine {
 namespace {
 
-std::vector<ExhibitSlot> slotsOf(const std::vector<std::unique_ptr<Exhibit>>& exhibits)
+std::vector<hall::ExhibitSlot> slotsOf(const std::vector<std::unique_ptr<Exhibit>>& exhibits)
 {
-    std::vector<ExhibitSlot> made;
+    std::vector<hall::ExhibitSlot> made;
     for (const auto& e : exhibits)
         made.push_back({e->place(), std::string(e->title()), std::string(e->summary()), std::string(e->tryThis()),
                         capability<HasButton>(*e) != nullptr, capability<HasLocalLights>(*e) != nullptr});
@@ -23,8 +23,8 @@ std::vector<ExhibitSlot> slotsOf(const std::vector<std::unique_ptr<Exhibit>>& ex
 }  // namespace
 
 Museum::Museum(std::vector<std::unique_ptr<Exhibit>> exhibits)
-    : model_(std::make_shared<const HallModel>()), owned_(std::move(exhibits)),
-      hall_(std::make_unique<const Hall>(model_, slotsOf(owned_))), subjects_{hall_.get()},
+    : model_(std::make_shared<const hall::HallModel>()), owned_(std::move(exhibits)),
+      hall_(std::make_unique<const hall::Hall>(model_, slotsOf(owned_))), subjects_{hall_.get()},
       assets_(std::make_unique<render::AssetStore>())
 {
     offerPictures(owned_);
@@ -90,7 +90,7 @@ bool Museum::isInHall(std::size_t i) const
 
 glm::dmat4 Museum::worldFromExhibit(std::size_t i) const
 {
-    const Place* place = i == hallIndex ? nullptr : model_->place(exhibit(i).place());
+    const hall::Place* place = i == hallIndex ? nullptr : model_->place(exhibit(i).place());
     return place ? place->worldFromPlace : glm::dmat4(1);
 }
 
@@ -103,7 +103,7 @@ std::vector<int> Museum::emptyPlaces() const
 {
     std::vector<int> empty;
     for (const auto& [number, place] : model_->places())
-        if (number != freePlinthPlace &&
+        if (number != hall::freePlinthPlace &&
             std::none_of(owned_.begin(), owned_.end(), [&, n = number](const auto& e) { return e->place() == n; }))
             empty.push_back(number);
     return empty;

@@ -14,6 +14,12 @@
 #include <string_view>
 #include <vector>
 
+namespace vitrine::hall {
+class Hall;
+class HallModel;
+struct HallScene;
+}  // namespace vitrine::hall
+
 namespace vitrine {
 namespace render {
 struct FrameReport;
@@ -26,10 +32,6 @@ struct PictureRegion {
 
     bool operator==(const PictureRegion&) const = default;
 };
-
-class Hall;
-class HallModel;
-struct HallScene;
 
 /// The museum: the building and all exhibits in it.
 class Museum {
@@ -111,18 +113,18 @@ private:
     /// Hides all visible exhibits except the nearest ones, up to the number that the request allows. Exhibits that are
     /// drawn over the frame stay.
     static void leaveToLater(std::vector<Present>&, const FrameRequest&);
-    [[nodiscard]] std::vector<Present> presentIn(const Prepared&, const FrameRequest&, const HallScene&,
+    [[nodiscard]] std::vector<Present> presentIn(const Prepared&, const FrameRequest&, const hall::HallScene&,
                                                  const render::View&) const;
-    [[nodiscard]] HallScene sceneOf(const Prepared&, bool alone) const;
+    [[nodiscard]] hall::HallScene sceneOf(const Prepared&, bool alone) const;
     /// Returns why mirrors need not show the works behind openings in the walls; empty if they do.
-    [[nodiscard]] static std::string whyNoWorks(const Prepared&, const FrameRequest&, const HallScene&,
+    [[nodiscard]] static std::string whyNoWorks(const Prepared&, const FrameRequest&, const hall::HallScene&,
                                                 const render::View&, const std::vector<Present>&);
     [[nodiscard]] std::vector<render::LocalLight> lampsOf(const Prepared&, const std::vector<Present>&,
                                                           bool alone) const;
 
-    std::shared_ptr<const HallModel> model_;
+    std::shared_ptr<const hall::HallModel> model_;
     std::vector<std::unique_ptr<Exhibit>> owned_;
-    std::unique_ptr<const Hall> hall_;
+    std::unique_ptr<const hall::Hall> hall_;
     std::vector<const SceneObject*> subjects_;
     std::vector<MuseumExhibit> exhibits_;
     std::unique_ptr<render::AssetStore> assets_;

@@ -118,9 +118,9 @@ double Museum::Present::nextChange(const Museum& museum, const Prepared& prepare
 {
     double next = neverChanges;
     for (const double since : prepared.sincePressed)
-        if (since < buttonTime) next = 0;
+        if (since < hall::buttonTime) next = 0;
     const bool alone = request.alone.has_value();
-    const HallScene scene = museum.sceneOf(prepared, alone);
+    const hall::HallScene scene = museum.sceneOf(prepared, alone);
     // Hidden exhibits and hidden shadows may move without a new frame, unless lamps cast their shadows or hang in them.
     const std::vector<Present> present = museum.presentIn(prepared, request, scene, wholeView(request));
     const bool shadows = throwShadows(museum.lampsOf(prepared, present, alone));
@@ -141,11 +141,11 @@ std::optional<PictureRegion> Museum::movingRegion(const Prepared& prepared, cons
     constexpr double shadowEdge = 0.15;  // Meters: width of a shadow's soft edge and of its filter.
     constexpr double edge = 2;           // Pixels: how far jitter and filters spread a moving object.
     for (const double since : prepared.sincePressed)
-        if (since < buttonTime) return std::nullopt;  // The button itself moves.
+        if (since < hall::buttonTime) return std::nullopt;  // The button itself moves.
     if (nextMotion(prepared.sceneState.hall(), prepared.time) < neverChanges) return std::nullopt;
     const bool alone = request.alone.has_value();
     const render::View view = wholeView(request);
-    const HallScene scene = sceneOf(prepared, alone);
+    const hall::HallScene scene = sceneOf(prepared, alone);
     glm::dvec2 low(1e30);
     glm::dvec2 high(-1e30);
     bool shadowMoves = false;
@@ -174,7 +174,7 @@ std::optional<PictureRegion> Museum::movingRegion(const Prepared& prepared, cons
         render::Box reach = p.box;
         if (shadowSeen) {
             shadowMoves = true;
-            reach = withShadow(p.box, towardsSun(scene));
+            reach = withShadow(p.box, hall::towardsSun(scene));
             reach.low -= shadowEdge;
             reach.high += shadowEdge;
         }

@@ -38,10 +38,11 @@ bool isOpening(const FrameRequest& request)
 constexpr double shadowReach = 30;  ///< Meters behind an exhibit within which its shadow may fall on something.
 
 /// Returns why no shadow is drawn; empty if the sun may reach the box and the shadow may be visible.
-std::string whyNoShadow(const HallScene& scene, const render::Box& box, const render::View& view)
+std::string whyNoShadow(const hall::HallScene& scene, const render::Box& box, const render::View& view)
 {
-    if (std::string why = whyUnlit(scene, box); !why.empty()) return why;
-    return view.mayContain(withShadow(box, towardsSun(scene))) ? std::string() : "neither it nor its shadow is in view";
+    if (std::string why = hall::whyUnlit(scene, box); !why.empty()) return why;
+    return view.mayContain(withShadow(box, hall::towardsSun(scene))) ? std::string()
+                                                                     : "neither it nor its shadow is in view";
 }
 
 /// Returns the reason for the frame report.
@@ -88,7 +89,7 @@ struct Museum::Frame {
     const Prepared& prepared;
     const FrameRequest& request;
     const bool alone;
-    const HallScene scene;
+    const hall::HallScene scene;
     SceneLighting light;
     std::vector<Present> present;
     std::vector<PlanContext> contexts;  ///< One for each exhibit in `present`.
@@ -107,7 +108,7 @@ struct Museum::Frame {
     void planBuilding(render::FramePlan&) const;
     void planExhibits(const render::PersistentState& kept);
     void finish(const render::PersistentState&);
-    [[nodiscard]] FrameHistory history() const;
+    [[nodiscard]] hall::FrameHistory history() const;
 
     void clearPicture(render::FramePlan&) const;
     void addState(render::Hash&, const Present&) const;
@@ -117,8 +118,8 @@ struct Museum::Frame {
     void planReflectedWorks(const render::PersistentState& kept);
     void drawReflectedWork(const MuseumExhibit&, const ParameterValues& still, const render::View&,
                            const std::string& image);
-    [[nodiscard]] std::optional<ReflectedWork> planReflectedWork(const MuseumExhibit&,
-                                                                 const render::PersistentState& kept);
+    [[nodiscard]] std::optional<hall::ReflectedWork> planReflectedWork(const MuseumExhibit&,
+                                                                       const render::PersistentState& kept);
     [[nodiscard]] std::uint64_t pictureKey() const;
     [[nodiscard]] std::optional<ShownPicture> planPicture(const Present& by, const std::string& source,
                                                           const render::PersistentState* kept,
@@ -128,12 +129,12 @@ struct Museum::Frame {
 std::string Museum::whyHidden(const render::Box& box, const render::View& view, bool alone) const
 {
     if (alone) return view.mayContain(box) ? std::string() : "out of view";  // No walls are drawn in this case.
-    return vitrine::whyHidden(*model_, box, view);
+    return hall::whyHidden(*model_, box, view);
 }
 
-HallScene Museum::sceneOf(const Prepared& prepared, bool alone) const
+hall::HallScene Museum::sceneOf(const Prepared& prepared, bool alone) const
 {
-    HallScene scene = hall_->scene(prepared.sceneState.hall(), alone, prepared.hall.get());
+    hall::HallScene scene = hall_->scene(prepared.sceneState.hall(), alone, prepared.hall.get());
     for (const auto& [i, exhibit] : exhibits_) {
         const auto* turns = capability<TurnsHangings>(exhibit);
         scene.poses.push_back(
@@ -178,7 +179,7 @@ void Museum::leaveToLater(std::vector<Present>& present, const FrameRequest& req
 }
 
 std::vector<Museum::Present> Museum::presentIn(const Prepared& prepared, const FrameRequest& request,
-                                               const HallScene& scene, const render::View& view) const
+                                               const hall::HallScene& scene, const render::View& view) const
 {
     std::vector<Present> present;
     for (const auto& [i, exhibit] : exhibits_) {
@@ -189,7 +190,7 @@ std::vector<Museum::Present> Museum::presentIn(const Prepared& prepared, const F
             p.worldFromExhibit = p.worldFromExhibit * request.exhibitTransform;
         p.box = boundsOf(prepared, exhibit, i).transformed(p.worldFromExhibit);
         p.unlit = capability<OverFrame>(exhibit) ? "it is made of light"
-                  : exhibit.castsShadow()        ? whyUnlit(scene, p.box)
+                  : exhibit.castsShadow()        ? hall::whyUnlit(scene, p.box)
                                                  : "it throws no shadow";
         const auto* around = request.alone == i ? capability<HasSurroundings>(exhibit) : nullptr;
         const bool surrounds = around && around->surrounds(prepared.sceneState.values[i]);
@@ -201,7 +202,7 @@ std::vector<Museum::Present> Museum::presentIn(const Prepared& prepared, const F
     return present;
 }
 
-std::string Museum::whyNoWorks(const Prepared& prepared, const FrameRequest& request, const HallScene& scene,
+std::string Museum::whyNoWorks(const Prepared& prepared, const FrameRequest& request, const hall::HallScene& scene,
                                const render::View& view, const std::vector<Present>& present)
 {
     if (scene.alone) return "there is no hall";
@@ -211,8 +212,8 @@ std::string Museum::whyNoWorks(const Prepared& prepared, const FrameRequest& req
         const auto* mirror = p.hidden.empty() ? capability<MirrorsSurroundings>(p.exhibit) : nullptr;
         return mirror && mirror->mirrors(prepared.sceneState.values[p.index]) && isLargeMirror(p.box, view);
     });
-    const bool own = std::any_of(scene.objects.begin(), scene.objects.end(), [&](const OwnObject& object) {
-        return isMirror(object) && view.mayContain(object.box) && isLargeMirror(object.box, view);
+    const bool own = std::any_of(scene.objects.begin(), scene.objects.end(), [&](const hall::OwnObject& object) {
+        return hall::isMirror(object) && view.mayContain(object.box) && isLargeMirror(object.box, view);
     });
     return mirrored || own ? std::string() : noMirror;
 }
@@ -234,7 +235,7 @@ Prepared Museum::prepare(const SceneState& sceneState, const FrameRequest& reque
     };
     made.hall = hall_->prepare(made.sceneState.hall(), assets);
     complainOf(made.hall.get());
-    const HallScene scene = sceneOf(made, request.alone.has_value());
+    const hall::HallScene scene = sceneOf(made, request.alone.has_value());
     const render::View view = wholeView(request);
     const std::vector<Present> present = presentIn(made, request, scene, view);
     // Exhibits that cast a lamp's shadow are drawn from the lamp, whether they are in view or not.
@@ -281,20 +282,20 @@ void Museum::Frame::planRest(const render::PersistentState& kept)
     castShadows();
     makeContexts();
     lightLamps();
-    planHallShadow(scene, light, plan);
-    planBouncedLight(scene, light, plan);
-    planAirLight(scene, light, plan);
-    planProbe(scene, light, plan);
+    hall::planHallShadow(scene, light, plan);
+    hall::planBouncedLight(scene, light, plan);
+    hall::planAirLight(scene, light, plan);
+    hall::planProbe(scene, light, plan);
     planReflectedWorks(kept);
-    if (!alone && !request.cutOut) planContactShadows(scene, plan);
+    if (!alone && !request.cutOut) hall::planContactShadows(scene, plan);
     planBuilding(plan);
     planExhibits(kept);
     finish(kept);
 }
 
-FrameHistory Museum::Frame::history() const
+hall::FrameHistory Museum::Frame::history() const
 {
-    FrameHistory history{pictureQuality(scene.values).historyFrames};
+    hall::FrameHistory history{pictureQuality(scene.values).historyFrames};
     if (history.frames <= 1) return history;
     render::Hash look;
     for (std::size_t i = 0; i < prepared.exhibits.size(); ++i) {
@@ -311,9 +312,9 @@ FrameHistory Museum::Frame::history() const
 void Museum::Frame::begin()
 {
     render::Raster raster = request.raster;
-    const FrameHistory averaged = history();
-    const bool inMotion = isAveragedOverFrames(request, averaged);
-    const int sample = inMotion ? antialiasingSample(request) : request.sample;
+    const hall::FrameHistory averaged = history();
+    const bool inMotion = hall::isAveragedOverFrames(request, averaged);
+    const int sample = inMotion ? hall::antialiasingSample(request) : request.sample;
     raster.jitter = render::samplePosition(sample, inMotion ? averaged.frames : request.samples);
     plan.view = render::makeView(request.camera, raster);
     plan.time = prepared.time;
@@ -323,7 +324,7 @@ void Museum::Frame::begin()
     plan.resetHistory = request.resetHistory;
     plan.allSlices = request.finished;
     declareImages(plan);
-    light = sceneLighting(scene, request.runEverything);
+    light = hall::sceneLighting(scene, request.runEverything);
     light.light.sampleIndex = sample;
 }
 
@@ -453,7 +454,7 @@ void Museum::Frame::planBuilding(render::FramePlan& into) const
     else if (request.cutOut)
         into.skip("hall/walls", "only one exhibit is requested, without its surroundings");
     else
-        planWalls(scene, light, request.channels, into);
+        hall::planWalls(scene, light, request.channels, into);
     if (alone || request.cutOut) clearPicture(into);
 }
 
@@ -544,14 +545,14 @@ void Museum::Frame::planReflectedWorks(const render::PersistentState& kept)
     std::string why = museum.whyNoWorks(prepared, request, scene, plan.view, present);
     if (isPicture) why = "a picture on a screen does not show them";
     if (!light.light.hasProbe) why = "there is no reflection probe";
-    std::vector<ReflectedWork> works;
+    std::vector<hall::ReflectedWork> works;
     if (why.empty())
         for (const MuseumExhibit& shown : museum.exhibits_)
             if (museum.isInHall(shown.index) && prepared.exhibits[shown.index].seen)
                 if (auto work = planReflectedWork(shown, kept)) works.push_back(std::move(*work));
     if (why.empty() && works.empty()) why = "no work hangs behind an opening";
     if (why.empty())
-        planMirroredWorks(scene, light, works, plan);
+        hall::planMirroredWorks(scene, light, works, plan);
     else
         plan.skip("probe/works", why);
 }
@@ -581,16 +582,16 @@ void Museum::Frame::drawReflectedWork(const MuseumExhibit& shown, const Paramete
 }
 
 /// Returns nothing if the exhibit is no work behind an opening that faces the probe.
-std::optional<ReflectedWork> Museum::Frame::planReflectedWork(const MuseumExhibit& shown,
-                                                              const render::PersistentState& kept)
+std::optional<hall::ReflectedWork> Museum::Frame::planReflectedWork(const MuseumExhibit& shown,
+                                                                    const render::PersistentState& kept)
 {
     const auto& [i, exhibit] = shown;
     const render::Box bounds = museum.boundsOf(prepared, exhibit, i);
     if (!isBehindOpening(bounds)) return std::nullopt;
-    ReflectedWork work;
+    hall::ReflectedWork work;
     work.worldFromOpening = glm::scale(glm::translate(museum.worldFromExhibit(i), bounds.center()),
                                        glm::dvec3(glm::dvec2(bounds.halfSize()), 1));
-    const std::optional<render::View> view = viewThrough(scene, work.worldFromOpening);
+    const std::optional<render::View> view = hall::viewThrough(scene, work.worldFromOpening);
     if (!view) return std::nullopt;
     work.clipFromWorld = view->clipFromWorld;
     work.image = std::string(exhibit.name()) + "/reflected";
@@ -598,7 +599,7 @@ std::optional<ReflectedWork> Museum::Frame::planReflectedWork(const MuseumExhibi
     const PreparedPart* part = prepared.state(i).prepared;
     render::Hash key;
     derive::addToKey(key, still);
-    key.addValue(i).addValue(view->clipFromWorld).addValue(view->raster.size).addValue(lightKey(scene));
+    key.addValue(i).addValue(view->clipFromWorld).addValue(view->raster.size).addValue(hall::lightKey(scene));
     work.key = key.addValue(part ? part->filesId : 0).addValue(plan.seed).value();
     const auto held = kept.passes.find(work.image);
     // While values are being changed in the window, the last picture stays: it would be made again for every step.
@@ -624,9 +625,10 @@ std::uint64_t Museum::Frame::pictureKey() const
 {
     render::Hash key;
     derive::addToKey(key, prepared.sceneState.hall());
-    key.addValue(scene.filesId).addValue(lightKey(scene)).addValue(alone).addValue(request.runEverything);
+    key.addValue(scene.filesId).addValue(hall::lightKey(scene)).addValue(alone).addValue(request.runEverything);
     key.addValue(plan.view.clipFromWorld).addValue(plan.view.raster.size).addValue(plan.seed);
-    for (const ExhibitPose& pose : scene.poses) key.addValue(pose.rotation).addValue(buttonScale(pose.sincePress));
+    for (const hall::ExhibitPose& pose : scene.poses)
+        key.addValue(pose.rotation).addValue(hall::buttonScale(pose.sincePress));
     const bool shadows = throwShadows(museum.lampsOf(prepared, present, alone));
     for (const Present& p : present) {
         const bool isSeen = p.hidden.empty() || p.noShadow.empty() || capability<OverFrame>(p.exhibit);
@@ -698,8 +700,9 @@ render::FramePlan Museum::Frame::planOfView(const render::View& view) const
 std::uint64_t Museum::Frame::castersKey() const
 {
     render::Hash key;
-    key.addValue(alone).addValue(request.cutOut.has_value()).addValue(lightKey(scene));
-    for (const ExhibitPose& pose : scene.poses) key.addValue(pose.rotation).addValue(buttonScale(pose.sincePress));
+    key.addValue(alone).addValue(request.cutOut.has_value()).addValue(hall::lightKey(scene));
+    for (const hall::ExhibitPose& pose : scene.poses)
+        key.addValue(pose.rotation).addValue(hall::buttonScale(pose.sincePress));
     for (const Present& p : present) addState(key, p);
     return key.value();
 }
@@ -724,15 +727,15 @@ void Museum::Frame::finish(const render::PersistentState& kept)
     if (request.transparent || request.cutOut)
         plan.skip("sky", "a transparent background is requested");
     else
-        planSky(scene, light, plan);
-    if (!isPicture) planHeatMap(scene, light, request, plan);
+        hall::planSky(scene, light, plan);
+    if (!isPicture) hall::planHeatMap(scene, light, request, plan);
     // Exhibits may shine themselves, and so may the user's objects. The sun's reflection has no bound.
     const bool bounded =
         scene.objects.empty() && light.sunIrradiance == glm::dvec3(0) &&
         std::none_of(present.begin(), present.end(), [](const Present& p) { return p.hidden.empty(); });
     const double brightest = bounded ? light.brightest : std::numeric_limits<double>::infinity();
-    planToneMapping(scene, light, brightest, request, history(), plan);
-    std::vector<std::string> outputs{"frame", depthImage, frameHistoryImage};
+    hall::planToneMapping(scene, light, brightest, request, history(), plan);
+    std::vector<std::string> outputs{"frame", depthImage, hall::frameHistoryImage};
     if (request.channels.normal) outputs.emplace_back(normalImage);
     if (request.channels.evaluations) outputs.emplace_back(evaluationsImage);
     if (request.channels.albedo) outputs.emplace_back(albedoImage);

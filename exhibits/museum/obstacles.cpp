@@ -6,8 +6,8 @@
 
 namespace vitrine {
 
-Obstacles::Obstacles(std::vector<Collider> colliders)
-    : colliders_(std::make_shared<const std::vector<Collider>>(std::move(colliders)))
+Obstacles::Obstacles(std::vector<hall::Collider> colliders)
+    : colliders_(std::make_shared<const std::vector<hall::Collider>>(std::move(colliders)))
 {
 }
 
@@ -18,7 +18,7 @@ std::size_t Obstacles::count() const
 
 glm::dvec3 Obstacles::walk(const glm::dvec3& from, const glm::dvec3& to) const
 {
-    return walkAround(*colliders_, from, to);
+    return hall::walkAround(*colliders_, from, to);
 }
 
 bool Obstacles::walks(const glm::dvec3& from, const glm::dvec3& to) const
@@ -28,7 +28,7 @@ bool Obstacles::walks(const glm::dvec3& from, const glm::dvec3& to) const
 
 bool Obstacles::cameraPasses(const glm::dvec3& from, const glm::dvec3& to) const
 {
-    return vitrine::cameraPasses(*colliders_, from, to);
+    return hall::cameraPasses(*colliders_, from, to);
 }
 
 }  // namespace vitrine

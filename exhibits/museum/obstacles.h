@@ -6,14 +6,16 @@
 #include <memory>
 #include <vector>
 
-namespace vitrine {
-
+namespace vitrine::hall {
 struct Collider;
+}
+
+namespace vitrine {
 
 /// Colliders that stop visitors and cameras; world space, meters.
 class Obstacles {
 public:
-    explicit Obstacles(std::vector<Collider>);
+    explicit Obstacles(std::vector<hall::Collider>);
 
     /// Returns where a visitor ends up who walks from `from` towards `to` (eye positions), sliding along obstacles.
     [[nodiscard]] glm::dvec3 walk(const glm::dvec3& from, const glm::dvec3& to) const;
@@ -25,7 +27,7 @@ public:
     [[nodiscard]] std::size_t count() const;
 
 private:
-    std::shared_ptr<const std::vector<Collider>> colliders_;
+    std::shared_ptr<const std::vector<hall::Collider>> colliders_;
 };
 
 }  // namespace vitrine

@@ -6,9 +6,11 @@
 #include <memory>
 #include <vector>
 
-namespace vitrine {
-
+namespace vitrine::hall {
 struct PreparedHall;
+}
+
+namespace vitrine {
 
 /// Prepared data of one exhibit.
 struct PreparedExhibit {
@@ -22,7 +24,7 @@ struct Prepared {
     SceneState sceneState;             ///< State at this time: `Museum::atMoment`.
     double time = 0;                   ///< Seconds.
     std::vector<double> sincePressed;  ///< See FrameRequest.
-    std::shared_ptr<const PreparedHall> hall;
+    std::shared_ptr<const hall::PreparedHall> hall;
     std::vector<PreparedExhibit> exhibits;  ///< By subject; the hall's entry is empty.
     /// Assets still loading, which are left out. Filled only if `FrameRequest::nonBlocking`.
     std::vector<render::PendingAsset> pending;

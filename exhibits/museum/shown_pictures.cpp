@@ -1,5 +1,6 @@
 #include "exhibits/museum/shown_pictures.h"
 
+#include "exhibits/hall/hall_scene.h"
 #include "exhibits/museum/museum.h"
 #include "exhibits/museum/present.h"
 
@@ -78,7 +79,7 @@ std::vector<std::vector<Museum::Present>> Museum::Present::ofPictures(const Muse
 {
     std::vector<std::vector<Present>> all;
     const auto add = [&](const FrameRequest& wanted) {
-        const HallScene scene = museum.sceneOf(prepared, wanted.alone.has_value());
+        const hall::HallScene scene = museum.sceneOf(prepared, wanted.alone.has_value());
         all.push_back(museum.presentIn(prepared, wanted, scene, wholeView(wanted)));
     };
     for (const Present& by : shown)

@@ -10,9 +10,9 @@
 
 namespace vitrine {
 
-MuseumSurroundings::MuseumSurroundings(const HallModel& model, const Hall& hall,
+MuseumSurroundings::MuseumSurroundings(const hall::HallModel& model, const hall::Hall& hall,
                                        std::span<const MuseumExhibit> exhibits, render::AssetStore& assets,
-                                       std::function<HallScene(const Prepared&)> sceneOf)
+                                       std::function<hall::HallScene(const Prepared&)> sceneOf)
     : model_(model), hall_(hall), exhibits_(exhibits), assets_(assets), sceneOf_(std::move(sceneOf)),
       building_(model.colliders())
 {
@@ -20,7 +20,7 @@ MuseumSurroundings::MuseumSurroundings(const HallModel& model, const Hall& hall,
 
 glm::dmat4 MuseumSurroundings::worldFrom(const Exhibit& exhibit) const
 {
-    const Place* place = model_.place(exhibit.place());
+    const hall::Place* place = model_.place(exhibit.place());
     return place ? place->worldFromPlace : glm::dmat4(1);
 }
 
@@ -34,10 +34,10 @@ glm::dvec3 MuseumSurroundings::walk(const Prepared& prepared, const glm::dvec3& 
     return obstacles(prepared).walk(from, to);
 }
 
-Obstacles MuseumSurroundings::obstaclesWith(const ParameterValues& hall, const PreparedHall* prepared) const
+Obstacles MuseumSurroundings::obstaclesWith(const ParameterValues& hall, const hall::PreparedHall* prepared) const
 {
-    std::vector<Collider> all;
-    for (const OwnObject& object : hall_.scene(hall, false, prepared).objects)
+    std::vector<hall::Collider> all;
+    for (const hall::OwnObject& object : hall_.scene(hall, false, prepared).objects)
         all.insert(all.end(), object.colliders.begin(), object.colliders.end());
     if (all.empty()) return building_;
     all.insert(all.end(), model_.colliders().begin(), model_.colliders().end());
@@ -68,7 +68,7 @@ std::string buttonLine(const HasButton& button)
 }
 
 /// Returns the shown name of a visitor's object: "Your object: teddy.glb".
-std::string nameOf(const OwnObject& object, const HallScene& scene)
+std::string nameOf(const hall::OwnObject& object, const hall::HallScene& scene)
 {
     const std::string path = scene.values[scene.table.objects[object.which].model];
     return "Your object: " + std::filesystem::path(path).filename().string();
@@ -76,12 +76,13 @@ std::string nameOf(const OwnObject& object, const HallScene& scene)
 
 /// Returns a camera that shows the whole object of a visitor: an object on the free plinth from the place where its
 /// plaque is read, any other from the middle of the hall, where no wall is in the way.
-render::Camera viewOf(const OwnObject& object, const HallScene& scene)
+render::Camera viewOf(const hall::OwnObject& object, const hall::HallScene& scene)
 {
     const double radius = std::max(glm::length(object.box.halfSize()), 0.05);
     const double fovY = 0.7;
     const glm::dvec3 middle = object.box.center();
-    const bool onFreePlinth = scene.values[scene.table.objects[object.which].modelStand] == ObjectStand::freePlinth;
+    const bool onFreePlinth =
+        scene.values[scene.table.objects[object.which].modelStand] == hall::ObjectStand::freePlinth;
     const glm::dvec2 inwards = std::abs(middle.x) < 1 ? glm::dvec2(0, 1) : glm::dvec2(-middle.x, -0.5 * middle.z);
     const glm::dvec2 level = onFreePlinth ? glm::dvec2(0.35, 1) : 1.06 * glm::normalize(inwards);
     const glm::dvec3 away = glm::normalize(glm::dvec3(level.x, 0.35, level.y));
@@ -107,7 +108,7 @@ struct MuseumSurroundings::Seen {
     }
 };
 
-MuseumSurroundings::Seen MuseumSurroundings::firstSeen(const Prepared& prepared, const HallScene& scene,
+MuseumSurroundings::Seen MuseumSurroundings::firstSeen(const Prepared& prepared, const hall::HallScene& scene,
                                                        const render::Ray& ray) const
 {
     using enum Seen::What;
@@ -115,7 +116,7 @@ MuseumSurroundings::Seen MuseumSurroundings::firstSeen(const Prepared& prepared,
     for (const render::MeshInstance& part : model_.walls())
         seen.take(building, hallIndex, render::firstHit(ray, part, render::Faces::front));
     for (std::size_t own = 0; own < scene.objects.size(); ++own) {
-        const OwnObject& object = scene.objects[own];
+        const hall::OwnObject& object = scene.objects[own];
         const render::Ray local = ray.transformed(glm::inverse(object.worldFromModel));
         for (const render::MeshInstance& part : object.model->parts) {
             const double before = seen.distance;
@@ -129,7 +130,7 @@ MuseumSurroundings::Seen MuseumSurroundings::firstSeen(const Prepared& prepared,
                                        [&, n = number](const MuseumExhibit& e) { return e.exhibit.place() == n; });
         const bool empty = here == exhibits_.end();
         const std::size_t i = empty ? hallIndex : here->index;
-        for (const render::MeshInstance& part : partsAt(scene, place))
+        for (const render::MeshInstance& part : hall::partsAt(scene, place))
             seen.take(empty ? building : guest, i, render::firstHit(ray, part, render::Faces::both));
         if (empty) continue;
         const render::Ray own = ray.transformed(glm::inverse(worldFrom(here->exhibit)));
@@ -146,7 +147,7 @@ std::optional<Pointed> MuseumSurroundings::pick(const Prepared& prepared, const 
     using enum Seen::What;
     const render::View view = render::makeView(request.camera, request.raster);
     const render::Ray ray{view.eye, glm::normalize(view.direction(ndc))};
-    const HallScene scene = sceneOf_(prepared);
+    const hall::HallScene scene = sceneOf_(prepared);
     const Seen seen = firstSeen(prepared, scene, ray);
     if (seen.what == nothing || seen.what == building) return std::nullopt;
     Pointed found{seen.exhibit,
@@ -156,7 +157,7 @@ std::optional<Pointed> MuseumSurroundings::pick(const Prepared& prepared, const 
                   seen.what == button && seen.distance <= reachOfButton,
                   {}};
     if (seen.what == visitorsObject) {
-        const OwnObject& object = scene.objects[seen.own];
+        const hall::OwnObject& object = scene.objects[seen.own];
         found.name = nameOf(object, scene);
         found.view = viewOf(object, scene);
         return found;
@@ -175,9 +176,9 @@ std::optional<Pointed> MuseumSurroundings::pick(const Prepared& prepared, const 
 
 std::vector<OwnObjectShown> MuseumSurroundings::ownObjects(const Prepared& prepared) const
 {
-    const HallScene scene = sceneOf_(prepared);
+    const hall::HallScene scene = sceneOf_(prepared);
     std::vector<OwnObjectShown> all;
-    for (const OwnObject& object : scene.objects)
+    for (const hall::OwnObject& object : scene.objects)
         all.push_back({object.which, nameOf(object, scene), object.box, viewOf(object, scene)});
     return all;
 }
@@ -197,7 +198,7 @@ std::optional<LookedAt> MuseumSurroundings::lookedAt(const Prepared& prepared) c
     const glm::dvec3 forward = glm::normalize(toTarget);
     for (const auto& [i, shown] : exhibits_) {
         const auto* button = capability<HasButton>(shown);
-        const Place* place = button ? model_.place(shown.place()) : nullptr;
+        const hall::Place* place = button ? model_.place(shown.place()) : nullptr;
         if (!place || !place->worldFromButton) continue;
         const glm::dvec3 toButton = glm::dvec3((*place->worldFromButton)[3]) - sceneState.camera.eye;
         const double along = glm::dot(toButton, forward);

@@ -13,6 +13,12 @@
 #include <string>
 #include <vector>
 
+namespace vitrine::hall {
+class Hall;
+class HallModel;
+struct HallScene;
+}  // namespace vitrine::hall
+
 namespace vitrine {
 
 /// Button at the center of the view.
@@ -40,16 +46,12 @@ struct OwnObjectShown {
     render::Camera view;    ///< Its best view, in world space.
 };
 
-class Hall;
-class HallModel;
-struct HallScene;
-
 /// Everything in the hall that a visitor can see, point at and walk to. Thread-safe and deterministic.
 class MuseumSurroundings {
 public:
     /// `sceneOf` returns the hall's scene of a prepared state. All must outlive this object.
-    MuseumSurroundings(const HallModel&, const Hall&, std::span<const MuseumExhibit>, render::AssetStore&,
-                       std::function<HallScene(const Prepared&)> sceneOf);
+    MuseumSurroundings(const hall::HallModel&, const hall::Hall&, std::span<const MuseumExhibit>, render::AssetStore&,
+                       std::function<hall::HallScene(const Prepared&)> sceneOf);
 
     /// Returns where a visitor ends up who walks from `from` towards `to` (eye positions). Walls and furniture stop the
     /// visitor, who slides along them.
@@ -74,15 +76,15 @@ public:
 
 private:
     struct Seen;
-    [[nodiscard]] Seen firstSeen(const Prepared&, const HallScene&, const render::Ray&) const;
+    [[nodiscard]] Seen firstSeen(const Prepared&, const hall::HallScene&, const render::Ray&) const;
     [[nodiscard]] glm::dmat4 worldFrom(const Exhibit&) const;
-    [[nodiscard]] Obstacles obstaclesWith(const ParameterValues& hall, const PreparedHall*) const;
+    [[nodiscard]] Obstacles obstaclesWith(const ParameterValues& hall, const hall::PreparedHall*) const;
 
-    const HallModel& model_;
-    const Hall& hall_;
+    const hall::HallModel& model_;
+    const hall::Hall& hall_;
     std::span<const MuseumExhibit> exhibits_;
     render::AssetStore& assets_;
-    std::function<HallScene(const Prepared&)> sceneOf_;
+    std::function<hall::HallScene(const Prepared&)> sceneOf_;
     Obstacles building_;
 };
 

@@ -16,7 +16,7 @@
 #include <string>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::noise {
 namespace {
 
 /// Returns the light of the work, in its world. Alone, there is no hall whose evening it could share.
@@ -216,4 +216,4 @@ void Noise::plan(const PlanContext& context, render::FramePlan& plan) const
     plan.add(std::move(pass));
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::noise

@@ -4,7 +4,7 @@
 #include "exhibits/framework/scene/stands_alone.h"
 #include "exhibits/noise/noise_table.h"
 
-namespace vitrine {
+namespace vitrine::noise {
 
 /// Four works made of noise behind a deep frame: a field, a sum of octaves, a sea and a sky of clouds. Start reading
 /// with the parameters, then noise_scene.h (motion and its periods) and the shaders of the works. The noise itself is
@@ -44,4 +44,4 @@ private:
     Table table_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::noise

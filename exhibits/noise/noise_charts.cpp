@@ -10,7 +10,7 @@
 #include <numbers>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::noise {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -203,4 +203,4 @@ std::vector<Chart> noiseCharts(const NoiseTable& t, const ParameterValues& value
              {noiseIsotropy(shown, now), noiseIsotropy(reference, then)}}};
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::noise

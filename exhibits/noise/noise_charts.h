@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::noise {
 
 /// Noise at a point; coordinates are in cells.
 using NoiseSample = std::function<double(const glm::dvec3&)>;
@@ -28,4 +28,4 @@ using NoiseSample = std::function<double(const glm::dvec3&)>;
 /// Returns these three charts for the work that is shown, with the value noise that the reference uses for comparison.
 [[nodiscard]] std::vector<Chart> noiseCharts(const NoiseTable&, const ParameterValues&);
 
-}  // namespace vitrine
+}  // namespace vitrine::noise

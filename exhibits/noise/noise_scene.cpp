@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::noise {
 namespace {
 
 constexpr double metersOfCloudsPerMeter = 40;  ///< A step aside changes the view of the clouds visibly.
@@ -276,4 +276,4 @@ void lightBy(const SkyView& sky, const NoiseLight& light, NoiseBlock& block)
     block.skyAround = glm::vec3(sky.around * exposure);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::noise

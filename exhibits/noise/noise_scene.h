@@ -10,7 +10,7 @@
 #include <memory>
 #include <string>
 
-namespace vitrine {
+namespace vitrine::noise {
 
 #include "shaders/noise/noise_block.glsl"
 
@@ -46,4 +46,4 @@ struct NoiseLight {
 /// day, but not black.
 void lightBy(const SkyView&, const NoiseLight&, NoiseBlock&);
 
-}  // namespace vitrine
+}  // namespace vitrine::noise

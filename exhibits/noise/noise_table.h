@@ -3,7 +3,7 @@
 #include "exhibits/framework/table/parameters.h"
 #include "exhibits/framework/table/studied_parameters.h"
 
-namespace vitrine {
+namespace vitrine::noise {
 
 enum class NoiseWork : int { field, fractal, sea, clouds };
 enum class NoiseLook : int { physical, reference };
@@ -197,4 +197,4 @@ struct NoiseTable final : Parameters {
                                {.name = "jitter", .exactInReference = {"cloudSteps"}}}};
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::noise

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::noise {
 namespace {
 
 constexpr double gravity = 9.81;  // m/s^2
@@ -55,4 +55,4 @@ double seaSlopes(double windSpeed)
     return 0.003 + 0.00512 * windSpeed;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::noise

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::noise {
 
 /// One wave of a sea on deep water.
 struct SeaWave {
@@ -27,4 +27,4 @@ struct SeaWave {
 /// of the Roughness of the Sea Surface from Photographs of the Sun's Glitter".
 [[nodiscard]] double seaSlopes(double windSpeed);
 
-}  // namespace vitrine
+}  // namespace vitrine::noise

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::paper_lanterns {
 namespace {
 
 constexpr double ownSpeed = 0.55;             ///< Meters per second of a lantern that drifts away.
@@ -268,4 +268,4 @@ ReleaseWork setReleased(const PaperLanternsTable& t, const ParameterValues& valu
     return way.work;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::paper_lanterns

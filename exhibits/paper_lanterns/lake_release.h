@@ -2,7 +2,7 @@
 
 #include "exhibits/paper_lanterns/lake_scene.h"
 
-namespace vitrine {
+namespace vitrine::paper_lanterns {
 
 /// Cost of finding the path of a released lantern.
 struct ReleaseWork {
@@ -19,4 +19,4 @@ struct ReleaseWork {
 ReleaseWork setReleased(const PaperLanternsTable&, const ParameterValues&, double seconds, const LakePress&, LakeBlock&,
                         double farther = 0);
 
-}  // namespace vitrine
+}  // namespace vitrine::paper_lanterns

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::paper_lanterns {
 namespace {
 
 /// Paper is then as bright as white in display light at its upper edge, and ten times as bright in front of the flame.
@@ -265,4 +265,4 @@ LakeBlock lakeBlock(const PaperLanternsTable& t, const ParameterValues& values, 
     return block;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::paper_lanterns

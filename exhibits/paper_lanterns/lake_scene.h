@@ -11,7 +11,7 @@
 #include <memory>
 #include <type_traits>
 
-namespace vitrine {
+namespace vitrine::paper_lanterns {
 
 #include "shaders/paper_lanterns/lake_block.glsl"
 
@@ -76,4 +76,4 @@ template <typename To> void copyLake(To& to, const LakeBlock& from)
 #undef COPY_LAKE_FIELD
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::paper_lanterns

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::paper_lanterns {
 namespace {
 
 constexpr double lakeGravity = 9.81;  // m/s^2
@@ -71,4 +71,4 @@ RideShare rideShare(double k, double radius)
     return {2 * std::cyl_bessel_j(1.0, x) / x, 8 * std::cyl_bessel_j(2.0, x) / (x * x)};
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::paper_lanterns

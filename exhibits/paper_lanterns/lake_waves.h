@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::paper_lanterns {
 
 /// One wave of the lake.
 struct LakeWave {
@@ -34,4 +34,4 @@ struct RideShare {
 };
 [[nodiscard]] RideShare rideShare(double k, double radius);
 
-}  // namespace vitrine
+}  // namespace vitrine::paper_lanterns

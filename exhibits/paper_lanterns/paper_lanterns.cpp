@@ -13,7 +13,7 @@
 #include <string>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::paper_lanterns {
 namespace {
 
 constexpr const char* lakePass = "paper_lanterns/lake";
@@ -258,4 +258,4 @@ void PaperLanterns::plan(const PlanContext& context, render::FramePlan& plan) co
     plan.add(std::move(pass));
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::paper_lanterns

@@ -3,7 +3,7 @@
 #include "exhibits/framework/scene/exhibit.h"
 #include "exhibits/paper_lanterns/paper_lanterns_table.h"
 
-namespace vitrine {
+namespace vitrine::paper_lanterns {
 
 /// A lake at night behind a deep frame, with paper lanterns up to the horizon. Start reading with the parameters, then
 /// lake_scene.h (positions and motion) and shaders/paper_lanterns: water.glsl and lantern.glsl (geometry), walk.glsl
@@ -45,4 +45,4 @@ private:
     Table table_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::paper_lanterns

@@ -4,7 +4,7 @@
 #include "exhibits/framework/table/studied_parameters.h"
 #include "render/image/picture_formats.h"
 
-namespace vitrine {
+namespace vitrine::paper_lanterns {
 
 enum class LakeShow : int { picture, heights, normals, parts };
 enum class LakeLook : int { physical, reference };
@@ -209,4 +209,4 @@ struct PaperLanternsTable final : Parameters {
          {.name = "stepLimit", .settles = "Rays end before they have taken this many steps."}}};
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::paper_lanterns

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::pixel_art {
 namespace {
 
 using Shared = std::shared_ptr<const render::Mesh>;
@@ -202,4 +202,4 @@ std::vector<WorldPart> isleParts(double time)
             {boatMesh(), boat, 203}};
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::pixel_art

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::pixel_art {
 namespace {
 
 const PixelArtTable& methodParameters()
@@ -159,4 +159,4 @@ bool MethodTable::step(render::RenderBackend& backend)
     return done_ < expectedLines();
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::pixel_art

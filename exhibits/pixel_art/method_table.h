@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::pixel_art {
 
 /// Errors of normals from depth relative to the drawn ones (degrees, and percent of the visible texels), and the cost
 /// of passes.
@@ -56,4 +56,4 @@ private:
     std::vector<std::vector<std::string>> lines_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::pixel_art

@@ -9,7 +9,7 @@
 #include <limits>
 #include <numeric>
 
-namespace vitrine {
+namespace vitrine::pixel_art {
 namespace {
 
 float luminance(const glm::vec3& linear)
@@ -189,4 +189,4 @@ PaletteTextures paletteTextures(std::vector<Rgb8> colors)
     return made;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::pixel_art

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::pixel_art {
 
 /// 8-bit sRGB codes.
 using Rgb8 = glm::u8vec3;
@@ -42,4 +42,4 @@ struct PaletteTextures {
 /// Returns the textures of a palette. `colors` must not be empty.
 [[nodiscard]] PaletteTextures paletteTextures(std::vector<Rgb8> colors);
 
-}  // namespace vitrine
+}  // namespace vitrine::pixel_art

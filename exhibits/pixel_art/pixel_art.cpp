@@ -17,7 +17,7 @@
 #include <limits>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::pixel_art {
 
 struct PixelArt::Prepared final : PreparedPart {
     PosedModel posed;
@@ -220,4 +220,4 @@ void PixelArt::plan(const PlanContext& context, render::FramePlan& plan) const
     plan.add(std::move(pass));
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::pixel_art

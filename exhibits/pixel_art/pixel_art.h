@@ -5,7 +5,7 @@
 #include "exhibits/framework/table/measured_table.h"
 #include "exhibits/pixel_art/pixel_art_table.h"
 
-namespace vitrine {
+namespace vitrine::pixel_art {
 
 /// A screen in its frame that shows a small world in large pixels: normals found from depth alone, lines of one pixel,
 /// a palette. Start reading with the parameters, then pixel_passes.h (passes and their order), small_world.h, palette.h
@@ -51,4 +51,4 @@ private:
     Table table_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::pixel_art

@@ -4,7 +4,7 @@
 #include "exhibits/framework/table/studied_parameters.h"
 #include "render/image/picture_formats.h"
 
-namespace vitrine {
+namespace vitrine::pixel_art {
 
 enum class PixelWorld : int { isle, testScene, thinBars };
 enum class PixelProjection : int { orthographic, perspective };
@@ -195,4 +195,4 @@ struct PixelArtTable final : Parameters {
              limited and (when(dither, {Dither::ordered, Dither::blueNoise, Dither::errorDiffusion})));
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::pixel_art

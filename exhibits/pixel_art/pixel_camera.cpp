@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::pixel_art {
 namespace {
 
 /// Returns a projection with reversed depth: 1 at the near plane, 0 at `farPlane`.
@@ -104,4 +104,4 @@ PixelEye pixelView(const PixelCamera& camera, bool snap)
     return eye;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::pixel_art

@@ -6,7 +6,7 @@
 
 #include <glm/glm.hpp>
 
-namespace vitrine {
+namespace vitrine::pixel_art {
 
 #include "shaders/pixel_art/pixel_block.glsl"
 
@@ -37,4 +37,4 @@ struct PixelEye {
 /// rest is in `remainder`.
 [[nodiscard]] PixelEye pixelView(const PixelCamera&, bool snap);
 
-}  // namespace vitrine
+}  // namespace vitrine::pixel_art

@@ -18,7 +18,7 @@
 #include <string>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::pixel_art {
 namespace {
 
 using render::Attachment;
@@ -469,4 +469,4 @@ PixelBlock planPixelPicture(const PixelShot& shot, render::FramePlan& plan)
     return Picture(shot, plan).planned();
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::pixel_art

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::pixel_art {
 
 #include "shaders/pixel_art/object_block.glsl"
 
@@ -51,4 +51,4 @@ PixelBlock planPixelPicture(const PixelShot&, render::FramePlan&);
 /// Returns the number of texels of depth that a method reads for one normal; the drawn normal counts as one.
 [[nodiscard]] int fetchesOf(NormalsBy);
 
-}  // namespace vitrine
+}  // namespace vitrine::pixel_art

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::pixel_art {
 namespace {
 
 std::vector<Rgb8> colorsOf(std::initializer_list<std::uint32_t> codes)
@@ -83,4 +83,4 @@ std::span<const Rgb8> shippedPalette(PaletteName name)
     return {};
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::pixel_art

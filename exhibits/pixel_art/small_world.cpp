@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::pixel_art {
 namespace {
 
 using Shared = std::shared_ptr<const render::Mesh>;
@@ -134,4 +134,4 @@ render::Box boundsOf(const std::vector<WorldPart>& parts)
     return all;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::pixel_art

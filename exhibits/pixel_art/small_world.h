@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::pixel_art {
 
 /// Mesh of the small world at one time.
 struct WorldPart {
@@ -39,4 +39,4 @@ inline constexpr double worldRound = 4;
 /// Returns the bounds of all parts.
 [[nodiscard]] render::Box boundsOf(const std::vector<WorldPart>&);
 
-}  // namespace vitrine
+}  // namespace vitrine::pixel_art

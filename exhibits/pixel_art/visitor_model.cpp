@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::pixel_art {
 namespace {
 
 constexpr int framedMoments = 8;  ///< Number of poses of an animation that are examined to find its extent.
@@ -94,4 +94,4 @@ PosedModel posedModel(const PixelArtTable& t, const ParameterValues& values, dou
     return made;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::pixel_art

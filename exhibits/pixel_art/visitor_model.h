@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::pixel_art {
 
 /// Pose of a model that is shown.
 struct ModelPose {
@@ -36,4 +36,4 @@ struct PosedModel {
 /// Returns the posed model. The file is read once, and each pose is made once for all callers.
 [[nodiscard]] PosedModel posedModel(const PixelArtTable&, const ParameterValues&, double now, render::AssetStore&);
 
-}  // namespace vitrine
+}  // namespace vitrine::pixel_art

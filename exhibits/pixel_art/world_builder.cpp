@@ -8,7 +8,7 @@
 #include <numbers>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::pixel_art {
 namespace {
 
 constexpr double turnAround = 2 * std::numbers::pi;
@@ -214,4 +214,4 @@ std::shared_ptr<const render::Mesh> WorldBuilder::finished()
     return std::exchange(mesh_, std::make_shared<render::Mesh>());
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::pixel_art

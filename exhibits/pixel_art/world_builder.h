@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::pixel_art {
 
 /// Paint of a piece of the small world; patterns are those of shaders/pixel_art/patterns.glsl.
 struct Paint {
@@ -64,4 +64,4 @@ private:
     int object_ = 0;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::pixel_art

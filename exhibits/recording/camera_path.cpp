@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::recording {
 namespace {
 
 constexpr std::size_t piecesOfLeg = 2048;
@@ -158,4 +158,4 @@ CameraMotion turntable(const render::Camera& camera, double angle, Pace pace)
     return [camera, angle, pace, begin](double part) { return turned(camera, begin + angle * paced(pace, part)); };
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::recording

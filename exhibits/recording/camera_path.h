@@ -8,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::recording {
 
 /// Speed along a path: constant, or starting and ending at rest.
 enum class Pace : std::uint8_t { constant, eased };
@@ -62,4 +62,4 @@ private:
 [[nodiscard]] CameraMotion turntable(const render::Camera&, double angle, Pace);
 [[nodiscard]] bool isWholeTurns(double angle);
 
-}  // namespace vitrine
+}  // namespace vitrine::recording

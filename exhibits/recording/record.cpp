@@ -9,7 +9,7 @@
 
 #include <optional>
 
-namespace vitrine {
+namespace vitrine::recording {
 namespace {
 
 namespace fs = std::filesystem;
@@ -175,4 +175,4 @@ double Recording::progress() const
     return (next_ + (maker_ ? maker_->progress() : 0)) / request_.frames();
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::recording

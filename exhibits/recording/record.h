@@ -11,7 +11,7 @@ namespace vitrine::render {
 class VideoFile;
 }
 
-namespace vitrine {
+namespace vitrine::recording {
 
 /// Returns whether the name is that of frames: "folder/%04d.png", or ".exr" for linear light.
 [[nodiscard]] bool isFramePattern(const std::filesystem::path& out);
@@ -83,4 +83,4 @@ private:
     bool finished_ = false;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::recording

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 
-namespace vitrine {
+namespace vitrine::recording {
 namespace {
 
 /// Returns the seconds from the first frame to the end of the motion.
@@ -140,4 +140,4 @@ double FrameMaker::progress() const
     return (static_cast<double>(done_) + (maker_ ? maker_->progress() : 0)) / static_cast<double>(moments_.size());
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::recording

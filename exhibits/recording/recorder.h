@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace vitrine {
+namespace vitrine::recording {
 
 /// Input of a recording. Every frame depends on this and on its index only.
 struct RecordingRequest {
@@ -64,4 +64,4 @@ private:
     render::Image sum_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::recording

@@ -14,7 +14,7 @@
 #include <optional>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::recording {
 namespace {
 
 using render::Json;
@@ -243,4 +243,4 @@ Tour museumTour(const Museum& museum, const SceneState& sceneState)
     return tour;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::recording

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::recording {
 
 /// A view with a name.
 struct Bookmark {
@@ -66,4 +66,4 @@ struct Tour {
 /// the straight lines between cameras at 2001 evenly spaced parts.
 [[nodiscard]] double firstCollision(const Obstacles&, const CameraMotion&);
 
-}  // namespace vitrine
+}  // namespace vitrine::recording

@@ -7,7 +7,7 @@
 #include <queue>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::recording {
 namespace {
 
 constexpr double gridStep = 0.25;
@@ -135,4 +135,4 @@ std::vector<glm::dvec3> wayAround(const Obstacles& obstacles, const glm::dvec3& 
     return way;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::recording

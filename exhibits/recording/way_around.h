@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::recording {
 
 /// Returns places between `from` and `to`, at most `stride` meters apart, along which a camera avoids obstacles: at a
 /// walking user's height, where one can walk. The ends are excluded, and may be up to 2.5 m from such a place. Empty if
@@ -16,4 +16,4 @@ namespace vitrine {
 [[nodiscard]] std::vector<glm::dvec3> wayAround(const Obstacles&, const glm::dvec3& from, const glm::dvec3& to,
                                                 double stride);
 
-}  // namespace vitrine
+}  // namespace vitrine::recording

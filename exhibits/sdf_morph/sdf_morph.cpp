@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace vitrine {
+namespace vitrine::sdf_morph {
 namespace {
 
 #include "shaders/sdf_morph/torus_mug_shape_block.glsl"
@@ -111,4 +111,4 @@ std::vector<StudyView> SdfMorph::studyViews(const ParameterValues& values) const
             {"melting, from behind", from({-0.6, 0.3, -1.0}, 0.9), 0, still}};
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::sdf_morph

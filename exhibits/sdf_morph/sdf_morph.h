@@ -3,7 +3,7 @@
 #include "exhibits/kit/sdf_exhibit.h"
 #include "exhibits/sdf_morph/sdf_morph_table.h"
 
-namespace vitrine {
+namespace vitrine::sdf_morph {
 
 /// A torus that melts into a mug and back: a signed distance field, marched inside its bounding box among rasterized
 /// geometry. This folder is the example of an exhibit. Read it in this order: the parameters, this file, sdf_morph.cpp
@@ -48,4 +48,4 @@ private:
 /// times.
 [[nodiscard]] double morphAt(double morph, double speed, double time);
 
-}  // namespace vitrine
+}  // namespace vitrine::sdf_morph

@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::sdf_morph {
 
 /// Parameters of the melting torus-mug. Lengths are in meters, in its own space.
 struct TorusMugParameters : virtual Parameters {
@@ -56,4 +56,4 @@ struct SdfMorphTable final : TorusMugParameters, SdfMaterialParameters, SdfParam
                                 .views = {"best view", "into the mug, along its wall"}}}};
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::sdf_morph

@@ -78,14 +78,14 @@ private:
         const unsigned u = (across + 1) % 3, v = (across + 2) % 3, face = 1U << across;
         const auto isIn = [&](unsigned bits) { return (upper.inside >> bits & 1U) != 0; };
         const bool crossed = isIn(0) != isIn(1U << u) && isIn(0) != isIn(1U << v) && isIn(0) == isIn(1U << u | 1U << v);
-        if (!crossed) return none;
+        if (!crossed) return noIndex;
         // The other line is around the corner opposite to the inside end of this edge.
         const unsigned here = insideEnd & ~face, there = here ^ (1U << u | 1U << v);
         const auto isOneLoop = [&](const CellAtEdge& cell, unsigned side) {
             const CellLoops& loops = cellLoops(cell.inside);
             return loops.loopOf[edgeAt(u, here | side)] == loops.loopOf[edgeAt(u, there | side)];
         };
-        if (!isOneLoop(lower, face) || !isOneLoop(upper, 0)) return none;
+        if (!isOneLoop(lower, face) || !isOneLoop(upper, 0)) return noIndex;
         const glm::ivec3 corner = upper.place + glm::ivec3(bitOf(0, here), bitOf(1, here), bitOf(2, here));
         const auto [found, isNew] = middles_.try_emplace({packed(corner), packed(upper.place), across},
                                                          static_cast<std::uint32_t>(mesh_.vertices.size()));
@@ -120,7 +120,7 @@ private:
             const unsigned upperCorner = corners[i] & corners[(i + 1) % 4];
             const unsigned insideEnd = upperCorner | (edge.startsInside ? 0U : 1U << axis);
             const std::uint32_t middle = middleOf(cells[i], cells[(i + 1) % 4], across[i], insideEnd);
-            if (middle != none) polygon.push_back(middle);
+            if (middle != noIndex) polygon.push_back(middle);
         }
         if (polygon.size() == 4)
             addQuad(edge);

@@ -21,7 +21,7 @@ TreePlace ownPlace(const Node& node, const std::vector<double>& numbers)
 {
     TreePlace place;
     const auto at = [&](std::uint32_t first, const glm::dvec3& other) {
-        return first == none ? other : glm::dvec3(numbers[first], numbers[first + 1], numbers[first + 2]);
+        return first == noIndex ? other : glm::dvec3(numbers[first], numbers[first + 1], numbers[first + 2]);
     };
     place.translate = at(node.translate, place.translate);
     place.rotate = at(node.rotate, place.rotate);
@@ -103,7 +103,7 @@ TreePlace placeInScene(const ShownScene& shown, const std::vector<double>& numbe
     glm::dmat4 outer(1);
     glm::dvec3 at = place.translate;
     std::optional<SceneConstants> words;
-    for (std::uint32_t n = scene.nodes[node].parent; n != none; n = scene.nodes[n].parent) {
+    for (std::uint32_t n = scene.nodes[node].parent; n != noIndex; n = scene.nodes[n].parent) {
         const NodeKind& kind = *scene.nodes[n].kind;
         glm::dmat4 around(1);
         if (kind.place || kind.copy) {

@@ -114,12 +114,12 @@ public:
 private:
     [[nodiscard]] double computedAt(const Field& field, std::size_t component) const
     {
-        if (node_ == none) return field.initial[component];
+        if (node_ == noIndex) return field.initial[component];
         const Node& node = scene_.nodes[node_];
         const std::vector<Field>& places = placeFields();
         const std::uint32_t at[] = {node.translate, node.rotate, node.scale};
         for (std::size_t i = 0; i < places.size(); ++i)
-            if (&places[i] == &field) return at[i] == none ? field.initial[component] : numbers_[at[i] + component];
+            if (&places[i] == &field) return at[i] == noIndex ? field.initial[component] : numbers_[at[i] + component];
         return numbers_[node.numbers + node.kind->numberOf(field.name) + component];
     }
 

@@ -149,8 +149,7 @@ RepeatRange askedAround(const Bounds& child, bool exactChild, const double* v)
     const double sector = 2 * std::numbers::pi / v[0];
     const render::Box& box = child.box;
     RepeatRange all;
-    // Of the copies of a ball, the nearest is the one with the nearest center, which is that in the sector of the
-    // point.
+    // The nearest copy of a ball is the one with the nearest center, which is that in the sector of the point.
     if (child.ballsFrom >= 0) return all;
     all.times.x = v[0];
     const bool aroundAxis = !(box.low.x > 0 || box.high.x < 0 || box.low.z > 0 || box.high.z < 0);

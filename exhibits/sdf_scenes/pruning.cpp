@@ -31,7 +31,7 @@ double Pruner::reachInside(std::uint32_t index, double outside) const
     const ProgramNode& node = program_.nodes()[index];
     const NodeKind& kind = program_.kind(node);
     double reach = outside;
-    if (node.scale != none) {
+    if (node.scale != noIndex) {
         const double* factor = words_.words.data() + node.scale;
         reach *= std::max({std::abs(factor[0]), std::abs(factor[1]), std::abs(factor[2])});
     }
@@ -226,7 +226,7 @@ void Pruner::prune(std::span<const Step> steps, const glm::dvec3& center, double
         kept_.push_back(step);
         i = walk_.advance(steps, i, center);
         if (step.type == Step::Type::enter)
-            reach_[step.node] = reachInside(step.node, node.parent == none ? reach : reach_[node.parent]);
+            reach_[step.node] = reachInside(step.node, node.parent == noIndex ? reach : reach_[node.parent]);
     }
     pruned.steps.assign(kept_.begin(), kept_.end());
     pruned.distance = walk_.state(0).distance;

@@ -38,7 +38,7 @@ std::vector<double> Scene::numbersAt(double time, const std::vector<double>& giv
     }
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         values[i] = numbers[i].value;
-        if (numbers[i].expression == none) continue;
+        if (numbers[i].expression == noIndex) continue;
         const NumberExpression& expression = expressions[numbers[i].expression];
         const auto& known = names[expression.file];
         const auto valueOf = [&](std::string_view word) -> std::optional<NamedValue> {

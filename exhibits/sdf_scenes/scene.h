@@ -40,12 +40,12 @@ struct Finding {
     [[nodiscard]] Failure failure() const;
 };
 
-inline constexpr std::uint32_t none = ~std::uint32_t{0};
+inline constexpr std::uint32_t noIndex = ~std::uint32_t{0};
 
 /// A number of a scene, in SI.
 struct Number {
-    double value = 0;                 ///< Value at time 0, with all parameters at their initial values.
-    std::uint32_t expression = none;  ///< Index in `Scene::expressions`, if it is not constant.
+    double value = 0;                    ///< Value at time 0, with all parameters at their initial values.
+    std::uint32_t expression = noIndex;  ///< Index in `Scene::expressions`, if it is not constant.
 };
 
 /// Expression that computes a number from the time `t` in seconds and parameters of the scene.
@@ -77,9 +77,10 @@ struct Node {
     const NodeKind* kind = nullptr;
     std::string name;
     Origin origin;
-    std::uint32_t parent = none, firstChild = none, next = none;
-    std::uint32_t numbers = 0;                                    ///< Index of the first of the kind's numbers.
-    std::uint32_t translate = none, rotate = none, scale = none;  ///< Index of the first of three numbers each.
+    std::uint32_t parent = noIndex, firstChild = noIndex, next = noIndex;
+    std::uint32_t numbers = 0;  ///< Index of the first of the kind's numbers.
+    std::uint32_t translate = noIndex, rotate = noIndex,
+                  scale = noIndex;  ///< Index of the first of three numbers each.
     std::uint32_t material = 0;
     bool hidden = false;
 };

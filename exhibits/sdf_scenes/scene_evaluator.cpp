@@ -30,7 +30,7 @@ std::string keyOf(const ShownScene& shown, const SceneConstants& words, const ch
 std::size_t shapesOf(const SceneProgram& program)
 {
     return static_cast<std::size_t>(std::count_if(program.nodes().begin(), program.nodes().end(),
-                                                  [](const ProgramNode& node) { return node.firstChild == none; }));
+                                                  [](const ProgramNode& node) { return node.firstChild == noIndex; }));
 }
 
 SceneEvaluator everyShape(const ShownScene& shown, const SceneConstants& words, const char* why = "")
@@ -124,7 +124,7 @@ bool moves(const Scene& scene, std::uint32_t first, std::size_t count)
 {
     return std::any_of(scene.numbers.begin() + first,
                        scene.numbers.begin() + first + static_cast<std::ptrdiff_t>(count), [&](const Number& number) {
-                           return number.expression != none && scene.expressions[number.expression].usesTime;
+                           return number.expression != noIndex && scene.expressions[number.expression].usesTime;
                        });
 }
 
@@ -135,7 +135,7 @@ std::vector<char> timeInvariantConstants(const SceneProgram& program)
     std::vector<char> steady(program.wordCount(), 1);
     bool anyNodeMoves = false;
     const auto mark = [&](std::uint32_t number, std::size_t numbers, std::uint32_t word, std::size_t words) {
-        if (word == none || !moves(scene, number, numbers)) return false;
+        if (word == noIndex || !moves(scene, number, numbers)) return false;
         std::fill_n(steady.begin() + word, words, char{0});
         return true;
     };
@@ -148,9 +148,9 @@ std::vector<char> timeInvariantConstants(const SceneProgram& program)
         const Node& of = scene.nodes[node.node];
         // The three numbers of a direction depend on each other, and a rotation matrix on all its angles.
         anyNodeMoves |= mark(of.numbers, of.kind->numbers(), node.numbers, of.kind->numbers());
-        anyNodeMoves |= node.translate != none && mark(of.translate, 3, node.translate, 3);
-        anyNodeMoves |= node.rotate != none && mark(of.rotate, 3, node.rotate, 9);
-        anyNodeMoves |= node.scale != none && mark(of.scale, 3, node.scale, 4);
+        anyNodeMoves |= node.translate != noIndex && mark(of.translate, 3, node.translate, 3);
+        anyNodeMoves |= node.rotate != noIndex && mark(of.rotate, 3, node.rotate, 9);
+        anyNodeMoves |= node.scale != noIndex && mark(of.scale, 3, node.scale, 4);
     }
     // The copies that a repeater evaluates depend on its content.
     for (const ProgramNode& node : program.nodes())

@@ -11,7 +11,7 @@ namespace vitrine::scenes {
 /// Sample of a scene at a point.
 struct SceneSample {
     double distance = 0;                             ///< Meters, negative inside; a step of this length is safe.
-    std::uint32_t node = none;                       ///< The shape with the largest weight; index in `Scene::nodes`.
+    std::uint32_t node = noIndex;                    ///< The shape with the largest weight; index in `Scene::nodes`.
     std::array<double, wordsOfMaterial> material{};  ///< Blended, in the order of `wordsOfMaterial`.
 };
 

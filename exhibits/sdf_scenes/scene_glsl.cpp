@@ -136,10 +136,10 @@ std::string GlslWriter::call(std::string_view expression, const ProgramNode& nod
 
 bool GlslWriter::hasOneMaterial() const
 {
-    std::uint32_t first = none;
+    std::uint32_t first = noIndex;
     for (const ProgramNode& node : program_.nodes()) {
         if (program_.kind(node).form != Form::shape) continue;
-        if (first != none && node.material != first) return false;
+        if (first != noIndex && node.material != first) return false;
         first = node.material;
     }
     return true;
@@ -171,12 +171,12 @@ void GlslWriter::writeEnter(std::uint32_t index, bool withMaterials)
     const ProgramNode& node = program_.nodes()[index];
     const NodeKind& kind = program_.kind(node);
     const std::string own = named('p', index);
-    std::string from = node.parent == none ? "p" : askedAt(node.parent);
-    if (node.translate != none) from = '(' + from + " - " + vector(node.translate) + ')';
-    if (node.rotate != none)
+    std::string from = node.parent == noIndex ? "p" : askedAt(node.parent);
+    if (node.translate != noIndex) from = '(' + from + " - " + vector(node.translate) + ')';
+    if (node.rotate != noIndex)
         from = "sceneTurned(" + from + ", " + vector(node.rotate) + ", " + vector(node.rotate + 3) + ", " +
                vector(node.rotate + 6) + ')';
-    if (node.scale != none) from += " * " + vector(node.scale);
+    if (node.scale != noIndex) from += " * " + vector(node.scale);
     line("vec3 " + own + " = " + from + ';');
     if (kind.place) line("vec3 " + named('q', index) + " = " + call(kind.place.glsl, node, {{"p", own}}) + ';');
     if (kind.form != Form::repeater) return;
@@ -245,7 +245,7 @@ void GlslWriter::writeStep(const Step& step, bool withMaterials)
         break;
     case Step::Type::again: writeAgain(step, withMaterials); break;
     case Step::Type::leave:
-        if (node.scale != none) line(d + " = sdfScaled(" + d + ", " + word(node.scale + 3) + ");");
+        if (node.scale != noIndex) line(d + " = sdfScaled(" + d + ", " + word(node.scale + 3) + ");");
         break;
     }
 }

@@ -23,7 +23,7 @@ bool isFinite(const render::Box& box)
 /// Returns whether a node is a hard union without a transformation.
 bool isPlainUnion(const SceneProgram& program, const SceneConstants& words, const ProgramNode& node)
 {
-    const bool moved = node.translate != none || node.rotate != none || node.scale != none;
+    const bool moved = node.translate != noIndex || node.rotate != noIndex || node.scale != noIndex;
     return !moved && program.kind(node).name == "union" && words.words[node.numbers + 1] == 0;
 }
 
@@ -114,7 +114,7 @@ SceneWithoutPlanes::SceneWithoutPlanes(const SceneProgram& program, const SceneC
     std::vector<std::uint32_t> left(nodes.size(), 0);
     const ListRecords ways(program, words);
     for (std::uint32_t i = 0; i < nodes.size(); ++i) {
-        const bool inPlain = nodes[i].parent == none || plain[nodes[i].parent] != 0;
+        const bool inPlain = nodes[i].parent == noIndex || plain[nodes[i].parent] != 0;
         plain[i] = inPlain && isPlainUnion(program, words, nodes[i]);
         left[i] = nodes[i].children;
         if (!inPlain || program.kind(nodes[i]).name != "plane" || planes.size() >= mostPlanes) continue;
@@ -128,11 +128,11 @@ SceneWithoutPlanes::SceneWithoutPlanes(const SceneProgram& program, const SceneC
     }
     for (std::uint32_t i = static_cast<std::uint32_t>(nodes.size()); i-- > 0;) {
         if (plain[i] != 0 && left[i] == 0) gone[i] = 1;
-        if (gone[i] != 0 && nodes[i].parent != none) --left[nodes[i].parent];
+        if (gone[i] != 0 && nodes[i].parent != noIndex) --left[nodes[i].parent];
     }
     // The boxes of children of plain unions are in scene space.
     for (std::uint32_t i = 0; i < nodes.size(); ++i) {
-        const bool whole = gone[i] == 0 && plain[i] == 0 && (nodes[i].parent == none || plain[nodes[i].parent] != 0);
+        const bool whole = gone[i] == 0 && plain[i] == 0 && (nodes[i].parent == noIndex || plain[nodes[i].parent] != 0);
         if (!whole) continue;
         box.include(words.extents[i].box.low);
         box.include(words.extents[i].box.high);
@@ -182,7 +182,7 @@ std::vector<char> changedNodes(const SceneProgram& program, const std::vector<do
     std::vector<char> changed;
     changed.reserve(program.nodes().size());
     const auto differ = [&](std::uint32_t first, std::size_t count) {
-        return first != none &&
+        return first != noIndex &&
                !std::equal(now.begin() + first, now.begin() + first + std::ptrdiff_t(count), before.begin() + first);
     };
     for (const ProgramNode& node : program.nodes()) {

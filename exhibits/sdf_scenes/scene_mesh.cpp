@@ -42,7 +42,7 @@ std::string endlessPart(const SceneField& field)
         return std::isfinite(glm::length(box.low)) && std::isfinite(glm::length(box.high));
     };
     std::uint32_t i = 0;
-    for (std::uint32_t c = program.nodes()[i].firstChild; c != none;) {
+    for (std::uint32_t c = program.nodes()[i].firstChild; c != noIndex;) {
         // A node that stretches space too much needs its child at any distance: it is the cause, not its child.
         if (program.scene().nodes[program.nodes()[i].node].kind->childLevelWithin) break;
         if (ends(c)) {
@@ -54,7 +54,7 @@ std::string endlessPart(const SceneField& field)
     }
     const Node& node = program.scene().nodes[program.nodes()[i].node];
     const render::JsonText& file = *program.scene().files[node.origin.file].text;
-    const bool isAlone = program.nodes()[i].firstChild == none;
+    const bool isAlone = program.nodes()[i].firstChild == noIndex;
     return "the " + std::string(node.kind->name) + " in line " + std::to_string(file.position(node.origin.value).line) +
            " of " + file.name() +
            (isAlone || node.kind->form == Form::repeater

@@ -59,11 +59,11 @@ void writeBox(const render::Box& box, double* words)
 render::Box placedBox(render::Box box, const double* words, const ProgramNode& node)
 {
     if (box.empty()) return box;
-    if (node.scale != none) {
+    if (node.scale != noIndex) {
         const glm::dvec3 factor = 1.0 / glm::dvec3(words[node.scale], words[node.scale + 1], words[node.scale + 2]);
         box = {box.low * factor, box.high * factor};
     }
-    if (node.rotate != none) {
+    if (node.rotate != noIndex) {
         render::Box turned{glm::dvec3(0), glm::dvec3(0)};
         for (int axis = 0; axis < 3; ++axis) {
             const double* column = words + node.rotate + 3 * axis;
@@ -75,7 +75,7 @@ render::Box placedBox(render::Box box, const double* words, const ProgramNode& n
         }
         box = turned;
     }
-    if (node.translate != none) {
+    if (node.translate != noIndex) {
         const glm::dvec3 by(words[node.translate], words[node.translate + 1], words[node.translate + 2]);
         box = {box.low + by, box.high + by};
     }
@@ -108,7 +108,7 @@ void SceneProgram::keepNodes()
     const std::vector<Node>& all = scene_->nodes;
     std::vector<char> kept(all.size(), 0);
     for (std::size_t i = 0; i < all.size(); ++i)
-        kept[i] = !all[i].hidden && (all[i].parent == none || kept[all[i].parent]);
+        kept[i] = !all[i].hidden && (all[i].parent == noIndex || kept[all[i].parent]);
     // Children are stored after their parents, so the backward loop decides each before its parent.
     std::vector<char> hasChild(all.size(), 0);
     for (std::size_t i = all.size(); i-- > 0;) {
@@ -117,13 +117,13 @@ void SceneProgram::keepNodes()
             const bool needsFirst = node.kind->name == "subtraction" && !kept[node.firstChild];
             kept[i] = hasChild[i] && !needsFirst;
         }
-        if (kept[i] && node.parent != none) hasChild[node.parent] = 1;
+        if (kept[i] && node.parent != noIndex) hasChild[node.parent] = 1;
     }
-    std::vector<std::uint32_t> programNode(all.size(), none);
+    std::vector<std::uint32_t> programNode(all.size(), noIndex);
     std::vector<std::uint32_t> lastChild;
     for (std::uint32_t i = 0; i < all.size(); ++i) {
-        const std::uint32_t parent = all[i].parent == none ? none : programNode[all[i].parent];
-        if (!kept[i] || (all[i].parent != none && parent == none)) continue;
+        const std::uint32_t parent = all[i].parent == noIndex ? noIndex : programNode[all[i].parent];
+        if (!kept[i] || (all[i].parent != noIndex && parent == noIndex)) continue;
         const auto index = static_cast<std::uint32_t>(nodes_.size());
         programNode[i] = index;
         ProgramNode node;
@@ -131,10 +131,10 @@ void SceneProgram::keepNodes()
         node.parent = parent;
         node.material = all[i].material;
         nodes_.push_back(node);
-        lastChild.push_back(none);
-        if (parent == none) continue;
+        lastChild.push_back(noIndex);
+        if (parent == noIndex) continue;
         ++nodes_[parent].children;
-        (lastChild[parent] == none ? nodes_[parent].firstChild : nodes_[lastChild[parent]].next) = index;
+        (lastChild[parent] == noIndex ? nodes_[parent].firstChild : nodes_[lastChild[parent]].next) = index;
         lastChild[parent] = index;
     }
 }
@@ -145,19 +145,19 @@ void SceneProgram::placeWords()
     const auto take = [&](bool present, std::uint32_t words) {
         const std::uint32_t at = word;
         if (present) word += words;
-        return present ? at : none;
+        return present ? at : noIndex;
     };
-    materialWords_.assign(scene_->materials.size(), none);
+    materialWords_.assign(scene_->materials.size(), noIndex);
     for (ProgramNode& node : nodes_) {
         const Node& of = scene_->nodes[node.node];
-        if (of.kind->form == Form::shape && materialWords_[of.material] == none)
+        if (of.kind->form == Form::shape && materialWords_[of.material] == noIndex)
             materialWords_[of.material] = take(true, wordsOfMaterial);
     }
     for (ProgramNode& node : nodes_) {
         const Node& of = scene_->nodes[node.node];
-        node.translate = take(of.translate != none, 3);
-        node.rotate = take(of.rotate != none, 9);
-        node.scale = take(of.scale != none, 4);
+        node.translate = take(of.translate != noIndex, 3);
+        node.rotate = take(of.rotate != noIndex, 9);
+        node.scale = take(of.scale != noIndex, 4);
         node.numbers = take(true, static_cast<std::uint32_t>(of.kind->numbers()));
         take(of.kind->form == Form::repeater, numbersOfRepeatRange);
     }
@@ -170,13 +170,13 @@ void SceneProgram::writeSteps()
     for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
         entered[i] = static_cast<std::uint32_t>(steps_.size());
         steps_.push_back({Step::Type::enter, i});
-        if (nodes_[i].firstChild != none) continue;
+        if (nodes_[i].firstChild != noIndex) continue;
         steps_.push_back({Step::Type::shape, i});
         // Ends this node, and every ancestor whose last child ends with it.
         for (std::uint32_t done = i;;) {
             steps_.push_back({Step::Type::leave, done});
             const std::uint32_t parent = nodes_[done].parent;
-            if (parent == none) break;
+            if (parent == noIndex) break;
             const Form form = kind(nodes_[parent]).form;
             if (form == Form::modifier)
                 steps_.push_back({Step::Type::modify, parent, done});
@@ -185,7 +185,7 @@ void SceneProgram::writeSteps()
             else
                 steps_.push_back(
                     {nodes_[parent].firstChild == done ? Step::Type::first : Step::Type::combine, parent, done});
-            if (nodes_[done].next != none) break;
+            if (nodes_[done].next != noIndex) break;
             done = parent;
         }
     }
@@ -196,7 +196,7 @@ void SceneProgram::writeSteps()
 void SceneProgram::findExactness()
 {
     const auto constant = [&](std::uint32_t number, double value) {
-        return scene_->numbers[number].expression == none && scene_->numbers[number].value == value;
+        return scene_->numbers[number].expression == noIndex && scene_->numbers[number].value == value;
     };
     std::vector<char> flat(nodes_.size(), 0);
     for (std::size_t i = nodes_.size(); i-- > 0;) {
@@ -205,7 +205,7 @@ void SceneProgram::findExactness()
         node.exactness = of.kind->exactness;
         if (of.kind->form == Form::operands && node.children == 1) node.exactness = Exactness::exact;
         bool flatChildren = true;
-        for (std::uint32_t c = node.firstChild; c != none; c = nodes_[c].next) {
+        for (std::uint32_t c = node.firstChild; c != noIndex; c = nodes_[c].next) {
             node.exactness = std::max(node.exactness, nodes_[c].exactness);
             flatChildren = flatChildren && flat[c];
         }
@@ -219,8 +219,8 @@ void SceneProgram::findExactness()
         if (of.kind->ofFlatChild && !flatChildren) node.exactness = Exactness::bound;
         const bool blends = of.kind->form == Form::operands && node.children > 1;
         if (blends && !constant(of.numbers + 1, 0)) node.exactness = Exactness::bound;
-        if (of.rotate != none) flat[i] = 0;
-        if (of.scale == none) continue;
+        if (of.rotate != noIndex) flat[i] = 0;
+        if (of.scale == noIndex) continue;
         const double first = scene_->numbers[of.scale].value;
         for (std::uint32_t k = 0; k < 3; ++k)
             if (!constant(of.scale + k, first)) node.exactness = Exactness::bound;
@@ -233,21 +233,21 @@ SceneConstants SceneProgram::words(const std::vector<double>& numbers) const
     all.words.resize(wordCount_);
     std::vector<double>& words = all.words;
     for (std::size_t m = 0; m < materialWords_.size(); ++m) {
-        if (materialWords_[m] == none) continue;
+        if (materialWords_[m] == noIndex) continue;
         fillMaterial(scene_->materials[m], &numbers[scene_->materials[m].numbers], &words[materialWords_[m]]);
     }
     for (const ProgramNode& node : nodes_) {
         const Node& of = scene_->nodes[node.node];
         std::copy_n(numbers.begin() + of.numbers, of.kind->numbers(), words.begin() + node.numbers);
         normalizeDirections(of.kind->fields, words.data() + node.numbers);
-        if (node.translate != none) std::copy_n(numbers.begin() + of.translate, 3, words.begin() + node.translate);
-        if (node.rotate != none) {
+        if (node.translate != noIndex) std::copy_n(numbers.begin() + of.translate, 3, words.begin() + node.translate);
+        if (node.rotate != noIndex) {
             const glm::dmat3 turn = rotationOf(&numbers[of.rotate]);
             for (int column = 0; column < 3; ++column)
                 for (int row = 0; row < 3; ++row)
                     words[node.rotate + static_cast<std::uint32_t>(3 * column + row)] = turn[column][row];
         }
-        if (node.scale != none) {
+        if (node.scale != noIndex) {
             const double* factors = &numbers[of.scale];
             for (std::uint32_t i = 0; i < 3; ++i) words[node.scale + i] = 1 / factors[i];
             words[node.scale + 3] = std::min({factors[0], factors[1], factors[2]});
@@ -272,7 +272,7 @@ Bounds SceneProgram::extentInside(const SceneConstants& all, const Cover& cover,
     Bounds inside = cover.extent(node.firstChild);
     inside.ballsFrom = Bounds().ballsFrom;
     if (k.extentOf) return k.extentOf(inside, v, level);
-    for (std::uint32_t c = nodes_[node.firstChild].next; c != none; c = nodes_[c].next)
+    for (std::uint32_t c = nodes_[node.firstChild].next; c != noIndex; c = nodes_[c].next)
         inside = k.extentOfTwo(inside, cover.extent(c));
     return inside;
 }
@@ -353,26 +353,26 @@ SceneProgram::Cover SceneProgram::coverOf(const SceneConstants& all, std::uint32
 {
     // Nodes are in depth-first order: descendants follow a node, up to the first one that is none.
     auto end = first + 1;
-    while (end < nodes_.size() && nodes_[end].parent != none && nodes_[end].parent >= first) ++end;
+    while (end < nodes_.size() && nodes_[end].parent != noIndex && nodes_[end].parent >= first) ++end;
     // A blend or a rounding further up may extend this far from each node's surface.
     Cover cover{first, std::vector<double>(end - first, level), std::vector<Bounds>(end - first)};
     for (std::uint32_t i = first; i < end; ++i) {
         const ProgramNode& node = nodes_[i];
         double& own = cover.levels[i - first];
-        if (node.scale != none) own /= all.words[node.scale + 3];
-        if (node.firstChild == none) continue;
+        if (node.scale != noIndex) own /= all.words[node.scale + 3];
+        if (node.firstChild == noIndex) continue;
         const double inner = levelOfChild(all, i, own, nested);
-        for (std::uint32_t c = node.firstChild; c != none; c = nodes_[c].next) cover.levels[c - first] = inner;
+        for (std::uint32_t c = node.firstChild; c != noIndex; c = nodes_[c].next) cover.levels[c - first] = inner;
     }
     for (std::uint32_t i = end; i-- > first;) {
         const ProgramNode& node = nodes_[i];
         Bounds extent = extentInside(all, cover, i);
         extent.box = placedBox(extent.box, all.words.data(), node);
-        if (node.rotate != none) extent.even = 0;
-        if (node.rotate != none || node.scale != none) extent.ballsFrom = Bounds().ballsFrom;
-        for (std::uint32_t axis = 0; axis < 3 && node.translate != none; ++axis)
+        if (node.rotate != noIndex) extent.even = 0;
+        if (node.rotate != noIndex || node.scale != noIndex) extent.ballsFrom = Bounds().ballsFrom;
+        for (std::uint32_t axis = 0; axis < 3 && node.translate != noIndex; ++axis)
             if (all.words[node.translate + axis] != 0) extent.even &= ~(1U << axis);
-        if (node.translate != none)
+        if (node.translate != noIndex)
             extent.ballsFrom =
                 all.words[node.translate + 2] == 0 ? extent.ballsFrom + all.words[node.translate] : Bounds().ballsFrom;
         cover.extents[i - first] = extent;

@@ -11,14 +11,14 @@ namespace vitrine::scenes {
 /// A node that is drawn, with the indices of its numbers (`SceneConstants`). Hidden nodes, and operations without
 /// children, are left out.
 struct ProgramNode {
-    std::uint32_t node = 0;                                       ///< Index in `Scene::nodes`.
-    std::uint32_t parent = none, firstChild = none, next = none;  ///< Indices in `SceneProgram::nodes`.
+    std::uint32_t node = 0;                                                ///< Index in `Scene::nodes`.
+    std::uint32_t parent = noIndex, firstChild = noIndex, next = noIndex;  ///< Indices in `SceneProgram::nodes`.
     std::uint32_t children = 0;
-    std::uint32_t translate = none;  ///< Index of three numbers.
-    std::uint32_t rotate = none;     ///< Index of nine: the axes of its own space.
-    std::uint32_t scale = none;      ///< Index of four: the reciprocal of each factor, and the smallest factor.
-    std::uint32_t numbers = 0;       ///< Index of the kind's numbers; in a repeater, those of `RepeatRange` follow.
-    std::uint32_t material = 0;      ///< Shapes: index in the scene's list of materials.
+    std::uint32_t translate = noIndex;  ///< Index of three numbers.
+    std::uint32_t rotate = noIndex;     ///< Index of nine: the axes of its own space.
+    std::uint32_t scale = noIndex;      ///< Index of four: the reciprocal of each factor, and the smallest factor.
+    std::uint32_t numbers = 0;          ///< Index of the kind's numbers; in a repeater, those of `RepeatRange` follow.
+    std::uint32_t material = 0;         ///< Shapes: index in the scene's list of materials.
     Exactness exactness = Exactness::exact;
 };
 

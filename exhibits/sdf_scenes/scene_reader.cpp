@@ -233,7 +233,8 @@ SceneParameter SceneReader::readParameter(std::uint32_t file, std::uint32_t obje
         const Field any{"", FieldType::real, parameter.unit, low, high};
         const std::uint32_t at = fields_.readField(file, value, any);
         const Number number = scene_.numbers[at];
-        if (number.expression != none) findings_.add(json, value, "a parameter cannot depend on others; give a number");
+        if (number.expression != noIndex)
+            findings_.add(json, value, "a parameter cannot depend on others; give a number");
         return number.value;
     };
     constexpr double most = 1e6;

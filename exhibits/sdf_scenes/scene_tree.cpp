@@ -108,18 +108,18 @@ Tree treeOf(const Scene& scene)
 std::uint32_t nodeAt(const Scene& scene, std::string_view path)
 {
     const auto value = scene.files.front().text->at(path);
-    if (!value) return none;
+    if (!value) return noIndex;
     const auto found = std::find_if(scene.nodes.begin(), scene.nodes.end(), [&](const Node& node) {
         return node.origin.file == 0 && node.origin.value == *value;
     });
-    return found == scene.nodes.end() ? none : static_cast<std::uint32_t>(found - scene.nodes.begin());
+    return found == scene.nodes.end() ? noIndex : static_cast<std::uint32_t>(found - scene.nodes.begin());
 }
 
 std::string pathOf(const Scene& scene, std::uint32_t node)
 {
     // Searches from the root: the first node whose descendants come from elsewhere is the one that includes them.
     std::vector<std::uint32_t> way;
-    for (std::uint32_t n = node; n != none; n = scene.nodes[n].parent) way.push_back(n);
+    for (std::uint32_t n = node; n != noIndex; n = scene.nodes[n].parent) way.push_back(n);
     const JsonText& json = *scene.files.front().text;
     for (auto n = way.rbegin(); n != way.rend(); ++n) {
         const Node& at = scene.nodes[*n];
@@ -137,7 +137,7 @@ std::shared_ptr<const Scene> onlyNode(const Scene& scene, std::string_view path)
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
         const Node& node = scene.nodes[i];
         const bool meant = value && node.origin.file == 0 && node.origin.value == *value;
-        const bool under = node.parent != none && inside[node.parent];
+        const bool under = node.parent != noIndex && inside[node.parent];
         inside[i] = meant || under;
         kept[i] = inside[i];
         if (meant || !under) only->nodes[i].hidden = false;
@@ -146,7 +146,7 @@ std::shared_ptr<const Scene> onlyNode(const Scene& scene, std::string_view path)
         Node& node = only->nodes[i];
         if (!kept[i])
             node.hidden = true;
-        else if (node.parent != none)
+        else if (node.parent != noIndex)
             kept[node.parent] = 1;
         // Shows subtracted shapes themselves, without the shape that they are subtracted from.
         if (kept[i] && !inside[i] && node.kind->name == "subtraction") node.kind = findKind("union");

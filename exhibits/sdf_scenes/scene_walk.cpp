@@ -40,7 +40,7 @@ std::size_t SceneWalk::advance(std::span<const Step> steps, std::size_t i, const
     const ProgramNode& node = program_.nodes()[step.node];
     State& state = states_[step.node];
     switch (step.type) {
-    case Step::Type::enter: enter(step.node, node.parent == none ? p : states_[node.parent].asked); break;
+    case Step::Type::enter: enter(step.node, node.parent == noIndex ? p : states_[node.parent].asked); break;
     case Step::Type::shape: shape(step.node); break;
     case Step::Type::first:
         state.distance = states_[step.child].distance;
@@ -52,7 +52,7 @@ std::size_t SceneWalk::advance(std::span<const Step> steps, std::size_t i, const
         if (again(step)) return step.back;
         break;
     case Step::Type::leave:
-        if (node.scale != none) state.distance = glsl::sdfScaled(state.distance, words_[node.scale + 3]);
+        if (node.scale != noIndex) state.distance = glsl::sdfScaled(state.distance, words_[node.scale + 3]);
         break;
     }
     return i + 1;
@@ -61,21 +61,21 @@ std::size_t SceneWalk::advance(std::span<const Step> steps, std::size_t i, const
 /// Transforms a point to a node's own space.
 glm::dvec3 SceneWalk::into(const ProgramNode& node, glm::dvec3 p) const
 {
-    if (node.translate != none) p -= wordsAt(words_, node.translate);
-    if (node.rotate != none)
+    if (node.translate != noIndex) p -= wordsAt(words_, node.translate);
+    if (node.rotate != noIndex)
         p = glsl::sceneTurned(p, wordsAt(words_, node.rotate), wordsAt(words_, node.rotate + 3),
                               wordsAt(words_, node.rotate + 6));
-    if (node.scale != none) p *= wordsAt(words_, node.scale);
+    if (node.scale != noIndex) p *= wordsAt(words_, node.scale);
     return p;
 }
 
 double SceneWalk::operand(std::uint32_t index, const glm::dvec3& p)
 {
     const ProgramNode& node = program_.nodes()[index];
-    const glm::dvec3 own = into(node, node.parent == none ? p : states_[node.parent].asked);
+    const glm::dvec3 own = into(node, node.parent == noIndex ? p : states_[node.parent].asked);
     ++primitiveEvaluations_;
     double distance = kinds_[index]->distance.cpu(own, words_ + node.numbers);
-    if (node.scale != none) distance = glsl::sdfScaled(distance, words_[node.scale + 3]);
+    if (node.scale != noIndex) distance = glsl::sdfScaled(distance, words_[node.scale + 3]);
     states_[index].distance = distance;
     return distance;
 }

@@ -13,7 +13,7 @@ inline constexpr double nothingNear = 1e9;
 
 /// The visible shape at a point, and the blended material.
 struct WalkSurface {
-    std::uint32_t node = none;                       ///< Index in `Scene::nodes`.
+    std::uint32_t node = noIndex;                    ///< Index in `Scene::nodes`.
     std::array<double, wordsOfMaterial> material{};  ///< In the order of `wordsOfMaterial`.
 };
 

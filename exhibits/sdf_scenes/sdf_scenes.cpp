@@ -24,21 +24,18 @@
 #include <string>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::scenes {
 namespace {
 
 constexpr const char* firstScene = "scenes/dahlia.json";
 
-using scenes::SceneContents;
-using scenes::ShownScene;
-
 struct PreparedScene final : PreparedPart {
     std::shared_ptr<const render::Texture> environment;
-    std::string note{};            ///< Sentence for the user if the environment is stretched; else empty.
-    std::vector<double> numbers;   ///< Numbers of the scene at the prepared time.
-    scenes::SceneConstants words;  ///< The same numbers in the layout of the field evaluation.
-    scenes::SceneEvaluator asked;
-    scenes::SceneEvaluator askedRight;  ///< For the right half if the opening is divided.
+    std::string note{};           ///< Sentence for the user if the environment is stretched; else empty.
+    std::vector<double> numbers;  ///< Numbers of the scene at the prepared time.
+    SceneConstants words;         ///< The same numbers in the layout of the field evaluation.
+    SceneEvaluator asked;
+    SceneEvaluator askedRight;  ///< For the right half if the opening is divided.
 };
 
 /// Returns the position of the divider, in meters to the right of the opening's center.
@@ -130,11 +127,11 @@ struct ScenePass {
 SdfScenes::SdfScenes(const std::filesystem::path& first)
 {
     try {
-        first_ = scenes::readShownScene(first.empty() ? render::asset(firstScene) : first);
+        first_ = readShownScene(first.empty() ? render::asset(firstScene) : first);
     } catch (const Failure& failure) {
         whyNotFirst_ = failure.message();
         const std::string sphere = R"({"format": "vitrine-scene", "version": 1, "root": {"kind": "sphere"}})";
-        first_ = scenes::shownScene(scenes::readScene(sphere, "sphere", {}).scene);
+        first_ = shownScene(readScene(sphere, "sphere", {}).scene);
     }
 }
 
@@ -149,7 +146,7 @@ std::vector<double> SdfScenes::numbersAt(const ParameterValues& values, double t
     const auto& table = static_cast<const Table&>(values.table());
     std::vector<double> ofScene;
     for (const Real& row : table.ofScene) ofScene.push_back(values[row]);
-    const scenes::Scene& scene = *shown(values).scene;
+    const Scene& scene = *shown(values).scene;
     std::vector<double> numbers = scene.numbersAt(secondsAt(table_, values, time), ofScene);
     const SceneLook look = values[table_.look];
     if (look != SceneLook::scene) numbers[scene.look.numbers] = look == SceneLook::reference ? 1 : 0;
@@ -159,8 +156,7 @@ std::vector<double> SdfScenes::numbersAt(const ParameterValues& values, double t
 Portal SdfScenes::portalAt(const ParameterValues& values, double time, const std::vector<double>& numbers) const
 {
     const ShownScene& scene = shown(values);
-    return scenes::scenePortal(scenes::sceneCamera(*scene.scene, numbers, orbitAt(table_, values, time)),
-                               scene.toOpening);
+    return scenePortal(sceneCamera(*scene.scene, numbers, orbitAt(table_, values, time)), scene.toOpening);
 }
 
 Portal SdfScenes::portalAt(const ParameterValues& values, double time) const
@@ -175,7 +171,7 @@ render::Box SdfScenes::bounds(const ParameterValues&) const
 
 render::Camera SdfScenes::bestView(const ParameterValues& values) const
 {
-    return scenes::sceneView(scenes::sceneCamera(*shown(values).scene, numbersAt(values, 0), 0).fovY);
+    return sceneView(sceneCamera(*shown(values).scene, numbersAt(values, 0), 0).fovY);
 }
 
 double SdfScenes::nextChange(const ParameterValues& values, double) const
@@ -218,7 +214,7 @@ DynamicParameters SdfScenes::dynamicParameters(const ParameterValues& values, re
     if (path.empty() && text.empty())
         return {{std::shared_ptr<const Parameters>(), &table_},
                 whyNotFirst_.empty() ? Message() : unreadableFile(row, title(), whyNotFirst_)};
-    const auto reading = scenes::readDocument(path.empty() ? first_->path : std::filesystem::path(path), text, assets);
+    const auto reading = readDocument(path.empty() ? first_->path : std::filesystem::path(path), text, assets);
     if (reading->table) return {reading->table, {}};
     return {nullptr, unreadableFile(row, title(), reading->why)};
 }
@@ -226,7 +222,7 @@ DynamicParameters SdfScenes::dynamicParameters(const ParameterValues& values, re
 std::vector<std::string> SdfScenes::furtherFiles(const ParameterValues& values) const
 {
     const auto& table = static_cast<const Table&>(values.table());
-    return table.shown ? scenes::filesBeside(*table.shown) : std::vector<std::string>();
+    return table.shown ? filesBeside(*table.shown) : std::vector<std::string>();
 }
 
 std::shared_ptr<const PreparedPart> SdfScenes::prepare(const PrepareContext& context) const
@@ -237,20 +233,18 @@ std::shared_ptr<const PreparedPart> SdfScenes::prepare(const PrepareContext& con
     part->numbers = numbersAt(context.values, context.time);
     part->words = scene.program->words(part->numbers);
     const bool runs = context.values[table_.animate] && scene.contents.moves;
-    const scenes::SceneRest rest = !context.idle ? scenes::SceneRest::nothing
-                                   : runs        ? scenes::SceneRest::steady
-                                                 : scenes::SceneRest::all;
-    part->asked = scenes::sceneEvaluator(scene, part->words, context.values[table_.evaluation], rest, context.assets);
+    const SceneRest rest = !context.idle ? SceneRest::nothing : runs ? SceneRest::steady : SceneRest::all;
+    part->asked = sceneEvaluator(scene, part->words, context.values[table_.evaluation], rest, context.assets);
     if (context.values[table_.split])
         part->askedRight =
-            scenes::sceneEvaluator(scene, part->words, context.values[table_.rightEvaluation], rest, context.assets);
-    const scenes::Record& environment = scene.scene->environment;
+            sceneEvaluator(scene, part->words, context.values[table_.rightEvaluation], rest, context.assets);
+    const Record& environment = scene.scene->environment;
     if (environment.files.empty()) return part;
     const std::string path = (scene.path.parent_path() / environment.files.front()).string();
     const auto read = context.assets.get<render::Texture>(
         "sdf_scenes.environment", path,
         [&scene](const std::string&) {
-            auto picture = scenes::readEnvironment(scene);
+            auto picture = readEnvironment(scene);
             const std::uint64_t bytes = heldBytes(*picture);
             return render::AssetStore::Made<render::Texture>{std::move(picture), bytes};
         },
@@ -284,7 +278,7 @@ void SdfScenes::plan(const PlanContext& context, render::FramePlan& plan) const
         plan.skip("sdf_scenes/right", "the picture is not divided");
     }
     planPart("sdf_scenes/scene", values, portal, context, plan);
-    for (const scenes::Finding& shape : shown(values).scene->leftOut)
+    for (const Finding& shape : shown(values).scene->leftOut)
         plan.warn("sdf_scenes/shapes", shape.text().english() + " This shape is left out.");
     const std::size_t lights = shown(values).scene->lights.size();
     if (lights > SCENE_MOST_LIGHTS)
@@ -302,7 +296,7 @@ void SdfScenes::planPart(const std::string& name, const ParameterValues& values,
     }
     const ShownScene& scene = shown(values);
     const auto& prepared = static_cast<const PreparedScene&>(*context.prepared);
-    const scenes::SceneEvaluator& asked = portal.side > 0 ? prepared.askedRight : prepared.asked;
+    const SceneEvaluator& asked = portal.side > 0 ? prepared.askedRight : prepared.asked;
     const std::string steps = portal.side > 0 ? name + '/' : "sdf_scenes/";
     // Shaders see only the parameters that all scenes have, so that all scenes share one uniform block.
     std::vector<std::string> notes;
@@ -317,8 +311,8 @@ void SdfScenes::planPart(const std::string& name, const ParameterValues& values,
 
     if (!asked.why.empty()) plan.skip(steps + "cells", asked.why);
     if (!asked.folded) plan.skip(steps + "folding", asked.whyNotFolded);
-    scenes::SceneStage stage = scenes::sceneStage(scene, prepared.words, prepared.numbers);
-    if (asked.near) scenes::setBox(stage, asked.near->box);
+    SceneStage stage = sceneStage(scene, prepared.words, prepared.numbers);
+    if (asked.near) setBox(stage, asked.near->box);
     stage.bounces = std::min(stage.bounces, values[table_.bounces]);
     stage.exposure *= static_cast<float>(values[table_.brightness]);
     if (prepared.environment) {
@@ -326,7 +320,7 @@ void SdfScenes::planPart(const std::string& name, const ParameterValues& values,
         pass.inputs.push_back({UNIT_EXHIBIT_A, prepared.environment});
     }
     render::Bytes block;
-    if (asked.numbersInBlock) block = scenes::sceneBlock(prepared.words);
+    if (asked.numbersInBlock) block = sceneBlock(prepared.words);
     const render::Bytes around = render::std140Bytes(stage);
     block.insert(block.end(), around.begin(), around.end());
     pass.blocks[BLOCK_EXHIBIT] = std::move(block);
@@ -356,13 +350,9 @@ double SdfScenes::valueUnder(const ExhibitState&, std::size_t, const render::Ray
 
 namespace {
 
-using scenes::EditedScene;
-using scenes::SceneEdit;
-using scenes::SceneField;
-
-const scenes::NodeKind& kindNamed(const std::string& word)
+const NodeKind& kindNamed(const std::string& word)
 {
-    const scenes::NodeKind* kind = scenes::findKind(word);
+    const NodeKind* kind = findKind(word);
     if (!kind) throw Failure(ErrorKind::check, "There is no kind of node \"" + word + "\".");
     return *kind;
 }
@@ -406,7 +396,7 @@ SceneRay sceneRay(const Portal& portal, const render::Ray& ray)
     return through;
 }
 
-bool isFinite(const render::Box& box)
+bool hasFiniteSize(const render::Box& box)
 {
     const glm::dvec3 size = box.high - box.low;
     return std::isfinite(size.x) && std::isfinite(size.y) && std::isfinite(size.z);
@@ -416,17 +406,17 @@ bool isFinite(const render::Box& box)
 
 Tree SdfScenes::tree(const ParameterValues& values) const
 {
-    return scenes::treeOf(*shown(values).scene);
+    return treeOf(*shown(values).scene);
 }
 
 std::optional<TreeParameters> SdfScenes::parametersOf(const ParameterValues& values, std::string_view node) const
 {
-    const scenes::ShownScene& scene = shown(values);
+    const ShownScene& scene = shown(values);
     const std::vector<double> numbers = numbersAt(values, 0);
-    std::optional<TreeParameters> rows = scenes::nodeParameters(*scene.scene, numbers, node);
-    const std::uint32_t at = scenes::nodeAt(*scene.scene, node);
-    if (!rows || at == scenes::none) return rows;
-    const std::string without = scenes::placeInScene(scene, numbers, at).without;
+    std::optional<TreeParameters> rows = nodeParameters(*scene.scene, numbers, node);
+    const std::uint32_t at = nodeAt(*scene.scene, node);
+    if (!rows || at == noIndex) return rows;
+    const std::string without = placeInScene(scene, numbers, at).without;
     if (!without.empty()) rows->note += (rows->note.empty() ? "" : " ") + without;
     return rows;
 }
@@ -452,33 +442,33 @@ EditedTree SdfScenes::edited(const ParameterValues& values, const TreeEdit& want
 ParameterValues SdfScenes::withParameter(const ParameterValues& values, std::string_view node, std::size_t row,
                                          const Value& value, render::AssetStore& assets) const
 {
-    return withText(values, scenes::textWithParameter(*shown(values).scene, node, row, value), assets);
+    return withText(values, textWithParameter(*shown(values).scene, node, row, value), assets);
 }
 
 ParameterValues SdfScenes::withPlace(const ParameterValues& values, std::string_view node, const TreePlace& from,
                                      const TreePlace& to, render::AssetStore& assets) const
 {
-    return withText(values, scenes::textWithPlace(*shown(values).scene, node, from, to), assets);
+    return withText(values, textWithPlace(*shown(values).scene, node, from, to), assets);
 }
 
 std::string SdfScenes::pick(const ExhibitState& state, const render::Ray& ray) const
 {
-    const scenes::ShownScene& scene = shown(state.values);
+    const ShownScene& scene = shown(state.values);
     const SceneRay through = sceneRay(portalAt(state.values, state.time), ray);
     if (!through.throughOpening) return {};
     const SceneField field(scene.program, scene.program->words(numbersAt(state.values, state.time)));
-    const double t = scenes::marched(field, through.origin, through.direction, through.start, 1e5);
+    const double t = marched(field, through.origin, through.direction, through.start, 1e5);
     if (!std::isfinite(t)) return {};
     const std::uint32_t node = field.sample(through.origin + t * through.direction).node;
-    return node == scenes::none ? std::string() : scenes::pathOf(*scene.scene, node);
+    return node == noIndex ? std::string() : pathOf(*scene.scene, node);
 }
 
 std::optional<TreePlace> SdfScenes::placeOf(const ExhibitState& state, std::string_view node) const
 {
-    const scenes::Scene& scene = *shown(state.values).scene;
-    const std::uint32_t at = scenes::nodeAt(scene, node);
-    if (at == scenes::none) return std::nullopt;
-    TreePlace place = scenes::placeInScene(shown(state.values), numbersAt(state.values, state.time), at);
+    const Scene& scene = *shown(state.values).scene;
+    const std::uint32_t at = nodeAt(scene, node);
+    if (at == noIndex) return std::nullopt;
+    TreePlace place = placeInScene(shown(state.values), numbersAt(state.values, state.time), at);
     place.exhibitFromParent =
         glm::affineInverse(portalAt(state.values, state.time).workFromExhibit) * place.exhibitFromParent;
     return place;
@@ -486,23 +476,23 @@ std::optional<TreePlace> SdfScenes::placeOf(const ExhibitState& state, std::stri
 
 std::shared_ptr<const TreeShape> SdfScenes::shapeOf(const ExhibitState& state, std::string_view node) const
 {
-    const scenes::Scene& scene = *shown(state.values).scene;
-    if (scenes::nodeAt(scene, node) == scenes::none) return nullptr;
-    const auto program = std::make_shared<const scenes::SceneProgram>(scenes::onlyNode(scene, node));
+    const Scene& scene = *shown(state.values).scene;
+    if (nodeAt(scene, node) == noIndex) return nullptr;
+    const auto program = std::make_shared<const SceneProgram>(onlyNode(scene, node));
     const auto field = std::make_shared<const SceneField>(program, program->words(numbersAt(state.values, state.time)));
     const Portal portal = portalAt(state.values, state.time);
     const render::Box box = field->box();
     auto shape = std::make_shared<TreeShape>();
     constexpr double everywhere = std::numeric_limits<double>::infinity();
     shape->box = {glm::dvec3(-everywhere), glm::dvec3(everywhere)};
-    if (isFinite(box) && !box.empty()) shape->box = box.transformed(glm::affineInverse(portal.workFromExhibit));
+    if (hasFiniteSize(box) && !box.empty()) shape->box = box.transformed(glm::affineInverse(portal.workFromExhibit));
     shape->isHit = [field, portal, box](const render::Ray& ray) {
         const SceneRay through = sceneRay(portal, ray);
         if (!through.throughOpening || field->program().nodes().empty()) return false;
         const render::RayInterval inside = render::insideBox({through.origin, through.direction}, box);
         const double start = std::max(through.start, inside.enter - 1e-6);
         return std::isfinite(
-            scenes::marched(*field, through.origin, through.direction, start, std::min(inside.exit + 1e-6, 1e5)));
+            marched(*field, through.origin, through.direction, start, std::min(inside.exit + 1e-6, 1e5)));
     };
     return shape;
 }
@@ -522,7 +512,7 @@ std::string SdfScenes::documentText(const ParameterValues& values) const
 
 bool SdfScenes::isDocument(const std::string& text) const
 {
-    return scenes::isSceneText(text);
+    return isSceneText(text);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::scenes

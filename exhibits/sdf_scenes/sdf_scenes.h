@@ -9,7 +9,7 @@
 
 #include <filesystem>
 
-namespace vitrine {
+namespace vitrine::scenes {
 
 /// A scene of SDF shapes from a file, seen through a deep frame, with more than 25 public functions because it
 /// implements six capabilities. Its tree is compiled to a shader of its own; its parameters become sliders. Read
@@ -80,7 +80,7 @@ public:
     [[nodiscard]] StandAloneNumbers standAloneNumbers(const ParameterValues&) const override;
 
     /// Returns the scene of the values' table; the first scene if that has none.
-    [[nodiscard]] const scenes::ShownScene& shown(const ParameterValues&) const;
+    [[nodiscard]] const ShownScene& shown(const ParameterValues&) const;
 
 private:
     /// Returns all numbers of the scene at a time of the exhibit's clock. The parameter `look` replaces the file's look
@@ -98,8 +98,8 @@ private:
                   render::FramePlan&) const;
 
     Table table_;
-    std::shared_ptr<const scenes::ShownScene> first_;
+    std::shared_ptr<const ShownScene> first_;
     Message whyNotFirst_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::scenes

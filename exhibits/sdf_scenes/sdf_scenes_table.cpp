@@ -4,7 +4,7 @@
 
 #include <cctype>
 
-namespace vitrine {
+namespace vitrine::scenes {
 namespace {
 
 /// Returns an unused name for a parameter of a scene.
@@ -19,11 +19,11 @@ std::string freeName(const SdfScenesTable& table, const std::string& name)
 
 }  // namespace
 
-SdfScenesTable::SdfScenesTable(std::shared_ptr<const scenes::ShownScene> of) : shown(std::move(of))
+SdfScenesTable::SdfScenesTable(std::shared_ptr<const ShownScene> of) : shown(std::move(of))
 {
     if (!shown || shown->scene->parameters().empty()) return;
     group(shown->scene->name.empty() ? "Scene parameters" : shown->scene->name);
-    for (const scenes::SceneParameter& p : shown->scene->parameters()) {
+    for (const SceneParameter& p : shown->scene->parameters()) {
         const std::string help = p.help.empty() ? "Parameter of this scene." : p.help;
         ofScene.push_back(real(freeName(*this, p.name), p.initial, p.unit, Range{p.low, p.high}, help, essential()));
     }
@@ -40,4 +40,4 @@ ParameterValues rightHalf(const SdfScenesTable& t, ParameterValues values)
     return values;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::scenes

@@ -6,11 +6,9 @@
 #include <memory>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::scenes {
 
-namespace scenes {
 struct ShownScene;
-}
 
 enum class SceneLook : int { scene, physical, reference };
 enum class SceneShadow : int { look, none, hard, classic, improved, signedDistance, area };
@@ -21,7 +19,7 @@ enum class SceneEvaluation : int { automatic, near, shapes };
 /// Parameters of the exhibit with the scene behind the frame. The parameters of a scene file are appended.
 struct SdfScenesTable final : Parameters {
     /// Makes the parameters for a scene; null: the initial scene, without parameters of its own.
-    explicit SdfScenesTable(std::shared_ptr<const scenes::ShownScene> = {});
+    explicit SdfScenesTable(std::shared_ptr<const ShownScene> = {});
 
     Group show = group("Display");
     File scene =
@@ -142,7 +140,7 @@ struct SdfScenesTable final : Parameters {
          {.name = "stepLimit", .settles = "Rays end before they have taken this many steps."},
          {.name = "normalStep", .settles = "Steps of half and of double that length give the same normals."}}};
 
-    const std::shared_ptr<const scenes::ShownScene> shown;
+    const std::shared_ptr<const ShownScene> shown;
     std::vector<Real> ofScene;  ///< Parameters of the scene, in their order.
 
 private:
@@ -156,4 +154,4 @@ private:
 /// Returns the values for drawing the right half: its own parameters replace those of the whole picture.
 [[nodiscard]] ParameterValues rightHalf(const SdfScenesTable&, ParameterValues);
 
-}  // namespace vitrine
+}  // namespace vitrine::scenes

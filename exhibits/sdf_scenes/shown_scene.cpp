@@ -25,11 +25,11 @@ struct MaterialNumbers {
     [[nodiscard]] const Number& number(std::size_t i) const { return scene.numbers[record.numbers + i]; }
     [[nodiscard]] bool mayBeAbove(std::size_t i, double limit) const
     {
-        return number(i).expression != none || number(i).value > limit;
+        return number(i).expression != noIndex || number(i).value > limit;
     }
     [[nodiscard]] bool mayBeBelow(std::size_t i, double limit) const
     {
-        return number(i).expression != none || number(i).value < limit;
+        return number(i).expression != noIndex || number(i).value < limit;
     }
 };
 
@@ -59,7 +59,7 @@ SceneContents contentsOf(const Scene& scene, const SceneProgram& program)
 {
     SceneContents contents;
     for (std::uint32_t i = 0; i < scene.materials.size(); ++i)
-        if (program.materialWord(i) != none) addMaterial({scene, scene.materials[i]}, contents);
+        if (program.materialWord(i) != noIndex) addMaterial({scene, scene.materials[i]}, contents);
     contents.lamps = std::any_of(scene.lights.begin(), scene.lights.end(),
                                  [](const Record& light) { return light.kind->name == "area"; });
     contents.moves = scene.animated();

@@ -11,18 +11,8 @@
 #include <numbers>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::scenes {
 namespace {
-
-using scenes::Node;
-using scenes::NodeKind;
-using scenes::none;
-using scenes::Number;
-using scenes::NumberExpression;
-using scenes::ProgramNode;
-using scenes::Scene;
-using scenes::SceneConstants;
-using scenes::SceneProgram;
 
 constexpr double boxesEnd = 1e6;  // Meters from the origin.
 
@@ -53,7 +43,7 @@ vec3 sceneDirection(vec3 d)
 class SceneNumberWriter {
 public:
     /// `moment`: seconds of the scene when the shader's time is 0. `present`: values of the scene's parameters.
-    SceneNumberWriter(const scenes::ShownScene& shown, double moment, std::vector<double> present,
+    SceneNumberWriter(const ShownScene& shown, double moment, std::vector<double> present,
                       const std::vector<double>& numbers)
         : scene_(*shown.scene), program_(*shown.program), moment_(moment), present_(std::move(present)),
           numbers_(numbers), words_(program_.words(numbers)), isFolded_(program_.wordCount(), 1)
@@ -63,7 +53,7 @@ public:
     StandAloneNumbers write()
     {
         StandAloneNumbers result;
-        const std::vector<scenes::SceneParameter>& parameters = scene_.parameters();
+        const std::vector<SceneParameter>& parameters = scene_.parameters();
         for (std::size_t i = 0; i < parameters.size(); ++i)
             result.inputs.push_back({parameters[i].name, parameters[i].name, parameters[i].unit, present_[i],
                                      parameters[i].low, parameters[i].high});
@@ -76,9 +66,7 @@ public:
             writeBoxes(samples.box, boundedIntervals(whole));
             result.assigned.insert({"stage.boxLow", "stage.boxHigh"});
         }
-        const auto varies = [&](const scenes::Record& record) {
-            return anyVaries(record.numbers, numbersOfRecord(record));
-        };
+        const auto varies = [&](const Record& record) { return anyVaries(record.numbers, numbersOfRecord(record)); };
         if (varies(scene_.camera) || varies(scene_.environment) || varies(scene_.look) ||
             std::any_of(scene_.lights.begin(), scene_.lights.end(), varies))
             result.notes.push_back(message("Camera, lights and surroundings stay as they are now; shapes and materials "
@@ -86,8 +74,8 @@ public:
         result.functions = sceneFunctions;
         result.assignments = std::move(lines_);
         result.assigned.insert("sceneValues");
-        result.sources = scenes::generatedSources(
-            scenes::restingSceneGlsl(program_, words_, isFolded_, {"sdf_scenes/stage_block.glsl", "SceneStage stage"}));
+        result.sources = generatedSources(
+            restingSceneGlsl(program_, words_, isFolded_, {"sdf_scenes/stage_block.glsl", "SceneStage stage"}));
         return result;
     }
 
@@ -101,32 +89,32 @@ private:
         std::vector<std::vector<double>> words;
         render::Box box{glm::dvec3(1e9), glm::dvec3(-1e9)};
     };
-    [[nodiscard]] bool varies(std::uint32_t number) const { return scene_.numbers[number].expression != none; }
+    [[nodiscard]] bool varies(std::uint32_t number) const { return scene_.numbers[number].expression != noIndex; }
     [[nodiscard]] bool anyVaries(std::uint32_t first, std::size_t count) const
     {
-        for (std::size_t i = 0; i < count && first != none; ++i)
+        for (std::size_t i = 0; i < count && first != noIndex; ++i)
             if (varies(first + static_cast<std::uint32_t>(i))) return true;
         return false;
     }
-    static std::size_t numbersOfRecord(const scenes::Record& record)
+    static std::size_t numbersOfRecord(const Record& record)
     {
         std::size_t count = 0;
-        for (const scenes::Field& field : record.kind->fields) count += scenes::numbersOf(field.type);
+        for (const Field& field : record.kind->fields) count += numbersOf(field.type);
         return count;
     }
 
     /// Returns a number of the scene as GLSL.
     [[nodiscard]] std::string number(std::uint32_t index) const
     {
-        if (!varies(index)) return scenes::floatLiteral(numbers_[index]);
+        if (!varies(index)) return floatLiteral(numbers_[index]);
         const NumberExpression& expression = scene_.expressions[scene_.numbers[index].expression];
-        const std::vector<scenes::SceneParameter>& parameters = scene_.files[expression.file].parameters;
+        const std::vector<SceneParameter>& parameters = scene_.files[expression.file].parameters;
         const WrittenNames names = [&](std::string_view name) -> std::optional<WrittenValue> {
-            if (name == "t") return WrittenValue{"(TIME + " + scenes::floatLiteral(moment_) + ')', Unit::none};
-            for (const scenes::SceneParameter& parameter : parameters)
+            if (name == "t") return WrittenValue{"(TIME + " + floatLiteral(moment_) + ')', Unit::none};
+            for (const SceneParameter& parameter : parameters)
                 if (parameter.name == name)
                     return WrittenValue{expression.file == 0 ? '@' + parameter.name + '@'
-                                                             : scenes::floatLiteral(parameter.initial),
+                                                             : floatLiteral(parameter.initial),
                                         parameter.unit};
             return std::nullopt;
         };
@@ -136,9 +124,9 @@ private:
                           message("The expression “{1}” cannot be written as GLSL.", expression.text));
         if (expression.whole) text = "floor(" + *text + " + 0.5)";
         const bool isBounded = std::abs(expression.low) < 1e30 && std::abs(expression.high) < 1e30;
-        return isBounded ? "clamp(" + *text + ", " + scenes::floatLiteral(expression.low) + ", " +
-                               scenes::floatLiteral(expression.high) + ')'
-                         : *text;
+        return isBounded
+                   ? "clamp(" + *text + ", " + floatLiteral(expression.low) + ", " + floatLiteral(expression.high) + ')'
+                   : *text;
     }
     [[nodiscard]] std::string vector(std::uint32_t first) const
     {
@@ -167,8 +155,8 @@ private:
     void writeMaterial(std::uint32_t m, StandAloneNumbers& result)
     {
         const std::uint32_t word = program_.materialWord(m);
-        const scenes::Record& material = scene_.materials[m];
-        if (word == none || !anyVaries(material.numbers, numbersOfRecord(material))) return;
+        const Record& material = scene_.materials[m];
+        if (word == noIndex || !anyVaries(material.numbers, numbersOfRecord(material))) return;
         const bool isPhong = material.kind->name == "phong";
         for (std::uint32_t i = 0; i < 3; ++i) set(word + i, number(material.numbers + i));
         const std::size_t count = numbersOfRecord(material);
@@ -180,16 +168,16 @@ private:
                 message("The material “{1}” follows its inputs in the look for which it is written.", material.name));
         }
         // A word is folded only together with its whole vector of four.
-        for (std::uint32_t i = 0; i < scenes::wordsOfMaterial; ++i)
-            if (isFolded_[word + i] != 0) set(word + i, scenes::floatLiteral(words_.words[word + i]));
+        for (std::uint32_t i = 0; i < wordsOfMaterial; ++i)
+            if (isFolded_[word + i] != 0) set(word + i, floatLiteral(words_.words[word + i]));
     }
     void writeNode(const ProgramNode& node)
     {
         const Node& of = scene_.nodes[node.node];
         std::uint32_t at = 0;
-        for (const scenes::Field& field : of.kind->fields) {
-            const auto count = static_cast<std::uint32_t>(scenes::numbersOf(field.type));
-            const bool isDirection = field.type == scenes::FieldType::direction;
+        for (const Field& field : of.kind->fields) {
+            const auto count = static_cast<std::uint32_t>(numbersOf(field.type));
+            const bool isDirection = field.type == FieldType::direction;
             if (isDirection && anyVaries(of.numbers + at, 3)) {
                 setFrom(node.numbers + at, "vec3", "sceneDirection(" + vector(of.numbers + at) + ')', 3);
                 anyNode_ = true;
@@ -201,16 +189,16 @@ private:
             }
             at += count;
         }
-        for (std::uint32_t i = 0; i < 3 && node.translate != none; ++i) {
+        for (std::uint32_t i = 0; i < 3 && node.translate != noIndex; ++i) {
             if (!varies(of.translate + i)) continue;
             set(node.translate + i, number(of.translate + i));
             anyNode_ = true;
         }
-        if (node.rotate != none && anyVaries(of.rotate, 3)) {
+        if (node.rotate != noIndex && anyVaries(of.rotate, 3)) {
             setFrom(node.rotate, "mat3", "sceneTurn(" + vector(of.rotate) + ')', 9);
             anyNode_ = true;
         }
-        if (node.scale == none || !anyVaries(of.scale, 3)) return;
+        if (node.scale == noIndex || !anyVaries(of.scale, 3)) return;
         anyNode_ = true;
         for (std::uint32_t i = 0; i < 3; ++i) set(node.scale + i, "1.0 / " + number(of.scale + i));
         set(node.scale + 3,
@@ -222,7 +210,7 @@ private:
     {
         for (const ProgramNode& node : program_.nodes()) {
             const NodeKind& kind = program_.kind(node);
-            if (kind.form != scenes::Form::repeater) continue;
+            if (kind.form != Form::repeater) continue;
             const auto w = static_cast<std::uint32_t>(node.numbers + kind.numbers());
             for (std::uint32_t axis = 0; axis < 3; ++axis) keepCopies(node, axis, samples);
             keep(w + 6, most(w + 6, samples));
@@ -248,10 +236,10 @@ private:
             const double count = each[node.numbers + (isAround ? 0 : axis + 3)];
             const bool repeats = isAround ? axis == 0 : spacing > 0;
             if (repeats) copies = std::max(copies, each[times] + std::ceil((first - each[high]) / spacing - 1e-9));
-            all = std::max(all, !repeats ? 1 : count > 0.5 ? count : scenes::mostCopiesAsked);
+            all = std::max(all, !repeats ? 1 : count > 0.5 ? count : mostCopiesAsked);
         }
         keep(high, first);
-        keep(times, std::min({copies, all, scenes::mostCopiesAsked}));
+        keep(times, std::min({copies, all, mostCopiesAsked}));
     }
     void keep(std::uint32_t word, double value) { words_.words[word] = value; }
     void keepBox(std::uint32_t word, const std::vector<std::vector<double>>& samples)
@@ -285,7 +273,7 @@ private:
 std::vector<SceneNumberWriter::Interval> SceneNumberWriter::wholeIntervals() const
 {
     std::vector<Interval> whole;
-    for (const scenes::SceneParameter& parameter : scene_.parameters()) {
+    for (const SceneParameter& parameter : scene_.parameters()) {
         const double now = present_[whole.size()];
         whole.push_back({std::min(parameter.low, now), std::max(parameter.high, now)});
     }
@@ -365,7 +353,7 @@ std::string boxLine(const char* name, const glm::dvec3& corner, const glm::dvec3
 {
     const auto vector = [](const glm::dvec3& v) {
         std::string text = "vec3(";
-        for (int i = 0; i < 3; ++i) text += (i > 0 ? ", " : "") + scenes::floatLiteral(v[i]);
+        for (int i = 0; i < 3; ++i) text += (i > 0 ? ", " : "") + floatLiteral(v[i]);
         return text + ')';
     };
     const std::string line = "    stage." + std::string(name) + " = ";
@@ -380,7 +368,7 @@ void SceneNumberWriter::writeBoxes(const render::Box& whole, const std::vector<I
     std::string condition;
     const auto add = [&](std::size_t i, const char* comparison, double end) {
         condition += (condition.empty() ? "" : " && ") + std::string("@") + scene_.parameters()[i].name + "@ " +
-                     comparison + ' ' + scenes::floatLiteral(end);
+                     comparison + ' ' + floatLiteral(end);
     };
     for (std::size_t i = 0; i < all.size(); ++i) {
         const double margin = 1e-5 * (all[i].high - all[i].low);  // Inputs are rounded, in their own units.
@@ -406,23 +394,23 @@ ParameterValues SdfScenes::standAloneValues(const ParameterValues& values) const
 
 StandAloneNumbers SdfScenes::standAloneNumbers(const ParameterValues& values) const
 {
-    const scenes::ShownScene& scene = shown(values);
+    const ShownScene& scene = shown(values);
     const double moment = values[table_.moment];
     const std::vector<double> numbers = numbersAt(values, 0);
-    if (scenes::isInBuffer(*scene.program))
+    if (isInBuffer(*scene.program))
         throw Failure(ErrorKind::check,
                       message("The scene has more numbers than a shader of your own can hold; export a part of it."));
     const auto& table = static_cast<const Table&>(values.table());
     std::vector<double> present;
-    for (const scenes::SceneParameter& parameter : scene.scene->parameters()) present.push_back(parameter.initial);
+    for (const SceneParameter& parameter : scene.scene->parameters()) present.push_back(parameter.initial);
     for (std::size_t i = 0; i < present.size() && i < table.ofScene.size(); ++i) present[i] = values[table.ofScene[i]];
     StandAloneNumbers result = SceneNumberWriter(scene, moment, present, numbers).write();
     for (std::size_t i = 0; i < result.inputs.size() && i < table.ofScene.size(); ++i)
         result.inputs[i].label = label(values.rows()[table.ofScene[i].row]);
-    const scenes::SceneCamera camera = scenes::sceneCamera(*scene.scene, numbers, 0);
+    const SceneCamera camera = sceneCamera(*scene.scene, numbers, 0);
     const Portal portal = portalAt(values, 0, numbers);
     result.pivotDistance = glm::length(camera.target - camera.eye) / glm::length(glm::dvec3(portal.workFromExhibit[2]));
     return result;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::scenes

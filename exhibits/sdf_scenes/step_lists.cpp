@@ -51,8 +51,8 @@ bool isFolded(const SceneProgram& program, const SceneConstants& words, std::uin
     if (kind.form != Form::repeater || node.children != 1 || words.asked[index] != 1) return false;
     if (words.words[node.numbers + kind.numbers() + 6] > 0) return false;  // Its distance has a cap.
     const ProgramNode& child = program.nodes()[node.firstChild];
-    return program.kind(child).form == Form::shape && child.translate == none && child.rotate == none &&
-           child.scale == none;
+    return program.kind(child).form == Form::shape && child.translate == noIndex && child.rotate == noIndex &&
+           child.scale == noIndex;
 }
 
 std::uint32_t foldedRecords(const NodeKind& kind)
@@ -86,11 +86,11 @@ ListVocabulary ListVocabulary::of(const SceneProgram& program, const SceneConsta
 
 ListRecords::ListRecords(const SceneProgram& program, const SceneConstants& words)
     : program_(program), words_(words), nodes_(program.nodes().size()),
-      materials_(program.scene().materials.size(), none), ways_(program.nodes().size())
+      materials_(program.scene().materials.size(), noIndex), ways_(program.nodes().size())
 {
     for (std::uint32_t i = 0; i < nodes_.size(); ++i) addNode(i);
     for (std::uint32_t m = 0; m < materials_.size(); ++m) {
-        if (program.materialWord(m) == none) continue;
+        if (program.materialWord(m) == noIndex) continue;
         materials_[m] = static_cast<std::uint32_t>(records_.size());
         const double* w = words.words.data() + program.materialWord(m);
         for (std::size_t i = 0; i < wordsOfMaterial; i += 4)
@@ -105,18 +105,18 @@ void ListRecords::addNode(std::uint32_t index)
     const NodeKind& kind = program_.kind(node);
     const double* w = words_.words.data();
     Way way;
-    const bool folded = node.parent != none && isFolded(program_, words_, node.parent);
-    if (node.parent != none && (folded || !isSpace(program_.kind(program_.nodes()[node.parent]))))
+    const bool folded = node.parent != noIndex && isFolded(program_, words_, node.parent);
+    if (node.parent != noIndex && (folded || !isSpace(program_.kind(program_.nodes()[node.parent]))))
         way = ways_[node.parent];
-    if (node.translate != none)
+    if (node.translate != noIndex)
         way.shift -= glm::dvec3(w[node.translate], w[node.translate + 1], w[node.translate + 2]);
-    if (node.rotate != none) {
+    if (node.rotate != noIndex) {
         const double* r = w + node.rotate;
         const glm::dmat3 axes = glm::transpose(glm::dmat3(r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8]));
         way.turn = axes * way.turn;
         way.shift = axes * way.shift;
     }
-    if (node.scale != none) {
+    if (node.scale != noIndex) {
         const glm::dvec3 factor(w[node.scale], w[node.scale + 1], w[node.scale + 2]);
         const glm::dmat3 scale(factor.x, 0, 0, 0, factor.y, 0, 0, 0, factor.z);
         way.turn = scale * way.turn;
@@ -186,10 +186,10 @@ void ListWriter::add(std::uint32_t operation, std::uint32_t node, std::uint32_t 
 /// Joins the pending result to the open level.
 void ListWriter::join(std::uint32_t how, std::uint32_t parent)
 {
-    if (waiting_ == none) return;
+    if (waiting_ == noIndex) return;
     list_[waiting_].operation |= how << 8U;
     list_[waiting_].joint = records_ ? records_->ofNode(parent) : 0;
-    waiting_ = none;
+    waiting_ = noIndex;
     fresh_.back() = 0;
 }
 
@@ -228,17 +228,17 @@ std::vector<ListStep> ListWriter::write(std::span<const Step> steps)
 {
     list_.clear();
     fresh_.assign(1, 1);
-    waiting_ = none;
+    waiting_ = noIndex;
     depth_ = inside_ = results_ = places_ = 0;
     for (const Step& step : steps) {
         if (step.type == Step::Type::enter) children_[step.node] = 0;
         if (step.type == Step::Type::first || step.type == Step::Type::combine) ++children_[step.node];
     }
-    std::uint32_t folded = none;  // Repeater whose steps are skipped.
+    std::uint32_t folded = noIndex;  // Repeater whose steps are skipped.
     for (const Step& step : steps) {
         const ProgramNode& node = program_.nodes()[step.node];
-        if (folded != none) {
-            if (step.type == Step::Type::leave && step.node == folded) folded = none;
+        if (folded != noIndex) {
+            if (step.type == Step::Type::leave && step.node == folded) folded = noIndex;
             continue;
         }
         switch (step.type) {

@@ -121,7 +121,7 @@ private:
     std::vector<std::uint32_t> began_;     // By node: the step after its `enter`.
     std::vector<char> fresh_;              // By level: nothing was joined in it yet.
     std::vector<ListStep> list_;
-    std::uint32_t waiting_ = none;  // Step whose result is joined next.
+    std::uint32_t waiting_ = noIndex;  // Step whose result is joined next.
     std::uint32_t depth_ = 0, inside_ = 0, results_ = 0, places_ = 0;
 };
 

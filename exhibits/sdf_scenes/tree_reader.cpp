@@ -44,8 +44,8 @@ std::string withArticle(const std::string& word)
 void TreeReader::read()
 {
     const std::uint32_t root = names_.front().root;
-    if (root == none) return;
-    work_.push_back({0, root, none, 0, none});
+    if (root == noIndex) return;
+    work_.push_back({0, root, noIndex, 0, noIndex});
     while (!work_.empty() && !findings_.full()) {
         const Work next = work_.back();
         work_.pop_back();
@@ -83,10 +83,10 @@ std::uint32_t TreeReader::addNode(const Work& work, Node node)
 {
     const auto index = static_cast<std::uint32_t>(scene_.nodes.size());
     scene_.nodes.push_back(std::move(node));
-    lastChild_.push_back(none);
-    if (work.parent != none) {
+    lastChild_.push_back(noIndex);
+    if (work.parent != noIndex) {
         std::uint32_t& last = lastChild_[work.parent];
-        (last == none ? scene_.nodes[work.parent].firstChild : scene_.nodes[last].next) = index;
+        (last == noIndex ? scene_.nodes[work.parent].firstChild : scene_.nodes[last].next) = index;
         last = index;
     }
     return index;
@@ -200,7 +200,7 @@ void TreeReader::expand(const Work& work, std::uint32_t node, std::uint32_t mate
     const std::string name = fields_.readString(work.file, *value);
     if (json.value(*value).type != JsonType::string) return;
     std::uint32_t file = work.file;
-    std::uint32_t target = none;
+    std::uint32_t target = noIndex;
     if (instance) {
         const std::map<std::string, std::uint32_t>& known = names_[work.file].definitions;
         if (const auto found = known.find(name); found != known.end()) {
@@ -215,13 +215,13 @@ void TreeReader::expand(const Work& work, std::uint32_t node, std::uint32_t mate
         target = names_[file].root;
         material = 0;
     }
-    if (target == none) return;
-    for (std::uint32_t c = work.chain; c != none; c = chains_[c].outer)
+    if (target == noIndex) return;
+    for (std::uint32_t c = work.chain; c != noIndex; c = chains_[c].outer)
         if (chains_[c].file == file && chains_[c].value == target) {
             findings_.add(json, *value, "\"" + name + "\" contains itself by way of this; take one of the two out");
             return;
         }
-    const std::uint32_t depth = work.chain == none ? 1 : chains_[work.chain].depth + 1;
+    const std::uint32_t depth = work.chain == noIndex ? 1 : chains_[work.chain].depth + 1;
     if (depth > limits_.expansions) {
         findings_.add(json, *value,
                       "instances and includes are more than " + std::to_string(limits_.expansions) +

@@ -14,7 +14,7 @@ namespace vitrine::scenes {
 struct FileNames {
     std::map<std::string, std::uint32_t> materials{};    ///< Indices in `Scene::materials`.
     std::map<std::string, std::uint32_t> definitions{};  ///< Indices of values in the file's JSON.
-    std::uint32_t root = none;                           ///< Index of the root's value.
+    std::uint32_t root = noIndex;                        ///< Index of the root's value.
 };
 
 /// Reads the nodes of a scene into its tree, and expands instances and includes.

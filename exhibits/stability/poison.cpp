@@ -6,7 +6,7 @@
 #include <limits>
 #include <set>
 
-namespace vitrine {
+namespace vitrine::stability {
 namespace {
 
 std::set<std::string> writtenBy(const render::FramePlan& plan)
@@ -128,4 +128,4 @@ render::FramePlan poisoned(const render::FramePlan& plan, const Poison& poison)
     return plan.withPassesFirst(std::move(fills));
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::stability

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace vitrine {
+namespace vitrine::stability {
 
 /// Content of every image of a frame before it is drawn.
 struct Poison {
@@ -24,4 +24,4 @@ struct Poison {
 /// of unit length. The picture, its channels and images for later frames are examined.
 [[nodiscard]] std::string faultOfImages(const render::FramePlan&, render::RenderBackend&, const Channels&);
 
-}  // namespace vitrine
+}  // namespace vitrine::stability

@@ -20,7 +20,7 @@ namespace {
 }  // namespace vitrine::glsl
 #pragma GCC diagnostic pop
 
-namespace vitrine {
+namespace vitrine::stability {
 namespace {
 
 constexpr int inputCount = 6;
@@ -230,4 +230,4 @@ std::vector<StabilityResult> arithmeticCases(render::RenderBackend& backend)
     return results;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::stability

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::stability {
 
 /// One line of the table that `vitrine doctor --stability` prints.
 struct StabilityResult {
@@ -41,4 +41,4 @@ using StabilityProgress = std::function<bool(double part)>;
 [[nodiscard]] StabilityResult scanExhibit(const Museum&, render::RenderBackend&, std::size_t exhibit,
                                           std::uint64_t first, int count, const StabilityProgress& progress = {});
 
-}  // namespace vitrine
+}  // namespace vitrine::stability

@@ -10,7 +10,7 @@
 #include <limits>
 #include <span>
 
-namespace vitrine {
+namespace vitrine::stability {
 namespace {
 
 /// Returns the largest difference of any channel; infinite if sizes differ, or if only one value is a number somewhere.
@@ -193,4 +193,4 @@ StabilityResult scanExhibit(const Museum& museum, render::RenderBackend& backend
     return result;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::stability

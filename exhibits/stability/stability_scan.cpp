@@ -14,7 +14,7 @@
 #include <numbers>
 #include <set>
 
-namespace vitrine {
+namespace vitrine::stability {
 namespace {
 
 constexpr double farAway = 1e5;  ///< Meters; float32 positions there have steps of 8 mm.
@@ -205,4 +205,4 @@ std::vector<std::string> causesOf(const Museum& museum, render::RenderBackend& b
     return causes;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::stability

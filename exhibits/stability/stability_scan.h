@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::stability {
 
 /// One picture of the scan: an exhibit with random settings, at an extreme time, position and size.
 struct ScanCase {
@@ -31,4 +31,4 @@ struct ScanCase {
 /// without losing the fault. Draws as many pictures as there are settings.
 [[nodiscard]] std::vector<std::string> causesOf(const Museum&, render::RenderBackend&, ScanCase);
 
-}  // namespace vitrine
+}  // namespace vitrine::stability

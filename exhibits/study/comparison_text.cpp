@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::study {
 namespace {
 
 using render::Json;
@@ -101,4 +101,4 @@ std::string comparisonCsv(const StudyComparison& comparison)
     return text;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::study

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace vitrine {
+namespace vitrine::study {
 namespace {
 
 constexpr int colors = 3;
@@ -71,4 +71,4 @@ ContactSheet contactSheet(const StudyResult& result)
     return sheet;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::study

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-namespace vitrine {
+namespace vitrine::study {
 
 /// All pictures of a study in one image of linear light: a column per view, the references in the first row, then a row
 /// per point. Missing pictures are black.
@@ -26,4 +26,4 @@ struct ContactSheet {
 /// read again (`render::ImageLimits`).
 [[nodiscard]] ContactSheet contactSheet(const StudyResult&);
 
-}  // namespace vitrine
+}  // namespace vitrine::study

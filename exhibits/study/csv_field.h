@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace vitrine {
+namespace vitrine::study {
 
 /// Returns a field of a CSV file, quoted if it contains a comma, a quote or a line break (RFC 4180).
 [[nodiscard]] inline std::string csvField(const std::string& text)
@@ -13,4 +13,4 @@ namespace vitrine {
     return result + '"';
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::study

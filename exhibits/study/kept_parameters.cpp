@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace vitrine {
+namespace vitrine::study {
 namespace {
 
 std::optional<std::size_t> subjectNamed(Subjects subjects, const std::string& name)
@@ -56,4 +56,4 @@ std::optional<std::vector<Value>> valuesOf(const KeptStudy& study, std::size_t p
     return values;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::study

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::study {
 
 /// Indices of a kept study's parameters in the current tables.
 struct KeptParameters {
@@ -29,4 +29,4 @@ struct KeptParameters {
 [[nodiscard]] std::optional<std::vector<Value>> valuesOf(const KeptStudy&, std::size_t point, const KeptParameters&,
                                                          const SceneState&, std::string& wrong);
 
-}  // namespace vitrine
+}  // namespace vitrine::study

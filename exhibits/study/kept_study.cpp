@@ -8,7 +8,7 @@
 #include <limits>
 #include <set>
 
-namespace vitrine {
+namespace vitrine::study {
 namespace {
 
 using render::Json;
@@ -353,4 +353,4 @@ std::string keptCsv(const std::vector<KeptStudy>& studies)
     return text;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::study

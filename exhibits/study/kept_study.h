@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::study {
 
 /// Limits of a file of studies.
 inline constexpr render::JsonLimits studyLimits{
@@ -103,4 +103,4 @@ struct StudyAndJson {
 /// Returns CSV with one line per point of each study, and a column per counter that any point has.
 [[nodiscard]] std::string keptCsv(const std::vector<KeptStudy>&);
 
-}  // namespace vitrine
+}  // namespace vitrine::study

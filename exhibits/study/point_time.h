@@ -5,10 +5,10 @@
 
 #include <optional>
 
-namespace vitrine {
+namespace vitrine::study {
 
 /// Returns the time of one picture in milliseconds: the mean of the views in each run that is complete. Nothing before
 /// the first.
 [[nodiscard]] std::optional<render::Summary> timeOf(const StudyPoint&);
 
-}  // namespace vitrine
+}  // namespace vitrine::study

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace vitrine {
+namespace vitrine::study {
 namespace {
 
 constexpr int mostDoublings = 3;
@@ -606,4 +606,4 @@ PictureRequest Study::referenceRequest(const SceneState& sceneState, std::size_t
     return request;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::study

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::study {
 
 /// Measures the cost of accuracy. It works step by step, so a window can show progress and stop between steps. It works
 /// on copies and changes nothing in the museum.
@@ -87,7 +87,7 @@ private:
     [[nodiscard]] PictureRequest pictureRequest(const SceneState&, std::size_t view) const;
     /// Returns the request of the reference: like that of any setting, but converged if pictures in motion are studied.
     [[nodiscard]] PictureRequest referenceRequest(const SceneState&, std::size_t view) const;
-    [[nodiscard]] bool studiesMotion() const { return vitrine::studiesMotion(request_); }
+    [[nodiscard]] bool studiesMotion() const { return study::studiesMotion(request_); }
     void findDependentPasses();
     [[nodiscard]] render::FrameReport drawTimed(const SceneState&, std::size_t view);
 
@@ -114,4 +114,4 @@ private:
     std::vector<std::size_t> candidates_;    ///< Candidates for the choice, best last.
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::study

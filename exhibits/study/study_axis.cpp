@@ -8,7 +8,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::study {
 
 const ParameterInfo& parameterOf(const SceneState& sceneState, const StudyAxis& axis)
 {
@@ -122,4 +122,4 @@ std::vector<std::vector<double>> neighborsOf(const SceneState& sceneState, const
     return settings;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::study

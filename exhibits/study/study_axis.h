@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::study {
 
 /// One parameter that a study varies, and the values that it tries: numbers as in `ParameterValues`, ascending.
 struct StudyAxis {
@@ -72,4 +72,4 @@ struct Exactness {
 [[nodiscard]] std::vector<std::vector<double>> neighborsOf(const SceneState&, const std::vector<StudyAxis>&,
                                                            int doublings = 0);
 
-}  // namespace vitrine
+}  // namespace vitrine::study

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::study {
 
 std::vector<std::size_t> choiceCandidates(const StudyRequest& request, const StudyResult& result)
 {
@@ -43,4 +43,4 @@ std::vector<std::size_t> choiceCandidates(const StudyRequest& request, const Stu
     return candidates;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::study

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <set>
 
-namespace vitrine {
+namespace vitrine::study {
 namespace {
 
 using Point = ComparedCurve::Point;
@@ -226,4 +226,4 @@ std::vector<std::string> labelsOf(const std::vector<KeptStudy>& studies)
     return labels;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::study

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::study {
 
 /// Reason why milliseconds of several studies cannot be compared.
 enum class TimesDiffer : std::uint8_t { no, notTaken, unknownMachine, machine, size, surroundings, clock };
@@ -70,4 +70,4 @@ struct StudyComparison {
 [[nodiscard]] render::Json comparisonJson(const std::vector<KeptStudy>&, const StudyComparison&);
 [[nodiscard]] std::string comparisonCsv(const StudyComparison&);
 
-}  // namespace vitrine
+}  // namespace vitrine::study

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::study {
 namespace {
 
 /// Ratio below which a counter says little about the cost of a parameter.
@@ -144,4 +144,4 @@ StudyCosts costsAlong(CostAxis axis, const KeptStudy& study)
     return judged(std::move(costs), settings, numeric);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::study

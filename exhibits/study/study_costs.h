@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::study {
 
 /// The cost axis of a chart of errors: milliseconds of a picture, or counted work.
 enum class CostAxis : std::uint8_t { time, work };
@@ -51,4 +51,4 @@ struct StudyCosts {
 [[nodiscard]] std::optional<render::PowerLaw> costLaw(const std::vector<double>& errors,
                                                       const std::vector<double>& costs);
 
-}  // namespace vitrine
+}  // namespace vitrine::study

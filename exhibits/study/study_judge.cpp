@@ -11,7 +11,7 @@
 #include <cmath>
 #include <limits>
 
-namespace vitrine {
+namespace vitrine::study {
 namespace {
 
 using render::Metric;
@@ -224,4 +224,4 @@ void StudyJudge::fitLaw(StudyResult& result, std::span<const render::CostAndErro
     result.law = costLaw(errors, costs);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::study

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::study {
 
 /// Returns whether pictures in motion are studied; the reference is then a converged picture.
 [[nodiscard]] bool studiesMotion(const StudyRequest&);
@@ -41,4 +41,4 @@ private:
     const StudyRequest& request_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::study

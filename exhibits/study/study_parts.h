@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::study {
 
 /// Result of one measuring job: a picture, or times.
 struct StudyMeasure {
@@ -34,4 +34,4 @@ public:
     [[nodiscard]] virtual std::optional<StudyMeasure> find(const std::string& key) const = 0;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::study

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::study {
 
 render::Image colorsOf(const render::Image& from)
 {
@@ -55,4 +55,4 @@ void eraseStateCounters(std::map<std::string, std::int64_t>& counters)
     for (const char* name : {"framebuffers made", "images", "programs"}) counters.erase(name);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::study

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace vitrine {
+namespace vitrine::study {
 
 /// Returns the first four channels of a picture made by PictureMaker.
 [[nodiscard]] render::Image colorsOf(const render::Image&);
@@ -23,4 +23,4 @@ namespace vitrine {
 /// Removes the counters of the program's state ("images", "programs", ...), which are not work of a picture.
 void eraseStateCounters(std::map<std::string, std::int64_t>& counters);
 
-}  // namespace vitrine
+}  // namespace vitrine::study

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::study {
 
 void StudyQueue::add(std::string key, std::string name, Measuring measure, std::function<void(StudyMeasure)> take)
 {
@@ -33,4 +33,4 @@ bool StudyQueue::advance(Job& job)
     return true;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::study

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-namespace vitrine {
+namespace vitrine::study {
 
 /// Queue of a study's measuring jobs. In a study that is measured in parts, each job is numbered: a part makes its
 /// share and keeps the measures; the study that judges takes them from the parts, and makes those that are missing.
@@ -52,4 +52,4 @@ private:
     std::string doing_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::study

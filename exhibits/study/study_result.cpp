@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace vitrine {
+namespace vitrine::study {
 
 bool goesByColor(const StudyRequest& request)
 {
@@ -23,4 +23,4 @@ bool StudyResult::costsTheSame(const StudyPoint& a, const StudyPoint& b) const
     return costName == "ms" && a.time && b.time ? render::indistinguishable(*a.time, *b.time) : a.cost == b.cost;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::study

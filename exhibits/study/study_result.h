@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::study {
 
 /// Index of a parameter of a subject.
 struct StudyParameter {
@@ -133,4 +133,4 @@ struct StudyResult {
     [[nodiscard]] bool costsTheSame(const StudyPoint&, const StudyPoint&) const;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::study

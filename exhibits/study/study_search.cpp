@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::study {
 namespace {
 
 /// Costs within this factor differ by noise only.
@@ -247,4 +247,4 @@ std::vector<std::size_t> StudySearch::searchedFront()
     return front;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::study

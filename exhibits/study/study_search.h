@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::study {
 
 /// Search of a study with many parameters: decides which settings to measure next.
 class StudySearch {
@@ -55,4 +55,4 @@ private:
     std::vector<std::vector<Step>> steps_;  ///< By axis and value.
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::study

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace vitrine {
+namespace vitrine::study {
 namespace {
 
 bool isAxis(const StudyRequest& request, const StudyParameter& row)
@@ -297,4 +297,4 @@ std::vector<std::string> settingsToRepeat(Subjects subjects, const StudyRequest&
     return settings;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::study

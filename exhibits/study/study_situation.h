@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::study {
 
 /// Settings and views of a study in which its parameters have an effect.
 struct StudySituation {
@@ -44,4 +44,4 @@ enum class ParameterNames : std::uint8_t {
 /// "hall.sunStrength=2". A study with these settings measures the same.
 [[nodiscard]] std::vector<std::string> settingsToRepeat(Subjects, const StudyRequest&, const StudyResult&);
 
-}  // namespace vitrine
+}  // namespace vitrine::study

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace vitrine {
+namespace vitrine::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -172,4 +172,4 @@ void StudyStore::rename(const fs::path& path, const std::string& name) const
     render::atomicWrite(path, render::writeJson(named(document.root(), name)));
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::study

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::study {
 
 /// Kept study in a list.
 struct StudyEntry {
@@ -79,4 +79,4 @@ private:
     Limits limits_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::study

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <sstream>
 
-namespace vitrine {
+namespace vitrine::study {
 namespace {
 
 /// Returns the names of parameters that can be studied.
@@ -141,4 +141,4 @@ CostAxis chartCosts(const ParameterValues& values, const StudyResult& result)
     return result.workName.empty() ? CostAxis::time : usualCostAxis(result.clockTrusted);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::study

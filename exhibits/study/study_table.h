@@ -5,7 +5,7 @@
 #include "exhibits/study/study_result.h"
 #include "render/measure/flip.h"
 
-namespace vitrine {
+namespace vitrine::study {
 
 /// Setting that a study looks for among those that it measures.
 enum class StudyFind : int { nothing, cheapest, best };
@@ -79,4 +79,4 @@ struct StudyTable final : Parameters {
 /// of work distinguishes the settings.
 [[nodiscard]] CostAxis chartCosts(const ParameterValues&, const StudyResult&);
 
-}  // namespace vitrine
+}  // namespace vitrine::study

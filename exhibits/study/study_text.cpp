@@ -11,7 +11,7 @@
 #include <cmath>
 #include <set>
 
-namespace vitrine {
+namespace vitrine::study {
 namespace {
 
 using render::Json;
@@ -350,4 +350,4 @@ std::string studyCsv(Subjects subjects, const StudyRequest& request, const Study
     return text;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::study

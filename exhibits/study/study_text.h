@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::study {
 
 /// Returns a point's values by the names on the command line: "steps 64" or "steps 64, method fair". With more than two
 /// parameters, only values that differ from the present ones.
@@ -42,4 +42,4 @@ namespace vitrine {
 /// of the runs.
 [[nodiscard]] std::string studyCsv(Subjects, const StudyRequest&, const StudyResult&);
 
-}  // namespace vitrine
+}  // namespace vitrine::study

@@ -13,11 +13,9 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
-struct YourShaderTable;
-}
-
 namespace vitrine::guest {
+
+struct YourShaderTable;
 
 /// Image that passes of a work draw into.
 struct Target {

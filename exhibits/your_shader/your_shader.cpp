@@ -22,7 +22,7 @@
 #include <limits>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::guest {
 namespace {
 
 /// The frame of the tenth place hangs on the wall; its screen is a little in front of it.
@@ -47,30 +47,30 @@ struct PreparedShader final : PreparedPart {
     explicit PreparedShader(ParameterValues with) : values(std::move(with)) {}
 
     ParameterValues values;  ///< With the inputs of the shader that is shown.
-    std::vector<guest::LoadedPicture> ofInputs, files;
+    std::vector<LoadedPicture> ofInputs, files;
     bool isLeftOff = false;  ///< The program ended while it first drew the shader.
 
     [[nodiscard]] const YourShaderTable& table() const { return static_cast<const YourShaderTable&>(values.table()); }
 };
 
 /// Returns the picture of a file, or the test picture. Reports a file that cannot be read.
-guest::LoadedPicture pictureFrom(const std::string& path, const ParameterInfo& parameter, std::string_view title,
-                                 render::AssetStore& assets, PreparedShader& part)
+LoadedPicture pictureFrom(const std::string& path, const ParameterInfo& parameter, std::string_view title,
+                          render::AssetStore& assets, PreparedShader& part)
 {
-    const bool mipmaps = part.table().work->shader->form == guest::Form::shadertoy;
-    if (path.empty()) return {guest::testPicture(mipmaps), 1};
+    const bool mipmaps = part.table().work->shader->form == Form::shadertoy;
+    if (path.empty()) return {testPicture(mipmaps), 1};
     const auto read =
         assets.get<render::Texture>(mipmaps ? "your_shader.mipmapped_picture" : "your_shader.picture", path,
-                                    [mipmaps](const std::string& file) { return guest::readPicture(file, mipmaps); });
+                                    [mipmaps](const std::string& file) { return readPicture(file, mipmaps); });
     if (!read.failure.empty())
         part.unreadable.push_back({"your_shader/pictures", unreadableFile(parameter, title, read.failure),
                                    message("A test picture takes its place.")});
-    return {read.value ? read.value : guest::testPicture(mipmaps), read.id};
+    return {read.value ? read.value : testPicture(mipmaps), read.id};
 }
 
 /// Returns the sound of a file, or silence. Reports a file that cannot be read.
-guest::LoadedPicture soundFrom(const std::string& path, const ParameterInfo& parameter, std::string_view title,
-                               render::AssetStore& assets, PreparedShader& part)
+LoadedPicture soundFrom(const std::string& path, const ParameterInfo& parameter, std::string_view title,
+                        render::AssetStore& assets, PreparedShader& part)
 {
     if (path.empty()) return {};
     const auto read = assets.get<render::Sound>("your_shader.sound", path, [](const std::string& file) {
@@ -88,7 +88,7 @@ constexpr const char* firstPicturePass = "your_shader/first picture";
 
 /// Returns whether the window has not shown this edited shader yet. Its first picture in the hall has half the width,
 /// so that an edit is seen soon; the next frame has the whole one.
-bool isFirstPicture(const guest::Work& work, const render::PersistentState& kept, const render::FramePlan& plan)
+bool isFirstPicture(const Work& work, const render::PersistentState& kept, const render::FramePlan& plan)
 {
     if (plan.allSlices || plan.runEverything || work.isKept) return false;
     const auto shown = kept.slices.find(firstPicturePass);
@@ -96,7 +96,7 @@ bool isFirstPicture(const guest::Work& work, const render::PersistentState& kept
 }
 
 /// Returns the pass that records that an edited shader was shown. It takes two frames.
-render::Pass recordOfFirstPicture(const guest::Work& work)
+render::Pass recordOfFirstPicture(const Work& work)
 {
     render::Pass pass;
     pass.name = firstPicturePass;
@@ -120,7 +120,7 @@ ParameterValues commonValues(const YourShaderTable& table, const ParameterValues
 std::shared_ptr<const YourShaderTable> firstTable()
 {
     try {
-        const auto read = guest::readShaderFile(render::asset("shaders") / YourShaderTable::firstShader);
+        const auto read = readShaderFile(render::asset("shaders") / YourShaderTable::firstShader);
         return read.shader ? std::make_shared<const YourShaderTable>(*read.shader) : nullptr;
     } catch (const Failure&) {
         return nullptr;  // The program's assets are not installed.
@@ -174,7 +174,7 @@ DynamicParameters YourShader::dynamicParameters(const ParameterValues& values, r
     const bool isFirst = text.empty() && (file.empty() || file == Table::firstShader);
     if (isFirst && first_) return {first_, {}};
     const ParameterInfo& row = table_.rows()[text.empty() ? table_.file.row : table_.document.row];
-    const auto reading = guest::readWork(pathOf(values), assets, text, sources_);
+    const auto reading = readWork(pathOf(values), assets, text, sources_);
     if (reading->table) return {reading->table, {}};
     return {nullptr, reading->why.empty() ? Message() : unreadableFile(row, title(), reading->why)};
 }
@@ -201,7 +201,7 @@ std::string YourShader::documentText(const ParameterValues& values) const
 {
     if (std::string text = unsavedText(values); !text.empty()) return text;
     try {
-        return render::readFile(pathOf(values), guest::Limits::textBytes);
+        return render::readFile(pathOf(values), Limits::textBytes);
     } catch (const Failure&) {
         return {};  // The message about the file says why.
     }
@@ -209,16 +209,16 @@ std::string YourShader::documentText(const ParameterValues& values) const
 
 bool YourShader::isDocument(const std::string& text) const
 {
-    return guest::readShaderText(text, "shader").shader != nullptr;
+    return readShaderText(text, "shader").shader != nullptr;
 }
 
 EditedText YourShader::withText(const ParameterValues& values, const std::string& text,
                                 render::AssetStore& assets) const
 {
     const std::string written = text.empty() ? "\n" : text;  // An empty document would be none.
-    const auto reading = guest::readWork(pathOf(values), assets, written, sources_);
+    const auto reading = readWork(pathOf(values), assets, written, sources_);
     EditedText edited{values, reading->table != nullptr, {}};
-    for (const guest::Finding& each : reading->findings)
+    for (const Finding& each : reading->findings)
         edited.findings.push_back({each.file, each.line, each.column, each.isError, each.sentence});
     if (!reading->table && edited.findings.empty())
         edited.findings.push_back({pathOf(values).string(), 1, 1, true, reading->why});
@@ -254,7 +254,7 @@ std::shared_ptr<const PreparedPart> YourShader::prepare(const PrepareContext& co
     auto part = std::make_shared<PreparedShader>(context.values);
     const ParameterInfo& row = table_.rows()[table_.file.row];
     if (!part->table().work) {
-        const auto first = guest::readWork(render::asset("shaders") / Table::firstShader, context.assets, {}, sources_);
+        const auto first = readWork(render::asset("shaders") / Table::firstShader, context.assets, {}, sources_);
         if (!first->table) {
             if (!first->why.empty())
                 part->unreadable.push_back(
@@ -265,7 +265,7 @@ std::shared_ptr<const PreparedPart> YourShader::prepare(const PrepareContext& co
         part->values = underTable(context.values, first->table, notes);
     }
     const YourShaderTable& table = part->table();
-    guest::CrashGuard& guard = guest::CrashGuard::ofProcess();
+    CrashGuard& guard = CrashGuard::ofProcess();
     part->isLeftOff = guard.leavesOff(*table.work);
     if (part->isLeftOff) {
         part->unreadable.push_back(
@@ -286,7 +286,7 @@ std::shared_ptr<const PreparedPart> YourShader::prepare(const PrepareContext& co
         if (table.ofInputs[i].empty()) continue;
         const std::size_t at = table.ofInputs[i].front();
         if (table.rows()[at].kind != Kind::file || !table.sourceOf(i, part->values).empty()) continue;
-        const auto read = table.work->shader->inputs[i].type == guest::InputType::image ? &pictureFrom : &soundFrom;
+        const auto read = table.work->shader->inputs[i].type == InputType::image ? &pictureFrom : &soundFrom;
         part->ofInputs.back() =
             read(std::get<std::string>(part->values.row(at)), table.rows()[at], title(), context.assets, *part);
         id.addValue(part->ofInputs.back().id);
@@ -339,7 +339,7 @@ void YourShader::planFrom(const PlanContext& context, const render::PersistentSt
                           render::FramePlan& plan) const
 {
     const auto* prepared = static_cast<const PreparedShader*>(context.prepared);
-    planScreen(context, kept, prepared ? prepared->ofInputs : std::vector<guest::LoadedPicture>(), plan);
+    planScreen(context, kept, prepared ? prepared->ofInputs : std::vector<LoadedPicture>(), plan);
 }
 
 void YourShader::planShowing(const PlanContext& context, const render::PersistentState& kept,
@@ -351,10 +351,10 @@ void YourShader::planShowing(const PlanContext& context, const render::Persisten
         render::Pass dark =
             portalPass("your_shader/screen", "it shows this picture, and is dark in it",
                        commonValues(table_, prepared->values), "your_shader/screen.frag", screenPortal(), context);
-        dark.inputs.push_back({UNIT_EXHIBIT_A, guest::blackPicture()});
+        dark.inputs.push_back({UNIT_EXHIBIT_A, blackPicture()});
         return plan.add(std::move(dark));
     }
-    std::vector<guest::LoadedPicture> ofInputs = prepared->ofInputs;
+    std::vector<LoadedPicture> ofInputs = prepared->ofInputs;
     const YourShaderTable& table = prepared->table();
     for (std::size_t i = 0; i < ofInputs.size(); ++i) {
         const std::string source = table.sourceOf(i, prepared->values);
@@ -368,21 +368,21 @@ void YourShader::planShowing(const PlanContext& context, const render::Persisten
 }
 
 void YourShader::planScreen(const PlanContext& context, const render::PersistentState& kept,
-                            const std::vector<guest::LoadedPicture>& ofInputs, render::FramePlan& plan) const
+                            const std::vector<LoadedPicture>& ofInputs, render::FramePlan& plan) const
 {
     const auto* prepared = static_cast<const PreparedShader*>(context.prepared);
     if (!prepared || !prepared->table().work || prepared->isLeftOff)
         return plan.skip("your_shader/screen", "it is not loaded");
     const ParameterValues& values = prepared->values;
-    const guest::Work& work = *prepared->table().work;
+    const Work& work = *prepared->table().work;
     glm::ivec2 size =
         screenSize(values, context.alone ? std::optional(plan.view.raster.size) : std::optional<glm::ivec2>());
     const bool isEdited = !context.alone && !values[table_.document].empty();
     if (isEdited && isFirstPicture(work, kept, plan)) size = glm::max(size / 2, glm::ivec2(1));
-    const guest::WorkShot shot{
+    const WorkShot shot{
         work,          prepared->table(), values, ofInputs, prepared->files, size, shaderTime({values, context.time}),
         !context.alone};
-    const std::optional<guest::WorkPicture> picture = guest::planWork(shot, kept, plan);
+    const std::optional<WorkPicture> picture = planWork(shot, kept, plan);
     if (!picture) return;
     render::Pass pass = portalPass("your_shader/screen", "in view", commonValues(table_, values),
                                    "your_shader/screen.frag", screenPortal(), context);
@@ -407,7 +407,7 @@ void YourShader::wasDrawn(const render::FrameReport& report) const
         return step.name.starts_with("your_shader/") && step.name != "your_shader/screen" &&
                !step.name.starts_with("your_shader/picture of ");
     });
-    if (ranPasses) guest::CrashGuard::ofProcess().drawn();
+    if (ranPasses) CrashGuard::ofProcess().drawn();
 }
 
 double YourShader::shaderTime(const ExhibitState& state) const
@@ -420,8 +420,8 @@ std::optional<std::size_t> YourShader::gripUnder(const ExhibitState& state, cons
 {
     const std::optional<glm::dvec2> place = placeUnder(ray);
     if (!place || *place != glm::clamp(*place, 0.0, 1.0)) return std::nullopt;
-    return guest::gripAt(static_cast<const Table&>(state.values.table()), state.values, *place,
-                         reach / (2.0 * screenPortal().halfSize));
+    return gripAt(static_cast<const Table&>(state.values.table()), state.values, *place,
+                  reach / (2.0 * screenPortal().halfSize));
 }
 
 ParameterChanges YourShader::pointed(const ExhibitState& state, std::size_t grip, PointerEvent event,
@@ -429,7 +429,7 @@ ParameterChanges YourShader::pointed(const ExhibitState& state, std::size_t grip
 {
     const std::optional<glm::dvec2> place = placeUnder(ray);
     if (!place) return {};
-    return guest::pointedAt(static_cast<const Table&>(state.values.table()), grip, event, glm::clamp(*place, 0.0, 1.0));
+    return pointedAt(static_cast<const Table&>(state.values.table()), grip, event, glm::clamp(*place, 0.0, 1.0));
 }
 
 bool YourShader::takesKeys(const ExhibitState& state) const
@@ -440,13 +440,12 @@ bool YourShader::takesKeys(const ExhibitState& state) const
 
 ParameterChanges YourShader::keyed(const ExhibitState& state, int code, bool isDown) const
 {
-    return guest::keyedAt(static_cast<const Table&>(state.values.table()), state.values, code, isDown,
-                          shaderTime(state));
+    return keyedAt(static_cast<const Table&>(state.values.table()), state.values, code, isDown, shaderTime(state));
 }
 
 std::optional<ParameterChanges> YourShader::pushed(const ExhibitState& state, std::size_t parameter) const
 {
-    return guest::pushedAt(static_cast<const Table&>(state.values.table()), state.values, parameter, shaderTime(state));
+    return pushedAt(static_cast<const Table&>(state.values.table()), state.values, parameter, shaderTime(state));
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::guest

@@ -12,10 +12,9 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
-namespace guest {
+namespace vitrine::guest {
+
 struct LoadedPicture;
-}
 
 /// A shader that a visitor brings, on a screen in a frame. Start reading with guest_shader.h (what a shader is),
 /// guest_work.h (what is drawn of it) and guest_passes.h (steps and buffers).
@@ -75,8 +74,8 @@ private:
     [[nodiscard]] ParameterChanges keyed(const ExhibitState&, int code, bool isDown) const override;
     [[nodiscard]] std::optional<ParameterChanges> pushed(const ExhibitState&, std::size_t parameter) const override;
     /// Plans the shader with the pictures of its inputs, and the screen that shows it.
-    void planScreen(const PlanContext&, const render::PersistentState& kept,
-                    const std::vector<guest::LoadedPicture>& ofInputs, render::FramePlan&) const;
+    void planScreen(const PlanContext&, const render::PersistentState& kept, const std::vector<LoadedPicture>& ofInputs,
+                    render::FramePlan&) const;
     /// Returns the size of the shader's picture. `alone`: as for `pictureSize`.
     [[nodiscard]] glm::ivec2 screenSize(const ParameterValues&, std::optional<glm::ivec2> alone) const;
     /// Returns the time that the shader shows, in seconds.
@@ -89,4 +88,4 @@ private:
     std::shared_ptr<const Table> first_;  ///< With the inputs of the first shader; null if it cannot be read.
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::guest

@@ -13,11 +13,8 @@
 #include <set>
 #include <string>
 
-namespace vitrine {
+namespace vitrine::guest {
 namespace {
-
-using guest::Input;
-using guest::InputType;
 
 /// Returns a word whose first letters are small: "Steps" is "steps", "STEPS" too, and "HTMLName" is "htmlName".
 std::string smallAtFront(std::string word)
@@ -107,7 +104,7 @@ std::vector<std::string> labelsOf(const Input& input)
 {
     std::vector<std::string> labels;
     std::set<std::string> seen;
-    for (const guest::InputChoice& choice : input.choices) {
+    for (const InputChoice& choice : input.choices) {
         std::string label = choice.label.empty() ? std::to_string(choice.value) : choice.label;
         for (int number = 2; !seen.insert(label).second; ++number) label = choice.label + " " + std::to_string(number);
         labels.push_back(label);
@@ -125,18 +122,18 @@ glm::dvec3 linearColor(const std::vector<double>& encoded)
 
 }  // namespace
 
-YourShaderTable::YourShaderTable(std::shared_ptr<const guest::Work> of, std::vector<PictureSource> sources)
+YourShaderTable::YourShaderTable(std::shared_ptr<const Work> of, std::vector<PictureSource> sources)
     : ofAllInputs_(countOf(*of->shader, sources)), work(std::move(of)), sources_(std::move(sources))
 {
     addInputs(*work->shader);
 }
 
-YourShaderTable::YourShaderTable(const guest::Shader& shader) : ofAllInputs_(countOf(shader, {}))
+YourShaderTable::YourShaderTable(const Shader& shader) : ofAllInputs_(countOf(shader, {}))
 {
     addInputs(shader);
 }
 
-std::size_t YourShaderTable::countOf(const guest::Shader& shader, const std::vector<PictureSource>& sources)
+std::size_t YourShaderTable::countOf(const Shader& shader, const std::vector<PictureSource>& sources)
 {
     YourShaderTable all;
     all.sources_ = sources;
@@ -145,7 +142,7 @@ std::size_t YourShaderTable::countOf(const guest::Shader& shader, const std::vec
                            [](std::size_t sum, const auto& rows) { return sum + rows.size(); });
 }
 
-void YourShaderTable::addInputs(const guest::Shader& shader)
+void YourShaderTable::addInputs(const Shader& shader)
 {
     if (!shader.inputs.empty()) group(shader.title.empty() ? "Inputs" : shader.title);
     for (const Input& input : shader.inputs) ofInputs.push_back(addInput(input));
@@ -162,9 +159,9 @@ std::vector<std::size_t> YourShaderTable::addInput(const Input& input)
                        nextOfInputs())
                     .row};
     case InputType::choice: {
-        const auto isInitial = [&](const guest::InputChoice& choice) { return choice.value == input.initial[0]; };
+        const auto isInitial = [&](const InputChoice& choice) { return choice.value == input.initial[0]; };
         const auto initial = std::find_if(input.choices.begin(), input.choices.end(), isInitial);
-        const auto isExact = [&](const guest::InputChoice& choice) { return choice.value == input.exact; };
+        const auto isExact = [&](const InputChoice& choice) { return choice.value == input.exact; };
         const auto exact = std::find_if(input.choices.begin(), input.choices.end(), isExact);
         const auto index = [&](auto found) { return static_cast<int>(found - input.choices.begin()); };
         const std::string_view help = "Choice that the shader reads.";
@@ -254,4 +251,4 @@ std::vector<std::size_t> YourShaderTable::addNumbers(const Input& input, const s
     return rows;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::guest

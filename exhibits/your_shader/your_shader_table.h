@@ -9,13 +9,11 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::guest {
 
-namespace guest {
 struct Input;
 struct Shader;
 struct Work;
-}  // namespace guest
 
 enum class ShaderChange : int { goesOn, recomputes };
 
@@ -25,9 +23,9 @@ struct YourShaderTable final : Parameters {
     /// Makes the parameters without a shader's inputs.
     YourShaderTable() : YourShaderTable(0) {}
     /// Makes the parameters for a work, which must not be null. `sources`: pictures that its inputs may show.
-    explicit YourShaderTable(std::shared_ptr<const guest::Work>, std::vector<PictureSource> sources = {});
+    explicit YourShaderTable(std::shared_ptr<const Work>, std::vector<PictureSource> sources = {});
     /// Makes the parameters for a shader that is not translated yet.
-    explicit YourShaderTable(const guest::Shader&);
+    explicit YourShaderTable(const Shader&);
 
     /// Returns the name of the source whose picture an input shows; empty: it shows a file, or is no picture.
     [[nodiscard]] std::string sourceOf(std::size_t input, const ParameterValues&) const;
@@ -114,7 +112,7 @@ public:
                               labeled("Shown picture, side"));
     StudiedParameters studied{*this, {{.name = "loopRounds", .settles = "The loops of the shader end earlier."}}};
 
-    const std::shared_ptr<const guest::Work> work;  ///< Null before the shader is translated.
+    const std::shared_ptr<const Work> work;  ///< Null before the shader is translated.
     /// Parameters of each input, in the order of its components; empty for inputs without any. Those of a picture are
     /// its file and, if there are other sources, the choice between file and sources.
     std::vector<std::vector<std::size_t>> ofInputs;
@@ -122,16 +120,16 @@ public:
 private:
     explicit YourShaderTable(std::size_t ofAllInputs) : ofAllInputs_(ofAllInputs) {}
     /// Returns how many parameters the inputs of a shader get.
-    [[nodiscard]] static std::size_t countOf(const guest::Shader&, const std::vector<PictureSource>&);
+    [[nodiscard]] static std::size_t countOf(const Shader&, const std::vector<PictureSource>&);
     /// Says whether the next parameter of an input is essential.
     [[nodiscard]] Essential nextOfInputs() { return essential(++shownOfInputs_ < mostEssential); }
-    void addInputs(const guest::Shader&);
-    std::vector<std::size_t> addInput(const guest::Input&);
+    void addInputs(const Shader&);
+    std::vector<std::size_t> addInput(const Input&);
     std::vector<std::size_t> addPicture(const std::string& name, const std::string& label);
-    std::vector<std::size_t> addNumbers(const guest::Input&, const std::string& name, std::string_view label);
+    std::vector<std::size_t> addNumbers(const Input&, const std::string& name, std::string_view label);
 
     std::vector<PictureSource> sources_;
     std::size_t shownOfInputs_ = 0;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::guest

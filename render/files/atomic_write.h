@@ -52,8 +52,8 @@ void requireSpace(const std::filesystem::path& target, unsigned long long bytes,
 /// A file that is written beside its target and replaces it in one step.
 class PartFile {
 public:
-    /// Follows symbolic links. Throws Failure if `target` is a folder, a device, a read-only file or a loop of links, or
-    /// if its folder is missing or read-only. Creates no file yet.
+    /// Follows symbolic links. Throws Failure if `target` is a folder, a device, a read-only file or a loop of links,
+    /// or if its folder is missing or read-only. Creates no file yet.
     explicit PartFile(const std::filesystem::path& target, FileOps& = systemFileOps());
     /// Removes the part file unless it was published.
     ~PartFile();

@@ -56,9 +56,9 @@ protected:
     }
 
     /// Returns a study of one parameter of the balls of the file.
-    [[nodiscard]] StudyRequest studyOf(const std::string& parameter) const
+    [[nodiscard]] study::StudyRequest studyOf(const std::string& parameter) const
     {
-        const StudyTable& t = studyTable();
+        const study::StudyTable& t = study::studyTable();
         ParameterValues values(t);
         values.set(t.varied, parameter);
         values.set(t.width, 16);
@@ -68,7 +68,7 @@ protected:
         SceneState state = museum_.initialSceneState();
         std::vector<std::string> notes;
         applySets(museum_, state, 1, {"scene=" + file()}, notes);
-        return studyRequest(values, museum_, std::move(state), 1);
+        return study::studyRequest(values, museum_, std::move(state), 1);
     }
 
     test::TemporaryFolder folder_;
@@ -109,13 +109,13 @@ TEST_F(MadeParameters, ComeFromPresetsToo)
 
 TEST_F(MadeParameters, AreStudied)
 {
-    const StudyRequest request = studyOf("redRings");
+    const study::StudyRequest request = studyOf("redRings");
     EXPECT_EQ(parameterOf(request.sceneState, request.axes.at(0)).name, "redRings");
     test::KnownBackend backend;
-    Study study(museum_, backend, request);
+    study::Study study(museum_, backend, request);
     while (study.step()) {
     }
-    const std::vector<StudyPoint>& points = study.result().points;
+    const std::vector<study::StudyPoint>& points = study.result().points;
     ASSERT_GE(points.size(), 4U);
     for (std::size_t i = 1; i < points.size(); ++i) {
         EXPECT_LT(points[i].error, points[i - 1].error);

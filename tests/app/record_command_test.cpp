@@ -103,9 +103,9 @@ TEST(LongRecordCommand, FramesOfOpenExrHoldLinearLightAndAreKept)
 TEST(LongRecordCommand, FollowsATourAndSaysWhatItLeftOut)
 {
     const TemporaryFolder folder;
-    Tour tour{"Short", {{"a", {}}, {"b", {}}}, false, Pace::constant};
+    recording::Tour tour{"Short", {{"a", {}}, {"b", {}}}, false, recording::Pace::constant};
     tour.bookmarks[1].camera.eye = {0.5, 1.65, 10};
-    test::writeBytes(folder / "tour.json", tourText(tour));
+    test::writeBytes(folder / "tour.json", recording::tourText(tour));
     const test::Ended ended =
         test::vitrine(recording("hall", folder / "a.mp4", {"--seconds", "0.5", "--tour", folder / "tour.json"}));
     ASSERT_EQ(ended.code, 0) << ended.err;

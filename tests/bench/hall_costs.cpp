@@ -112,7 +112,7 @@ bool hallCosts(const Options& options)
                 passes(rows[1]), passes(rows[0]), median(rows[1].cpu) / median(rows[0].cpu));
 
     std::vector<Row> sliders;
-    const auto& table = static_cast<const SdfMorph&>(museum.exhibit(sdf)).parameters();
+    const auto& table = static_cast<const sdf_morph::SdfMorph&>(museum.exhibit(sdf)).parameters();
     const auto slider = [&](const char* name, const SharedRenderer& with,
                             const std::function<void(SceneState&)>& move) {
         sliders.push_back({name, [&, with, move] {

@@ -24,7 +24,7 @@ namespace {
 void printEdits(const char* name, const std::string& before, const std::string& after, const Museum& museum, int runs)
 {
     const std::size_t at = *museum.find("your_shader");
-    const auto& shader = static_cast<const YourShader&>(museum.exhibit(at));
+    const auto& shader = static_cast<const guest::YourShader&>(museum.exhibit(at));
     SceneState state = museum.initialSceneState();
     FrameRequest request{.camera = shader.bestView(state.values[at]), .alone = at};
     request.raster.size = {640, 360};
@@ -101,7 +101,7 @@ bool yourShader(const Options& options)
     FrameRequest near = away;
     near.camera = museum.bestView(at, state.values[at]);
     SceneState moving = state;
-    moving.values[at].set(static_cast<const YourShader&>(museum.exhibit(at)).parameters().animate, true);
+    moving.values[at].set(static_cast<const guest::YourShader&>(museum.exhibit(at)).parameters().animate, true);
     const auto add = [&](std::vector<Row>& rows, const char* name, const Museum& in, const SceneState& values,
                          const FrameRequest& request) {
         rows.push_back(frame(name, in, values, request, std::make_shared<render::gl::Renderer>(), 1.0 / 30));

@@ -36,12 +36,12 @@ ParameterValues preset(const std::string& exhibit, const std::string& file, cons
 /// texture coordinates.
 double strandsPerArea(double side)
 {
-    return side * side / (4 * std::numbers::pi * ballRadius * ballRadius);
+    return side * side / (4 * std::numbers::pi * fur::ballRadius * fur::ballRadius);
 }
 
 TEST(ReferencePreset, OfTheFurHasItsExportedDefaults)
 {
-    const FurTable t;
+    const fur::FurTable t;
     const ParameterValues v = preset("fur", "reference", t);
     EXPECT_EQ(v[t.shellCount], 16);
     EXPECT_EQ(v[t.distanceAttenuation], 1);  // distance_shell_density_attenuation
@@ -59,11 +59,11 @@ TEST(ReferencePreset, OfTheFurHasItsExportedDefaults)
     EXPECT_NEAR(v[t.growthRate], 1 / (2 * std::numbers::pi), 1e-6);
     EXPECT_TRUE(v[t.growing]);
     EXPECT_EQ(v[t.thicknessVariation], 0);
-    EXPECT_EQ(v[t.rotationModel], FurRotation::matrixMix);
-    EXPECT_EQ(v[t.springModel], FurSpring::explicitEuler);
-    EXPECT_EQ(v[t.silhouette], FurSilhouette::none);
-    for (int body = 0; body < furBodyCount; ++body) {
-        const CoatParameters rows = t.coats[static_cast<std::size_t>(body)];
+    EXPECT_EQ(v[t.rotationModel], fur::FurRotation::matrixMix);
+    EXPECT_EQ(v[t.springModel], fur::FurSpring::explicitEuler);
+    EXPECT_EQ(v[t.silhouette], fur::FurSilhouette::none);
+    for (int body = 0; body < fur::furBodyCount; ++body) {
+        const fur::CoatParameters rows = t.coats[static_cast<std::size_t>(body)];
         EXPECT_EQ(v[rows.length], 0.15);
         EXPECT_EQ(v[rows.uniformity], 0);                              // length_uniformity
         EXPECT_NEAR(v[rows.density] / strandsPerArea(100), 1, 0.005);  // density 100: cells along a side of the texture
@@ -75,7 +75,7 @@ TEST(ReferencePreset, OfTheFurHasItsExportedDefaults)
 
 TEST(ReferencePreset, OfTheReferenceVideoHasItsScenesValues)
 {
-    const FurTable t;
+    const fur::FurTable t;
     const ParameterValues v = preset("fur", "as-in-the-reference-video", t);
     EXPECT_EQ(v[t.shellCount], 256);
     EXPECT_EQ(v[t.distanceAttenuation], 1);
@@ -88,8 +88,8 @@ TEST(ReferencePreset, OfTheReferenceVideoHasItsScenesValues)
     // shellColor (0.753, 0.542, 0.439), in sRGB.
     const auto linear = [](double c) { return std::pow((c + 0.055) / 1.055, 2.4); };
     const glm::dvec3 color(linear(0.753), linear(0.542), linear(0.439));
-    for (int body = 0; body < furBodyCount; ++body) {
-        const CoatParameters rows = t.coats[static_cast<std::size_t>(body)];
+    for (int body = 0; body < fur::furBodyCount; ++body) {
+        const fur::CoatParameters rows = t.coats[static_cast<std::size_t>(body)];
         EXPECT_EQ(v[rows.length], 0.15);
         EXPECT_EQ(v[rows.uniformity], 0);  // noiseMin 0, noiseMax 1
         EXPECT_NEAR(v[rows.density] / strandsPerArea(366), 1, 0.005);
@@ -100,18 +100,18 @@ TEST(ReferencePreset, OfTheReferenceVideoHasItsScenesValues)
 
 TEST(ReferencePreset, OfTheBeamsHasItsDefaults)
 {
-    const CrepuscularRaysTable t;
+    const crepuscular_rays::CrepuscularRaysTable t;
     const ParameterValues v = preset("crepuscular_rays", "reference", t);
     EXPECT_EQ(v[t.samples], 128);  // NUM_SAMPLES
     EXPECT_EQ(v[t.decay], 0.5);
     EXPECT_EQ(v[t.weight], 0.1);
-    EXPECT_EQ(v[t.density], 1);          // The whole ray.
-    EXPECT_EQ(v[t.rayExposure], 0);      // No exposure.
-    EXPECT_EQ(v[t.sum], RaySum::plain);  // Not divided by the samples.
-    EXPECT_EQ(v[t.method], RayMethod::loop);
-    EXPECT_EQ(v[t.technique], RayTechnique::screen);
-    EXPECT_EQ(v[t.resolution], RayResolution::full);
-    EXPECT_EQ(v[t.mask], RayMask::depth);
+    EXPECT_EQ(v[t.density], 1);                            // The whole ray.
+    EXPECT_EQ(v[t.rayExposure], 0);                        // No exposure.
+    EXPECT_EQ(v[t.sum], crepuscular_rays::RaySum::plain);  // Not divided by the samples.
+    EXPECT_EQ(v[t.method], crepuscular_rays::RayMethod::loop);
+    EXPECT_EQ(v[t.technique], crepuscular_rays::RayTechnique::screen);
+    EXPECT_EQ(v[t.resolution], crepuscular_rays::RayResolution::full);
+    EXPECT_EQ(v[t.mask], crepuscular_rays::RayMask::depth);
     EXPECT_EQ(v[t.threshold], 0);  // a mask of 0 and 1
     EXPECT_FALSE(v[t.skyColor]);
     EXPECT_FALSE(v[t.jitter]);
@@ -120,15 +120,15 @@ TEST(ReferencePreset, OfTheBeamsHasItsDefaults)
 
 TEST(ReferencePreset, OfTheCardHasItsUniforms)
 {
-    const LenticularTable t;
+    const lenticular::LenticularTable t;
     const ParameterValues v = preset("lenticular", "reference", t);
     EXPECT_EQ(v[t.views], 16);  // IMAGE_COUNT
     EXPECT_EQ(v[t.slices], 10);
     EXPECT_EQ(v[t.magnification], 1);                        // lenticular_magnification
     EXPECT_NEAR(std::tan(v[t.intendedMaxAngle]), 1, 1e-12);  // intended_max_angle 1, a tangent
-    EXPECT_EQ(v[t.model], CardModel::linear);
-    EXPECT_EQ(v[t.strips], CardStrips::squeezed);
-    EXPECT_EQ(v[t.axis], CardAxis::vertical);
+    EXPECT_EQ(v[t.model], lenticular::CardModel::linear);
+    EXPECT_EQ(v[t.strips], lenticular::CardStrips::squeezed);
+    EXPECT_EQ(v[t.axis], lenticular::CardAxis::vertical);
     EXPECT_FALSE(v[t.prefilter]);
     EXPECT_FALSE(v[t.dispersion]);
     EXPECT_EQ(v[t.apertureSamples], 1);
@@ -137,25 +137,25 @@ TEST(ReferencePreset, OfTheCardHasItsUniforms)
 
 TEST(ReferencePreset, OfThePixelArtHasItsStrengths)
 {
-    const PixelArtTable t;
+    const pixel_art::PixelArtTable t;
     const ParameterValues v = preset("pixel_art", "reference", t);
     EXPECT_EQ(v[t.highlightStrength], 0.1);
     EXPECT_EQ(v[t.outlineStrength], 0.4);
     EXPECT_EQ(v[t.highlightColor].value, glm::dvec3(1));
     EXPECT_EQ(v[t.outlineColor].value, glm::dvec3(0));
-    EXPECT_EQ(v[t.edges], EdgeLook::reference);
-    EXPECT_EQ(v[t.method], NormalsBy::tap9Plus);
-    EXPECT_EQ(v[t.resolution], PixelResolution::r240);
-    EXPECT_EQ(v[t.projection], PixelProjection::orthographic);
-    EXPECT_EQ(v[t.world], PixelWorld::testScene);
+    EXPECT_EQ(v[t.edges], pixel_art::EdgeLook::reference);
+    EXPECT_EQ(v[t.method], pixel_art::NormalsBy::tap9Plus);
+    EXPECT_EQ(v[t.resolution], pixel_art::PixelResolution::r240);
+    EXPECT_EQ(v[t.projection], pixel_art::PixelProjection::orthographic);
+    EXPECT_EQ(v[t.world], pixel_art::PixelWorld::testScene);
     EXPECT_TRUE(v[t.fixVoid]);
 }
 
 TEST(ReferencePreset, OfTheNoiseHasItsConstants)
 {
-    const NoiseTable t;
+    const noise::NoiseTable t;
     const ParameterValues sum = preset("noise", "reference-fractal-sum", t);
-    EXPECT_EQ(sum[t.kind], NoiseKind::value);
+    EXPECT_EQ(sum[t.kind], noise::NoiseKind::value);
     EXPECT_EQ(sum[t.frequency], 1);
     EXPECT_EQ(sum[t.stepLimit], 256);
     EXPECT_EQ(sum[t.drift], -1);  // The camera moves forward by a unit per second.
@@ -166,16 +166,16 @@ TEST(ReferencePreset, OfTheNoiseHasItsConstants)
     EXPECT_EQ(sum[t.lacunarity], 2);
     EXPECT_EQ(sum[t.octaveRotation], 0);
     const ParameterValues sea = preset("noise", "reference-sea", t);
-    EXPECT_EQ(sea[t.work], NoiseWork::sea);
+    EXPECT_EQ(sea[t.work], noise::NoiseWork::sea);
     EXPECT_EQ(sea[t.stepLimit], 100);
-    for (const ParameterValues& v : {sum, sea}) EXPECT_EQ(v[t.look], NoiseLook::reference);
+    for (const ParameterValues& v : {sum, sea}) EXPECT_EQ(v[t.look], noise::NoiseLook::reference);
 }
 
 TEST(ReferencePreset, OfThePaperLanternsHasItsNumbers)
 {
-    const PaperLanternsTable t;
+    const paper_lanterns::PaperLanternsTable t;
     const ParameterValues v = preset("paper_lanterns", "reference", t);
-    EXPECT_EQ(v[t.look], LakeLook::reference);
+    EXPECT_EQ(v[t.look], paper_lanterns::LakeLook::reference);
     EXPECT_EQ(v[t.paperRadius], 0.75);
     EXPECT_EQ(v[t.paperHeight], 2);
     EXPECT_EQ(v[t.paperWall], 0.06);  // A shell of 0.03 to each side.
@@ -186,10 +186,10 @@ TEST(ReferencePreset, OfThePaperLanternsHasItsNumbers)
     EXPECT_EQ(v[t.postWire], 0.05);
     EXPECT_EQ(v[t.frameBlend], 0.1);
     EXPECT_EQ(v[t.waveHeight], 1);
-    EXPECT_EQ(v[t.waveSpeed], LakeSpeed::reference);      // 2.5 radians a second for all waves.
-    EXPECT_EQ(v[t.ride], LakeRide::reference);            // waterHeightRoughAt
-    EXPECT_EQ(v[t.flickerPhase], LakeFlicker::together);  // Depends on TIME only.
-    EXPECT_EQ(v[t.repetition], LakeRepetition::twoByTwo);
+    EXPECT_EQ(v[t.waveSpeed], paper_lanterns::LakeSpeed::reference);      // 2.5 radians a second for all waves.
+    EXPECT_EQ(v[t.ride], paper_lanterns::LakeRide::reference);            // waterHeightRoughAt
+    EXPECT_EQ(v[t.flickerPhase], paper_lanterns::LakeFlicker::together);  // Depends on TIME only.
+    EXPECT_EQ(v[t.repetition], paper_lanterns::LakeRepetition::twoByTwo);
     EXPECT_EQ(v[t.turned], 0);
     EXPECT_EQ(v[t.flameHeight], 1);  // local y 0
     EXPECT_TRUE(v[t.animate]);
@@ -197,7 +197,7 @@ TEST(ReferencePreset, OfThePaperLanternsHasItsNumbers)
 
 TEST(ReferencePreset, OfTheTorusMugHasItsConstants)
 {
-    const SdfMorphTable t;
+    const sdf_morph::SdfMorphTable t;
     const ParameterValues v = preset("sdf_morph", "reference", t);
     EXPECT_EQ(v[t.morph], 0);            // morph_progress
     EXPECT_EQ(v[t.stepLimit], 100);      // MAX_STEPS
@@ -223,7 +223,7 @@ glm::dvec3 linear(const glm::dvec3& shown)
 
 TEST(ReferencePreset, OfTheIceCreamHasItsPlacesAndMaterials)
 {
-    const IceCreamTable t;
+    const ice_cream::IceCreamTable t;
     const ParameterValues v = preset("ice_cream", "reference", t);
     const glm::dvec3 red(0.9451, 0.1324, 0.1216), green(0.1397, 0.9288, 0.0943), blue(0.1307, 0.3043, 0.9451),
         yellow(0.9670, 0.9451, 0.0642), pink(0.8431, 0.3485, 0.5084);
@@ -234,21 +234,21 @@ TEST(ReferencePreset, OfTheIceCreamHasItsPlacesAndMaterials)
         {{0.168, 0.95, -0.156}, yellow}, {{0.01, 0.94, 0.19}, red},
         {{0.5, 1, 0.866}, green},        {{-1, 0.8, 0}, pink},
         {{0.5, 1.2, -0.866}, blue}};
-    for (std::size_t i = 0; i < candyCount; ++i) {
-        const CandyParameters& candy = t.candies[i];
+    for (std::size_t i = 0; i < ice_cream::candyCount; ++i) {
+        const ice_cream::CandyParameters& candy = t.candies[i];
         EXPECT_EQ(glm::dvec3(v[candy.x], v[candy.y], v[candy.z]), candies[i].first) << i;
         EXPECT_LT(glm::distance(v[candy.color].value, linear(candies[i].second)), 2e-4) << i;
         EXPECT_EQ(glm::dvec3(v[candy.halfX], v[candy.halfY], v[candy.halfZ]), glm::dvec3(0.02, 0.03, 0.01)) << i;
         EXPECT_EQ(v[candy.corner], 0.007) << i;
     }
     EXPECT_LT(glm::distance(v[t.waferColor].value, linear({0.8627, 0.6510, 0.3255})), 2e-4);
-    for (const CreamParameters& layer : t.layers)
+    for (const ice_cream::CreamParameters& layer : t.layers)
         EXPECT_LT(glm::distance(v[layer.color].value, linear({0.9255, 0.9294, 0.8510})), 2e-4);
     EXPECT_LT(glm::distance(v[t.groundColor].value, linear(glm::dvec3(0.9451))), 2e-4);
     EXPECT_EQ(v[t.waferRoughness], 1);
     EXPECT_EQ(v[t.creamRoughness], 0.25);
     EXPECT_EQ(v[t.candyRoughness], 0.65);
-    EXPECT_EQ(v[t.highlight], IceCreamHighlight::blinnPhong);
+    EXPECT_EQ(v[t.highlight], ice_cream::IceCreamHighlight::blinnPhong);
     EXPECT_EQ(v[t.referenceSun].value, glm::normalize(glm::dvec3(-16, 12, 4)));
     EXPECT_LT(glm::distance(v[t.referenceSunColor].value * v[t.referenceSunStrength], glm::dvec3(1, 0.7, 0.5) / 1.2),
               1e-9);
@@ -258,7 +258,7 @@ TEST(ReferencePreset, OfTheIceCreamHasItsPlacesAndMaterials)
     EXPECT_EQ(v[t.shadowMethod], SdfShadow::improved);
     EXPECT_NEAR(std::tan(0.5 * v[t.sunWidth]), 1.0 / 32, 1e-9);  // 32 d / t
     EXPECT_EQ(v[t.stepLimit], 128);
-    EXPECT_EQ(v[t.lighting], IceCreamLighting::reference);
+    EXPECT_EQ(v[t.lighting], ice_cream::IceCreamLighting::reference);
     EXPECT_NEAR(v[t.orbitSpeed] * 2 * std::numbers::pi, 0.1, 1e-12);
     EXPECT_EQ(v[t.size], 1);
 }

@@ -10,20 +10,21 @@ namespace vitrine::fuzz {
 bool readStudy(std::string_view bytes)
 {
     return accepts([&] {
-        std::vector<KeptStudy> studies;
-        for (const StudyAndJson& each : parseStudies(render::parseJson(std::string(bytes), "fuzz.json", studyLimits)))
+        std::vector<study::KeptStudy> studies;
+        for (const study::StudyAndJson& each :
+             study::parseStudies(render::parseJson(std::string(bytes), "fuzz.json", study::studyLimits)))
             studies.push_back(each.study);
         require(!studies.empty(), "a file of studies has one");
-        for (const KeptStudy& study : studies) {
+        for (const study::KeptStudy& study : studies) {
             for (std::size_t point = 0; point < study.points.size(); ++point) (void)study.pointText(point);
             for (const std::size_t point : study.front) require(point < study.points.size(), "a front names points");
         }
-        require(!keptCsv(studies).empty(), "studies can be written as a table");
+        require(!study::keptCsv(studies).empty(), "studies can be written as a table");
         studies.push_back(studies.front());
-        for (const std::string& cost : sharedCosts(studies)) {
-            const StudyComparison compared = compareStudies(studies, labelsOf(studies), cost);
-            require(!comparisonCsv(compared).empty(), "a comparison can be written as a table");
-            (void)render::writeJson(comparisonJson(studies, compared));
+        for (const std::string& cost : study::sharedCosts(studies)) {
+            const study::StudyComparison compared = study::compareStudies(studies, study::labelsOf(studies), cost);
+            require(!study::comparisonCsv(compared).empty(), "a comparison can be written as a table");
+            (void)render::writeJson(study::comparisonJson(studies, compared));
         }
     });
 }

@@ -18,7 +18,7 @@ namespace {
 /// Returns the initial values of all exhibits.
 const NamedValues& initialValues()
 {
-    static const HallTable hall;
+    static const hall::HallTable hall;
     static const auto exhibits = allExhibits();
     static const NamedValues values = [] {
         NamedValues all{{"hall", hall.initial()}};
@@ -76,17 +76,18 @@ bool readLesson(std::string_view bytes)
 bool readTour(std::string_view bytes)
 {
     return accepts([&] {
-        const Tour tour = parseTour(std::string(bytes), "fuzz.json");
+        const recording::Tour tour = recording::parseTour(std::string(bytes), "fuzz.json");
         require(!tour.bookmarks.empty(), "a tour has bookmarks");
         std::vector<render::Camera> cameras;
-        for (const Bookmark& bookmark : tour.bookmarks) {
+        for (const recording::Bookmark& bookmark : tour.bookmarks) {
             requireFiniteView(bookmark.camera);
             cameras.push_back(bookmark.camera);
         }
-        const CameraPath path(cameras, tour.closed);
+        const recording::CameraPath path(cameras, tour.closed);
         for (const double part : {0.0, 0.3, 1.0}) requireFiniteView(path.at(part));
-        const std::string text = tourText(tour);
-        require(tourText(parseTour(text, "again.json")) == text, "a tour reads back as it was written");
+        const std::string text = recording::tourText(tour);
+        require(recording::tourText(recording::parseTour(text, "again.json")) == text,
+                "a tour reads back as it was written");
     });
 }
 

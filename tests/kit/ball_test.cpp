@@ -128,7 +128,7 @@ TEST_F(Ball, StaysFiniteWhateverIsSet)
 TEST_F(Ball, IsStudiedAndErrsLessTheFinerItIsMarched)
 {
     BallShot shot;
-    StudyRequest request;
+    study::StudyRequest request;
     request.subject = shot.exhibit;
     request.sceneState = shot.sceneState;
     request.axes = {{shot.exhibit, ballTable().hitTolerance.row, {0.25, 1, 4, 16}}};
@@ -138,10 +138,10 @@ TEST_F(Ball, IsStudiedAndErrsLessTheFinerItIsMarched)
     request.alone = true;
     request.modelError = false;
     render::gl::Renderer renderer;
-    Study study(shot.museum, renderer, request);
+    study::Study study(shot.museum, renderer, request);
     while (study.step()) {
     }
-    const StudyResult& result = study.result();
+    const study::StudyResult& result = study.result();
     ASSERT_EQ(result.points.size(), 4U);
     EXPECT_GT(result.points[0].error, 0);
     for (std::size_t i = 1; i < 4; ++i) EXPECT_GT(result.points[i].error, 1.3 * result.points[i - 1].error) << i;

@@ -1,5 +1,6 @@
 // Rules for includes: app > ui > exhibits > render > shaders/lib. A folder may include itself and folders to its right.
 // Rooms, which are folders, include one another in no circle, and neither do more than three files.
+// What a room of exhibits/ declares is in the namespace of the room.
 
 #include "tests/source/source_files.h"
 
@@ -263,6 +264,56 @@ TEST(LayersControl, ForbiddenRoomsAreSeen)
     EXPECT_EQ(roomComplaint({"exhibits/fur/a.h", 1, "shaders/kit/surface_object_block.glsl"}), "");
     EXPECT_EQ(roomComplaint({"exhibits/fur/a.h", 1, "shaders/lib/bindings.glsl"}), "");
     EXPECT_EQ(roomComplaint({"exhibits/exhibits.cpp", 1, "exhibits/fur/fur.h"}), "");
+}
+
+/// Returns the namespace of a file of exhibits/: that of its room. What every exhibit uses is in `vitrine` itself.
+std::string namespaceOf(const std::string& file)
+{
+    static const std::map<std::string, std::string> differs{{"", ""},
+                                                            {"framework", ""},
+                                                            {"kit", ""},
+                                                            {"museum", ""},
+                                                            {"sdf_scenes", "scenes"},
+                                                            {"your_shader", "guest"},
+                                                            {"shader_export", "guest"}};
+    const std::string room = roomOf(file);
+    const auto found = differs.find(room);
+    const std::string& name = found == differs.end() ? room : found->second;
+    return name.empty() ? "vitrine" : "vitrine::" + name;
+}
+
+/// Returns why a file of exhibits/ may not declare what it does; empty if it may. Other rooms' types may be declared in
+/// advance, and GLSL is compiled as C++ in `vitrine::glsl`.
+std::string namespaceComplaint(const std::string& file, const std::string& text)
+{
+    static const std::regex opening(R"(namespace (vitrine[\w:]*) \{\n((?:(?:class|struct) \w+;\n)+\})?)");
+    const std::string own = namespaceOf(file);
+    for (std::sregex_iterator found(text.begin(), text.end(), opening), end; found != end; ++found) {
+        const std::string name = (*found)[1];
+        const bool good = name == own || startsWith(name, own + "::") || name == "vitrine::glsl";
+        if (!good && !(*found)[2].matched) return "declares in " + name + " instead of " + own;
+    }
+    return {};
+}
+
+TEST(Layers, RoomsOfTheExhibitsDeclareInTheirNamespace)
+{
+    for (const std::string& file : test::sourceFiles("exhibits", test::cppExtensions))
+        EXPECT_EQ(namespaceComplaint(file, test::withoutComments(test::sourceText(file))), "") << file;
+}
+
+TEST(LayersControl, ForeignNamespacesAreSeen)
+{
+    const std::string fur = "namespace vitrine::fur {\n\nclass Fur {};\n\n}";
+    EXPECT_EQ(namespaceComplaint("exhibits/fur/a.h", fur), "");
+    EXPECT_NE(namespaceComplaint("exhibits/hall/a.h", fur), "");
+    EXPECT_NE(namespaceComplaint("exhibits/fur/a.h", "namespace vitrine {\n\nclass Fur {};\n\n}"), "");
+    EXPECT_NE(namespaceComplaint("exhibits/fur/a.h", fur + "\nnamespace vitrine {\nclass A;\nclass B {};\n}"), "");
+    EXPECT_NE(namespaceComplaint("exhibits/fur/a.h", "namespace vitrine::furniture {\n\nclass Fur {};\n\n}"), "");
+    EXPECT_EQ(namespaceComplaint("exhibits/hall/a.h", "namespace vitrine::fur {\nclass Fur;\n}"), "");
+    EXPECT_EQ(namespaceComplaint("exhibits/kit/a.h", "namespace vitrine {\n\nclass Kit {};\n\n}"), "");
+    EXPECT_NE(namespaceComplaint("exhibits/jobs/mesh/a.h", "namespace vitrine {\n\nclass Mesh {};\n\n}"), "");
+    EXPECT_EQ(namespaceComplaint("exhibits/your_shader/a.h", "namespace vitrine::guest {\n\nclass A {};\n\n}"), "");
 }
 
 /// Names of rooms or files, each with the names that it includes.

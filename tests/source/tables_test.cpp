@@ -24,7 +24,7 @@ namespace {
 /// Returns all tables by the name of their exhibit. They live as long as the tests.
 const std::map<std::string, const Parameters*>& tables()
 {
-    static const HallTable hall;
+    static const hall::HallTable hall;
     static const auto exhibits = allExhibits();
     static const std::map<std::string, const Parameters*> all = [] {
         std::map<std::string, const Parameters*> result{{"hall", &hall}};
@@ -123,7 +123,7 @@ TEST(Tables, EveryExhibitSaysWhatItsAccuracyIs)
                 << exhibit << '.' << parameter.name << ": its reference is not legal";
             EXPECT_GE(derive::sweep(parameter, 3).size(), 2U)
                 << exhibit << '.' << parameter.name << ": nothing to vary";
-            const bool isChecked = parameter.exactByMeaning || !exactness(parameter).neighbors.empty();
+            const bool isChecked = parameter.exactByMeaning || !study::exactness(parameter).neighbors.empty();
             EXPECT_TRUE(isChecked || !parameter.isNumeric())
                 << exhibit << '.' << parameter.name
                 << ": no study can check its reference: let its scale be logarithmic, or say exactAt";

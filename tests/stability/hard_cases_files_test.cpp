@@ -26,7 +26,7 @@ namespace {
 using glm::vec3;
 namespace f32 = glsl32;
 
-const SdfMorphTable table;
+const sdf_morph::SdfMorphTable table;
 
 Preset read(const std::string& values)
 {

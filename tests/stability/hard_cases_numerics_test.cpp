@@ -64,15 +64,15 @@ TEST(HardCases, ADayLaterTimeStillMovesSixtyTimesASecond)
     for (int frame = 0; frame < 60; ++frame) {
         const double time = 1e6 + frame / 60.0;
         naive.insert(static_cast<float>(time));
-        ours.insert(morphAt(0.3, 0.08, time));
-        oursAsUniform.insert(static_cast<float>(morphAt(0.3, 0.08, time)));
+        ours.insert(sdf_morph::morphAt(0.3, 0.08, time));
+        oursAsUniform.insert(static_cast<float>(sdf_morph::morphAt(0.3, 0.08, time)));
     }
     EXPECT_LT(naive.size(), 20U);
     EXPECT_EQ(ours.size(), 60U);
     EXPECT_EQ(oursAsUniform.size(), 60U);
     // After a whole number of periods (12.5 s at 0.08 Hz) the value is the same.
     for (const double time : {0.1, 3.7, 12.0})
-        EXPECT_NEAR(morphAt(0.3, 0.08, 1e6 + time), morphAt(0.3, 0.08, time), 1e-9);
+        EXPECT_NEAR(sdf_morph::morphAt(0.3, 0.08, 1e6 + time), sdf_morph::morphAt(0.3, 0.08, time), 1e-9);
 }
 
 TEST(HardCases, NumbersThatGpusFlushToZeroMakeNoDifference)

@@ -145,8 +145,8 @@ Picture visitorsModel(const std::string& glb, AverageIn in = AverageIn::radiance
     shot.request.frame.subject.reset();
     shot.request.frame.averageIn = in;
     shot.hall().set(hallTable().objects.front().model, (folder / "model.glb").string());
-    const HallModel building;
-    const glm::dmat4 place = building.place(freePlinthPlace)->worldFromPlace;
+    const hall::HallModel building;
+    const glm::dmat4 place = building.place(hall::freePlinthPlace)->worldFromPlace;
     shot.see(glm::dvec3(place * glm::dvec4(0.3, 0.7, 2, 1)), glm::dvec3(place * glm::dvec4(0, 0.3, 0, 1)));
     shot.size(64, 48);
     Picture picture = shot.take();

@@ -16,6 +16,17 @@
 namespace vitrine {
 namespace {
 
+using fur::advance;
+using fur::BallShape;
+using fur::energy;
+using fur::FurSpring;
+using fur::limited;
+using fur::RigidBodies;
+using fur::RingShape;
+using fur::RollShape;
+using fur::rotationVector;
+using fur::Spring;
+using fur::SpringState;
 using glm::dvec3;
 
 using std::numbers::pi;

@@ -16,6 +16,14 @@
 namespace vitrine {
 namespace {
 
+using stability::arithmeticCases;
+using stability::causesOf;
+using stability::faultOf;
+using stability::pictureCases;
+using stability::scanCase;
+using stability::ScanCase;
+using stability::scanExhibit;
+using stability::StabilityResult;
 using test::gallery;
 
 class StabilityScan : public test::GlTest {};

@@ -66,7 +66,7 @@ Shot::Shot(std::string_view name, const Museum& in)
     useSmallMaps(hall(), 512);
     // Without haze, so that colors of surfaces are exact.
     if (const auto rays = in.find("crepuscular_rays"))
-        sceneState.values[*rays].set(raysTable().technique, RayTechnique::none);
+        sceneState.values[*rays].set(raysTable().technique, crepuscular_rays::RayTechnique::none);
     seeAlone(request, exhibit);
     request.frame.raster.size = {96, 54};
     request.frame.camera = in.subject(exhibit).bestView(values());

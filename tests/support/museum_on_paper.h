@@ -21,9 +21,9 @@ inline const Museum& museum()
     static const Museum opened{allExhibits()};
     return opened;
 }
-inline const HallModel& building()
+inline const hall::HallModel& building()
 {
-    static const HallModel model;
+    static const hall::HallModel model;
     return model;
 }
 

@@ -8,25 +8,25 @@
 namespace vitrine::test {
 
 // Tables of equal structure: a handle of one table is the same parameter in all of them.
-inline const HallTable& hallTable()
+inline const hall::HallTable& hallTable()
 {
-    static const HallTable table;
+    static const hall::HallTable table;
     return table;
 }
 /// Puts the sun nearly straight in front of the window, where it shines on the exhibit in the middle of the hall.
 inline void letTheSunIn(ParameterValues& hall)
 {
-    hall.set(hallTable().sunElevation, straightSunElevation);
-    hall.set(hallTable().sunAzimuth, straightSunAzimuth);
+    hall.set(hallTable().sunElevation, sdf_morph::straightSunElevation);
+    hall.set(hallTable().sunAzimuth, sdf_morph::straightSunAzimuth);
 }
-inline const CrepuscularRaysTable& raysTable()
+inline const crepuscular_rays::CrepuscularRaysTable& raysTable()
 {
-    static const CrepuscularRaysTable table;
+    static const crepuscular_rays::CrepuscularRaysTable table;
     return table;
 }
-inline const SdfMorphTable& sdfTable()
+inline const sdf_morph::SdfMorphTable& sdfTable()
 {
-    static const SdfMorphTable table;
+    static const sdf_morph::SdfMorphTable table;
     return table;
 }
 

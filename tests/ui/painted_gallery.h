@@ -120,7 +120,7 @@ public:
     /// Returns the center of the exhibit's button in world space.
     [[nodiscard]] static glm::dvec3 button()
     {
-        static const HallModel building;
+        static const hall::HallModel building;
         return (*building.place(1)->worldFromButton)[3];
     }
     /// Returns the camera of a visitor who looks at the button from this distance on the floor, in meters.
@@ -225,7 +225,7 @@ public:
     [[nodiscard]] std::vector<render::gl::ShaderProblem> problems() const override { return shaderProblems; }
     [[nodiscard]] ui::PictureJob makePicture(const SceneState&, const PictureRequest&) override { return {}; }
     void nextPicture(ui::PictureJob&, const SceneState&, const PictureRequest&) override {}
-    [[nodiscard]] ui::StudyJob makeStudy(const StudyRequest&) override { return {}; }
+    [[nodiscard]] ui::StudyJob makeStudy(const study::StudyRequest&) override { return {}; }
 
     [[nodiscard]] std::unique_ptr<render::RenderBackend> makeBackend(bool) override
     {

@@ -122,7 +122,7 @@ void CompareActions::addOffers()
 {
     const Museum& museum = controller_.workbench().museum();
     for (std::size_t subject = 0; subject < museum.subjects().size(); ++subject)
-        for (const OfferedComparison& offered : offeredComparisons(museum.subject(subject))) {
+        for (const OfferedComparison& offered : compare::offeredComparisons(museum.subject(subject))) {
             QAction* action = add(tr("Compare with: %1").arg(menuText(translatedText(offered.title))), {},
                                   tr("%1 B follows the current settings; drag the line between the two.")
                                       .arg(translatedText(offered.help)));

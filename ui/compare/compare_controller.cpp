@@ -151,7 +151,7 @@ void CompareController::holdStep(int step, const QString& name)
 void CompareController::compareWith(std::size_t subject, const OfferedComparison& offered)
 {
     ++holds_;
-    other_->follow([subject, offered](const SceneState& a) { return otherSide(a, subject, offered); },
+    other_->follow([subject, offered](const SceneState& a) { return compare::otherSide(a, subject, offered); },
                    text(offered.title));
     if (overlay_->mode() == CompareMode::off) setMode(CompareMode::wipe);
     if (differences().empty())
@@ -196,9 +196,10 @@ std::vector<ParameterDifference> CompareController::differences() const
 {
     std::vector<ParameterDifference> all;
     if (!other_->isSet()) return all;
-    for (const DifferingParameter& row : differingParameters(workbench_.history().sceneState(), other_->sceneState())) {
+    for (const compare::DifferingParameter& row :
+         compare::differingParameters(workbench_.history().sceneState(), other_->sceneState())) {
         const auto value = [&](const std::optional<Value>& v) {
-            return v ? QString::fromStdString(valueWithUnit(row.info, *v)) : tr("no such parameter");
+            return v ? QString::fromStdString(compare::valueWithUnit(row.info, *v)) : tr("no such parameter");
         };
         all.push_back({row.subject, row.name,
                        tr("%1: %2: %3 | %4")

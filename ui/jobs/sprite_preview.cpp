@@ -27,8 +27,8 @@ SpritePreview::SpritePreview(QWidget* parent) : JobPreview(parent)
 std::function<void()> SpritePreview::prepare(const jobs::JobRun& run, const ParameterValues& all,
                                              const ParameterValues& drawn)
 {
-    const SpriteSheet& sheet = *static_cast<const jobs::SpriteRun&>(run).sheet();
-    const SpriteTable& t = spriteTable();
+    const jobs::SpriteSheet& sheet = *static_cast<const jobs::SpriteRun&>(run).sheet();
+    const jobs::SpriteTable& t = jobs::spriteTable();
     auto shown = std::make_shared<Shown>();
     shown->picture = imageWithOpacity(sheet.color);
     shown->cells = sheet.cells;
@@ -87,7 +87,7 @@ void SpritePreview::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.fillRect(rect(), palette().color(QPalette::Base));
     if (!shown_) return;
-    const SpriteCell& cell = shown_->cells[static_cast<std::size_t>(cell_)];
+    const jobs::SpriteCell& cell = shown_->cells[static_cast<std::size_t>(cell_)];
     // Each pixel of the sprite covers a whole number of screen pixels, unless the sprite is too large for that.
     const double room = std::min(0.9 * width() / shown_->frame.width(), 0.9 * height() / shown_->frame.height());
     const double scale = room >= 1 ? std::floor(room) : room;

@@ -23,11 +23,11 @@ public:
     /// Sheet to show: its picture, and the positions of the frames in it.
     struct Shown {
         QImage picture;
-        std::vector<SpriteCell> cells;  ///< Direction by direction.
-        std::vector<QPoint> pivots;     ///< Pivot of each cell, in pixels of the untrimmed frame.
-        QSize frame;                    ///< Size of the untrimmed frame.
-        int frames = 1;                 ///< Number of frames of each direction.
-        double seconds = 1.0 / 12;      ///< Duration of each frame.
+        std::vector<jobs::SpriteCell> cells;  ///< Direction by direction.
+        std::vector<QPoint> pivots;           ///< Pivot of each cell, in pixels of the untrimmed frame.
+        QSize frame;                          ///< Size of the untrimmed frame.
+        int frames = 1;                       ///< Number of frames of each direction.
+        double seconds = 1.0 / 12;            ///< Duration of each frame.
     };
 
     explicit SpritePreview(QWidget* parent);

@@ -284,7 +284,7 @@ void LessonController::noteFrame(const render::FrameReport& report, const QSize&
 QString LessonController::nameOf(const LessonNumber& number) const
 {
     switch (number.of) {
-    case LessonNumber::Of::counter: return translatedText(costTitle(number.name));
+    case LessonNumber::Of::counter: return translatedText(study::costTitle(number.name));
     case LessonNumber::Of::milliseconds: return tr("time of a picture");
     case LessonNumber::Of::row: break;
     }

@@ -83,14 +83,14 @@ void SettingsB::giveAll()
 void SettingsB::take(std::size_t exhibit, const std::string& row)
 {
     SceneState a = history_.sceneState();
-    if (copyParameter(sceneState(), a, exhibit, row))
+    if (compare::copyParameter(sceneState(), a, exhibit, row))
         history_.change(tr("Copy %1 from B").arg(QString::fromStdString(row)), a, newGesture());
 }
 
 void SettingsB::give(std::size_t exhibit, const std::string& row)
 {
     SceneState b = sceneState();
-    if (copyParameter(history_.sceneState(), b, exhibit, row) && !(b == sceneState()))
+    if (compare::copyParameter(history_.sceneState(), b, exhibit, row) && !(b == sceneState()))
         record(tr("Copy %1 to B").arg(QString::fromStdString(row)), history_.sceneState(), {b, name_, true});
 }
 

@@ -234,7 +234,7 @@ QString PresetController::proposedName() const
         const ParameterInfo& parameter = values.rows()[i];
         if (values.isInitial(i) || !(parameter.isNumeric() || parameter.kind == Kind::choice)) continue;
         changed << translatedText(label(parameter)) + QLatin1Char(' ') +
-                       translatedText(valueWithUnit(parameter, values.row(i)));
+                       translatedText(compare::valueWithUnit(parameter, values.row(i)));
     }
     return !used && changed.size() == 1 ? changed.front() : title;
 }

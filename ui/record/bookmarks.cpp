@@ -14,7 +14,8 @@
 
 namespace vitrine::ui {
 
-Bookmarks::Bookmarks(Workbench& window, QObject* parent) : QObject(parent), window_(window), file_(bookmarksFile())
+Bookmarks::Bookmarks(Workbench& window, QObject* parent)
+    : QObject(parent), window_(window), file_(recording::bookmarksFile())
 {
     read();
 }
@@ -28,10 +29,10 @@ void Bookmarks::read()
         return;
     }
     try {
-        const Tour kept = readTour(file_);
+        const recording::Tour kept = recording::readTour(file_);
         places_.fill(std::nullopt);
         // The name of a bookmark begins with its number.
-        for (const Bookmark& bookmark : kept.bookmarks) {
+        for (const recording::Bookmark& bookmark : kept.bookmarks) {
             const int number = bookmark.name.empty() ? 0 : bookmark.name.front() - '0';
             if (number >= 1 && number <= most) place(number) = bookmark;
         }
@@ -61,10 +62,10 @@ void Bookmarks::write()
     if (broken_) return;
     try {
         std::error_code ignored;
-        if (const Tour all = tour(); all.bookmarks.empty())
+        if (const recording::Tour all = tour(); all.bookmarks.empty())
             std::filesystem::remove(file_, ignored);
         else
-            writeOwnFile(file_, tourText(all));
+            writeOwnFile(file_, recording::tourText(all));
         window_.setProblems(QStringLiteral("bookmarks"), {});
     } catch (const std::exception& failure) {
         window_.setProblems(QStringLiteral("bookmarks"), {messageOf(failure)});
@@ -80,7 +81,7 @@ void Bookmarks::set(int number)
 
 void Bookmarks::go(int number)
 {
-    if (const std::optional<Bookmark>& there = place(number))
+    if (const std::optional<recording::Bookmark>& there = place(number))
         window_.viewport().visitor().goTo(there->camera);
     else
         window_.say(MessageStrip::Mood::notice,
@@ -114,14 +115,14 @@ void Bookmarks::forgetAll()
 
 QString Bookmarks::name(int number) const
 {
-    const std::optional<Bookmark>& there = places_.at(static_cast<std::size_t>(number - 1));
+    const std::optional<recording::Bookmark>& there = places_.at(static_cast<std::size_t>(number - 1));
     return there ? QString::fromStdString(there->name) : QString();
 }
 
-Tour Bookmarks::tour() const
+recording::Tour Bookmarks::tour() const
 {
-    Tour tour{"Bookmarks", {}, false, Pace::eased};
-    for (const std::optional<Bookmark>& there : places_)
+    recording::Tour tour{"Bookmarks", {}, false, recording::Pace::eased};
+    for (const std::optional<recording::Bookmark>& there : places_)
         if (there) tour.bookmarks.push_back(*there);
     return tour;
 }
@@ -129,7 +130,7 @@ Tour Bookmarks::tour() const
 void Bookmarks::saveAs(const QString& path)
 {
     try {
-        render::atomicWrite(path.toStdString(), tourText(tour()));
+        render::atomicWrite(path.toStdString(), recording::tourText(tour()));
         window_.say(MessageStrip::Mood::notice, tr("Saved %1.").arg(path));
     } catch (const std::exception& failure) {
         window_.say(MessageStrip::Mood::problem, messageOf(failure));

@@ -37,7 +37,7 @@ public:
     /// Returns the name of a bookmark; empty if it is not set.
     [[nodiscard]] QString name(int number) const;
     /// Returns the bookmarks that are set, by number.
-    [[nodiscard]] Tour tour() const;
+    [[nodiscard]] recording::Tour tour() const;
     /// Writes the bookmarks to another file.
     void saveAs(const QString& path);
 
@@ -49,7 +49,7 @@ private:
     /// Edits the bookmarks under a lock, after reading the file again, because another window may have changed it.
     void change(const std::function<void()>& edit);
     void write();
-    [[nodiscard]] std::optional<Bookmark>& place(int number)
+    [[nodiscard]] std::optional<recording::Bookmark>& place(int number)
     {
         return places_.at(static_cast<std::size_t>(number - 1));
     }
@@ -57,7 +57,7 @@ private:
     Workbench& window_;
     std::filesystem::path file_;
     bool broken_ = false;  ///< The file could not be read, and is not overwritten.
-    std::array<std::optional<Bookmark>, most> places_;
+    std::array<std::optional<recording::Bookmark>, most> places_;
 };
 
 }  // namespace vitrine::ui

@@ -115,29 +115,29 @@ std::vector<FrameReportView::Line> FrameReportView::lines() const
 
 void FrameReportView::addOther(std::vector<Line>& all) const
 {
-    const auto textOf = [](const PassSide& side) {
-        if (side.state == PassSide::State::absent) return QStringLiteral("–");
-        return side.state == PassSide::State::skipped ? tr("skipped") : millisecondsText(side.milliseconds);
+    const auto textOf = [](const compare::PassSide& side) {
+        if (side.state == compare::PassSide::State::absent) return QStringLiteral("–");
+        return side.state == compare::PassSide::State::skipped ? tr("skipped") : millisecondsText(side.milliseconds);
     };
-    for (const PassCost& cost : passCosts(report_, *other_)) {
+    for (const compare::PassCost& cost : compare::passCosts(report_, *other_)) {
         // First line of this pass without a value for B.
         const auto found = std::find_if(all.begin(), all.end(),
                                         [&](const Line& l) { return l.name == cost.name && l.other.isEmpty(); });
-        if (cost.a.state == PassSide::State::absent || found == all.end())
+        if (cost.a.state == compare::PassSide::State::absent || found == all.end())
             all.push_back({cost.name,
                            translatedText(render::toString(cost.work)),
                            QStringLiteral("–"),
                            textOf(cost.b),
                            {},
                            tr("only B: %1").arg(translatedText(cost.b.why)),
-                           cost.b.state == PassSide::State::ran});
+                           cost.b.state == compare::PassSide::State::ran});
         else
             found->other = textOf(cost.b);
     }
     const auto count = [](const std::optional<std::int64_t>& n) {
         return n ? numberLocale().toString(static_cast<qlonglong>(*n)) : QStringLiteral("–");
     };
-    for (const CounterCost& cost : counterCosts(report_, *other_))
+    for (const compare::CounterCost& cost : compare::counterCosts(report_, *other_))
         all.push_back({cost.name,
                        tr("count"),
                        count(cost.a),

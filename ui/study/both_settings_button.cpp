@@ -47,10 +47,10 @@ void BothSettingsButton::showBoth(const render::Json& b)
 {
     b_.reset();
     try {
-        std::vector<KeptStudy> studies;
+        std::vector<study::KeptStudy> studies;
         for (const auto& [json, name] : {std::pair(*a_, tr("A")), std::pair(b, tr("B: %1").arg(nameOfB_))})
-            studies.push_back(parseStudy(render::parseJson(render::writeJson(named(json, name.toStdString())),
-                                                           name.toStdString(), studyLimits)));
+            studies.push_back(study::parseStudy(render::parseJson(
+                render::writeJson(study::named(json, name.toStdString())), name.toStdString(), study::studyLimits)));
         auto* dialog = new ComparisonDialog(std::move(studies), window());
         connect(dialog, &ComparisonDialog::failed, &dock_, &StudyDock::failed);
         dialog->show();

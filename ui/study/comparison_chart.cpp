@@ -12,6 +12,11 @@
 namespace vitrine::ui {
 namespace {
 
+using study::ComparedCurve;
+using study::costTitle;
+using study::StudyComparison;
+using study::TimesDiffer;
+
 constexpr float faintness = 0.35F;  // Opacity of dominated points.
 
 struct Look {

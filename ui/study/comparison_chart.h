@@ -14,19 +14,19 @@ public:
     explicit ComparisonChart(QWidget* parent = nullptr);
 
     /// Shows a comparison. Studies that are left out are listed in the legend.
-    void setComparison(StudyComparison);
-    [[nodiscard]] const StudyComparison& comparison() const { return comparison_; }
+    void setComparison(study::StudyComparison);
+    [[nodiscard]] const study::StudyComparison& comparison() const { return comparison_; }
 
 private:
     void build() override;
     void addCurve(std::size_t curve);
 
-    StudyComparison comparison_;
+    study::StudyComparison comparison_;
 };
 
 /// Returns the title of the cost axis: "milliseconds of a picture", "field evaluations per pixel".
 [[nodiscard]] QString comparedCostTitle(const std::string& cost);
 /// Returns why times are not among the costs; empty if they are.
-[[nodiscard]] QString timesDifferText(TimesDiffer);
+[[nodiscard]] QString timesDifferText(study::TimesDiffer);
 
 }  // namespace vitrine::ui

@@ -27,7 +27,7 @@ QString number(double x)
 
 }  // namespace
 
-QStringList differenceColumns(const StudyComparison& comparison)
+QStringList differenceColumns(const study::StudyComparison& comparison)
 {
     const QString first = QString::fromStdString(comparison.curves[0].label);
     return {ComparisonDialog::tr("Compared with"),
@@ -38,7 +38,7 @@ QStringList differenceColumns(const StudyComparison& comparison)
             ComparisonDialog::tr("Cost of the other study at this error")};
 }
 
-QStringList differenceTexts(const StudyComparison& comparison, const StudyDifference& d)
+QStringList differenceTexts(const study::StudyComparison& comparison, const study::StudyDifference& d)
 {
     QString error = ComparisonDialog::tr("nothing so cheap was measured");
     if (d.errorAtCost)
@@ -65,8 +65,8 @@ QStringList differenceTexts(const StudyComparison& comparison, const StudyDiffer
             cost};
 }
 
-ComparisonDialog::ComparisonDialog(std::vector<KeptStudy> studies, QWidget* parent)
-    : QDialog(parent), studies_(std::move(studies)), labels_(labelsOf(studies_)), cost_(new QComboBox(this)),
+ComparisonDialog::ComparisonDialog(std::vector<study::KeptStudy> studies, QWidget* parent)
+    : QDialog(parent), studies_(std::move(studies)), labels_(study::labelsOf(studies_)), cost_(new QComboBox(this)),
       why_(new QLabel(this)), chart_(new ComparisonChart(this)), table_(new QTableWidget(this))
 {
     setAttribute(Qt::WA_DeleteOnClose);
@@ -98,9 +98,9 @@ ComparisonDialog::ComparisonDialog(std::vector<KeptStudy> studies, QWidget* pare
 QLayout* ComparisonDialog::top()
 {
     cost_->setAccessibleName(tr("Unit of the costs"));
-    for (const std::string& cost : sharedCosts(studies_))
+    for (const std::string& cost : study::sharedCosts(studies_))
         cost_->addItem(comparedCostTitle(cost), QString::fromStdString(cost));
-    QStringList sentences{timesDifferText(timesDiffer(studies_))};
+    QStringList sentences{timesDifferText(study::timesDiffer(studies_))};
     if (cost_->count() == 0)
         sentences << tr("They share no count of work that tells their settings apart, so there is nothing to compare "
                         "them by.");
@@ -144,13 +144,13 @@ QLayout* ComparisonDialog::bottom()
 
 void ComparisonDialog::showCost(const std::string& cost)
 {
-    chart_->setComparison(compareStudies(studies_, labels_, cost));
+    chart_->setComparison(study::compareStudies(studies_, labels_, cost));
     fillTable();
 }
 
 void ComparisonDialog::fillTable()
 {
-    const StudyComparison& comparison = chart_->comparison();
+    const study::StudyComparison& comparison = chart_->comparison();
     const QStringList columns = differenceColumns(comparison);
     table_->setColumnCount(static_cast<int>(columns.size()));
     table_->setHorizontalHeaderLabels(columns);
@@ -166,9 +166,9 @@ void ComparisonDialog::fillTable()
 
 QByteArray ComparisonDialog::exported(const QString& suffix)
 {
-    if (suffix == QLatin1String("csv")) return QByteArray::fromStdString(comparisonCsv(chart_->comparison()));
+    if (suffix == QLatin1String("csv")) return QByteArray::fromStdString(study::comparisonCsv(chart_->comparison()));
     if (suffix == QLatin1String("json"))
-        return QByteArray::fromStdString(render::writeJson(comparisonJson(studies_, chart_->comparison())));
+        return QByteArray::fromStdString(render::writeJson(study::comparisonJson(studies_, chart_->comparison())));
     return chartFile(suffix, *chart_);
 }
 

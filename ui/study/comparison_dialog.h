@@ -20,7 +20,7 @@ class ComparisonDialog final : public QDialog {
 
 public:
     /// Requires two or more studies.
-    explicit ComparisonDialog(std::vector<KeptStudy>, QWidget* parent = nullptr);
+    explicit ComparisonDialog(std::vector<study::KeptStudy>, QWidget* parent = nullptr);
 
     [[nodiscard]] ComparisonChart& chart() const { return *chart_; }
     /// Returns the content of a file with all that is shown: .csv, .json, or the chart as .png or .svg.
@@ -35,7 +35,7 @@ private:
     void showCost(const std::string& cost);
     void fillTable();
 
-    std::vector<KeptStudy> studies_;
+    std::vector<study::KeptStudy> studies_;
     std::vector<std::string> labels_;
     QComboBox* cost_;
     QLabel* why_;
@@ -44,7 +44,7 @@ private:
 };
 
 /// Returns the cells of the table's line for a difference, in the order of the columns.
-[[nodiscard]] QStringList differenceTexts(const StudyComparison&, const StudyDifference&);
-[[nodiscard]] QStringList differenceColumns(const StudyComparison&);
+[[nodiscard]] QStringList differenceTexts(const study::StudyComparison&, const study::StudyDifference&);
+[[nodiscard]] QStringList differenceColumns(const study::StudyComparison&);
 
 }  // namespace vitrine::ui

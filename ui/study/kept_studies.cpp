@@ -48,7 +48,7 @@ QString dayAndMinute(const std::string& measured)
 
 }  // namespace
 
-KeptStudies::KeptStudies(Subjects subjects, History& history, StudyStore store, QWidget* parent)
+KeptStudies::KeptStudies(Subjects subjects, History& history, study::StudyStore store, QWidget* parent)
     : QWidget(parent), subjects_(subjects), history_(history), store_(std::move(store)), list_(new QListWidget(this)),
       compare_(new QPushButton(tr("Compare"), this))
 {
@@ -123,7 +123,7 @@ void KeptStudies::trySafely(const std::function<void()>& work)
     }
 }
 
-QString KeptStudies::titleOf(const KeptStudy& study) const
+QString KeptStudies::titleOf(const study::KeptStudy& study) const
 {
     if (!study.name.empty()) return words(study.name);
     QString exhibit = words(study.exhibit);
@@ -133,7 +133,7 @@ QString KeptStudies::titleOf(const KeptStudy& study) const
                                        : tr("%1: %2").arg(exhibit, translatedText(study.parameterNames()));
 }
 
-QListWidgetItem* KeptStudies::itemFor(const StudyEntry& entry) const
+QListWidgetItem* KeptStudies::itemFor(const study::StudyEntry& entry) const
 {
     auto* item = new QListWidgetItem;
     item->setData(pathRole, words(entry.path.string()));
@@ -143,7 +143,7 @@ QListWidgetItem* KeptStudies::itemFor(const StudyEntry& entry) const
         item->setToolTip(words(entry.problem));
         return item;
     }
-    const KeptStudy& study = entry.study;
+    const study::KeptStudy& study = entry.study;
     item->setText(titleOf(study));
     QStringList facts{dayAndMinute(study.measured), tr("points: %1").arg(study.measuredPoints()),
                       study.complete ? QString() : tr("stopped early"), words(study.renderer)};
@@ -168,7 +168,7 @@ void KeptStudies::refresh()
     for (int i = 0; i < list_->count(); ++i)
         if (list_->item(i)->checkState() == Qt::Checked) ticked << list_->item(i)->data(pathRole).toString();
     list_->clear();
-    for (const StudyEntry& entry : store_.list()) {
+    for (const study::StudyEntry& entry : store_.list()) {
         QListWidgetItem* item = itemFor(entry);
         const QString path = item->data(pathRole).toString();
         if (ticked.contains(path)) item->setCheckState(Qt::Checked);
@@ -227,10 +227,10 @@ QStringList KeptStudies::chosen() const
     return paths;
 }
 
-std::vector<KeptStudy> KeptStudies::chosenStudies() const
+std::vector<study::KeptStudy> KeptStudies::chosenStudies() const
 {
-    std::vector<KeptStudy> studies;
-    for (const QString& path : chosen()) studies.push_back(readStudy(path.toStdString()));
+    std::vector<study::KeptStudy> studies;
+    for (const QString& path : chosen()) studies.push_back(study::readStudy(path.toStdString()));
     return studies;
 }
 
@@ -243,20 +243,21 @@ void KeptStudies::noteTicks()
     compare_->setAccessibleName(tr("Compare the ticked studies"));
 }
 
-void KeptStudies::keep(render::Json study, bool complete, ContactSheet pictures)
+void KeptStudies::keep(render::Json study, bool complete, study::ContactSheet pictures)
 {
     trySafely([&] {
         const QString now = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-ddTHH:mm:ss"));
         const std::filesystem::path path = store_.keep(std::move(study), now.toStdString(), complete);
         if (pictures.empty()) return;
-        pictures_.start([this, store = store_, path, sheet = std::make_shared<ContactSheet>(std::move(pictures))] {
-            try {
-                store.keepPictures(path, *sheet);
-            } catch (const std::exception& thrown) {
-                QMetaObject::invokeMethod(
-                    this, [this, why = messageOf(thrown)] { emit failed(why); }, Qt::QueuedConnection);
-            }
-        });
+        pictures_.start(
+            [this, store = store_, path, sheet = std::make_shared<study::ContactSheet>(std::move(pictures))] {
+                try {
+                    store.keepPictures(path, *sheet);
+                } catch (const std::exception& thrown) {
+                    QMetaObject::invokeMethod(
+                        this, [this, why = messageOf(thrown)] { emit failed(why); }, Qt::QueuedConnection);
+                }
+            });
     });
     if (isVisible()) refresh();
 }
@@ -265,17 +266,18 @@ void KeptStudies::show(const QString& path)
 {
     if (path.isEmpty()) return;
     trySafely([&] {
-        const std::string json = render::readFile(path.toStdString(), studyLimits.bytes);
-        const KeptStudy study = parseStudy(render::parseJson(json, path.toStdString(), studyLimits));
+        const std::string json = render::readFile(path.toStdString(), study::studyLimits.bytes);
+        const study::KeptStudy study =
+            study::parseStudy(render::parseJson(json, path.toStdString(), study::studyLimits));
         emit showAsked(study, json);
         readPictures(path, study);
     });
 }
 
-void KeptStudies::readPictures(const QString& path, const KeptStudy& study)
+void KeptStudies::readPictures(const QString& path, const study::KeptStudy& study)
 {
     pictures_.start([this, store = store_, path = path.toStdString(), study, number = ++shown_] {
-        ContactSheet sheet;
+        study::ContactSheet sheet;
         QString why;
         try {
             sheet = store.pictures(path, study);
@@ -315,7 +317,7 @@ void KeptStudies::rename()
     const QString path = selected();
     if (path.isEmpty()) return;
     trySafely([&] {
-        const QString before = titleOf(readStudy(path.toStdString()));
+        const QString before = titleOf(study::readStudy(path.toStdString()));
         auto* ask = new NameDialog(tr("Rename the study"), before, window());
         connect(ask, &NameDialog::named, this, [this, path](const QString& name) {
             trySafely([&] { store_.rename(path.toStdString(), name.toStdString()); });
@@ -359,29 +361,32 @@ void KeptStudies::compare()
 
 QByteArray KeptStudies::exported(const QString& suffix) const
 {
-    const std::vector<KeptStudy> studies = chosenStudies();
-    if (suffix == QLatin1String("csv")) return QByteArray::fromStdString(keptCsv(studies));
+    const std::vector<study::KeptStudy> studies = chosenStudies();
+    if (suffix == QLatin1String("csv")) return QByteArray::fromStdString(study::keptCsv(studies));
     if (suffix == QLatin1String("json")) {
         if (studies.size() == 1)
-            return QByteArray::fromStdString(render::readFile(chosen().front().toStdString(), studyLimits.bytes));
+            return QByteArray::fromStdString(
+                render::readFile(chosen().front().toStdString(), study::studyLimits.bytes));
         std::vector<render::Json> all;
-        for (const QString& path : chosen()) all.push_back(render::readJson(path.toStdString(), studyLimits).root());
-        return QByteArray::fromStdString(render::writeJson(studiesJson(all)));
+        for (const QString& path : chosen())
+            all.push_back(render::readJson(path.toStdString(), study::studyLimits).root());
+        return QByteArray::fromStdString(render::writeJson(study::studiesJson(all)));
     }
     std::unique_ptr<LogChart> chart;
     if (studies.size() == 1) {
         auto one = std::make_unique<StudyChart>();
         const bool timed = std::any_of(studies[0].points.begin(), studies[0].points.end(),
-                                       [](const KeptPoint& point) { return point.time.has_value(); });
-        one->showStudy(charted(studies[0], titleOf(studies[0]), usualCostAxis(studies[0].clockTrusted && timed)));
+                                       [](const study::KeptPoint& point) { return point.time.has_value(); });
+        one->showStudy(
+            charted(studies[0], titleOf(studies[0]), study::usualCostAxis(studies[0].clockTrusted && timed)));
         chart = std::move(one);
     } else {
-        const std::vector<std::string> costs = sharedCosts(studies);
+        const std::vector<std::string> costs = study::sharedCosts(studies);
         if (costs.empty())
             throw Failure(ErrorKind::check,
                           "These studies share no count of work, so no chart can show them together.");
         auto several = std::make_unique<ComparisonChart>();
-        several->setComparison(compareStudies(studies, labelsOf(studies), costs.front()));
+        several->setComparison(study::compareStudies(studies, study::labelsOf(studies), costs.front()));
         chart = std::move(several);
     }
     return chartFile(suffix, *chart);

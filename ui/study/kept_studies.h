@@ -23,23 +23,23 @@ class KeptStudies final : public QWidget {
 
 public:
     /// Subjects and history must outlive the list.
-    KeptStudies(Subjects, History&, StudyStore, QWidget* parent = nullptr);
+    KeptStudies(Subjects, History&, study::StudyStore, QWidget* parent = nullptr);
 
     ~KeptStudies() override;
 
     /// Saves the result of `studyJson`, and its pictures. Emits `failed` if that is impossible.
-    void keep(render::Json study, bool complete, ContactSheet pictures);
+    void keep(render::Json study, bool complete, study::ContactSheet pictures);
     /// Saves a copy of a study's file, and asks to show it.
     void openFile(const QString& path);
     /// Returns the title of a study in the list.
-    [[nodiscard]] QString titleOf(const KeptStudy&) const;
+    [[nodiscard]] QString titleOf(const study::KeptStudy&) const;
     [[nodiscard]] int count() const;  ///< Studies on the disk at the last refresh.
 
 signals:
     /// `json`: text of the study's file.
-    void showAsked(const KeptStudy&, const std::string& json);
+    void showAsked(const study::KeptStudy&, const std::string& json);
     /// Emitted with the pictures of the study shown last. Not emitted if it has none.
-    void picturesRead(const ContactSheet&);
+    void picturesRead(const study::ContactSheet&);
     void failed(const QString& why);
 
 protected:
@@ -48,11 +48,11 @@ protected:
 
 private:
     void addButtons();
-    [[nodiscard]] QListWidgetItem* itemFor(const StudyEntry&) const;
+    [[nodiscard]] QListWidgetItem* itemFor(const study::StudyEntry&) const;
     void refresh();
     void trySafely(const std::function<void()>&);
     void show(const QString& path);
-    void readPictures(const QString& path, const KeptStudy&);
+    void readPictures(const QString& path, const study::KeptStudy&);
     void askForFile();
     void rename();
     void remove();
@@ -63,12 +63,12 @@ private:
     [[nodiscard]] QString selected() const;
     /// Returns the ticked studies in the order of the list; without ticks, the selected one.
     [[nodiscard]] QStringList chosen() const;
-    [[nodiscard]] std::vector<KeptStudy> chosenStudies() const;
+    [[nodiscard]] std::vector<study::KeptStudy> chosenStudies() const;
     [[nodiscard]] QByteArray exported(const QString& suffix) const;
 
     Subjects subjects_;
     History& history_;
-    StudyStore store_;
+    study::StudyStore store_;
     QThreadPool pictures_;  ///< One thread that writes and reads pictures, in the order of requests.
     int shown_ = 0;         ///< Grows with every study that is shown.
     QListWidget* list_;

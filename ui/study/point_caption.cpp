@@ -21,7 +21,7 @@ QString pointCaption(const QString& setting, const PointNumbers& numbers)
                     .arg(threeDigits(time->median), threeDigits(time->low), threeDigits(time->high));
     if (numbers.work)
         text += QCoreApplication::translate("StudyView", ", %1 %2")
-                    .arg(QLocale::c().toString(*numbers.work), translatedText(costTitle(numbers.workName)));
+                    .arg(QLocale::c().toString(*numbers.work), translatedText(study::costTitle(numbers.workName)));
     if (numbers.modelError)
         text += QCoreApplication::translate("StudyView", "; against everything exact %1")
                     .arg(threeDigits(*numbers.modelError));

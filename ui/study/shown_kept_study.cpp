@@ -10,7 +10,7 @@
 
 namespace vitrine::ui {
 
-ShownKeptStudy::ShownKeptStudy(KeptStudy study, std::string json, QString title)
+ShownKeptStudy::ShownKeptStudy(study::KeptStudy study, std::string json, QString title)
     : study_(std::move(study)), json_(std::move(json)), title_(std::move(title))
 {
 }
@@ -18,10 +18,10 @@ ShownKeptStudy::ShownKeptStudy(KeptStudy study, std::string json, QString title)
 bool ShownKeptStudy::isTimed() const
 {
     return std::any_of(study_.points.begin(), study_.points.end(),
-                       [](const KeptPoint& point) { return point.time.has_value(); });
+                       [](const study::KeptPoint& point) { return point.time.has_value(); });
 }
 
-bool ShownKeptStudy::setPictures(const ContactSheet& sheet)
+bool ShownKeptStudy::setPictures(const study::ContactSheet& sheet)
 {
     if (sheet.points != study_.points.size() || sheet.views != study_.views.size()) return false;
     pictures_ = sheet;
@@ -30,7 +30,7 @@ bool ShownKeptStudy::setPictures(const ContactSheet& sheet)
 
 void ShownKeptStudy::findParameters(Subjects subjects, const SceneState& sceneState)
 {
-    parameters_ = parametersOf(study_, subjects, sceneState);
+    parameters_ = study::parametersOf(study_, subjects, sceneState);
 }
 
 QString ShownKeptStudy::whyNotApplied() const
@@ -51,7 +51,7 @@ std::optional<std::size_t> ShownKeptStudy::presentPoint(const SceneState& sceneS
     if (!parameters_.all()) return std::nullopt;
     for (std::size_t i = 0; i < study_.points.size(); ++i) {
         std::string wrong;
-        const std::optional<std::vector<Value>> values = valuesOf(study_, i, parameters_, sceneState, wrong);
+        const std::optional<std::vector<Value>> values = study::valuesOf(study_, i, parameters_, sceneState, wrong);
         bool same = values.has_value();
         for (std::size_t r = 0; same && r < values->size(); ++r)
             same = sceneState.values[parameters_.rows[r].subject].row(parameters_.rows[r].row) == (*values)[r];
@@ -63,7 +63,7 @@ std::optional<std::size_t> ShownKeptStudy::presentPoint(const SceneState& sceneS
 std::optional<std::string> ShownKeptStudy::apply(std::size_t point, SceneState& sceneState) const
 {
     std::string wrong;
-    const std::optional<std::vector<Value>> values = valuesOf(study_, point, parameters_, sceneState, wrong);
+    const std::optional<std::vector<Value>> values = study::valuesOf(study_, point, parameters_, sceneState, wrong);
     if (!values) return wrong;
     for (std::size_t i = 0; i < values->size(); ++i)
         sceneState.values[parameters_.rows[i].subject].setParameter(parameters_.rows[i].row, (*values)[i]);
@@ -72,12 +72,12 @@ std::optional<std::string> ShownKeptStudy::apply(std::size_t point, SceneState& 
 
 QString ShownKeptStudy::captionOf(std::size_t point) const
 {
-    const KeptPoint& p = study_.points[point];
+    const study::KeptPoint& p = study_.points[point];
     const QString setting = settingWords(study_.settingParts(point));
     if (!p.measured()) return QCoreApplication::translate("StudyView", "%1 was not measured.").arg(setting);
     PointNumbers numbers{.error = p.error, .modelError = p.modelError};
     if (p.time) numbers.time = PointNumbers::Time{p.time->median, p.time->interval.low, p.time->interval.high};
-    numbers.workName = costsAlong(CostAxis::work, study_).name;
+    numbers.workName = study::costsAlong(study::CostAxis::work, study_).name;
     if (const auto found = p.counters.find(numbers.workName); found != p.counters.end())
         numbers.work = static_cast<qlonglong>(found->second);
     const QString text = pointCaption(setting, numbers);

@@ -16,15 +16,15 @@ namespace vitrine::ui {
 class ShownKeptStudy {
 public:
     /// `json`: text of its file; `title`: name for people.
-    ShownKeptStudy(KeptStudy, std::string json, QString title);
+    ShownKeptStudy(study::KeptStudy, std::string json, QString title);
 
-    [[nodiscard]] const KeptStudy& study() const { return study_; }
+    [[nodiscard]] const study::KeptStudy& study() const { return study_; }
     [[nodiscard]] const std::string& json() const { return json_; }
     [[nodiscard]] const QString& title() const { return title_; }
     [[nodiscard]] bool isTimed() const;
     /// Sets the pictures. Returns false if they belong to another study.
-    bool setPictures(const ContactSheet&);
-    [[nodiscard]] const ContactSheet& pictures() const { return pictures_; }
+    bool setPictures(const study::ContactSheet&);
+    [[nodiscard]] const study::ContactSheet& pictures() const { return pictures_; }
     /// Finds the parameters in the present tables. Call after tables changed.
     void findParameters(Subjects, const SceneState&);
     /// Returns the reason why no point can be applied; empty if one can.
@@ -37,11 +37,11 @@ public:
     [[nodiscard]] QString captionOf(std::size_t point) const;
 
 private:
-    KeptStudy study_;
+    study::KeptStudy study_;
     std::string json_;
     QString title_;
-    KeptParameters parameters_;
-    ContactSheet pictures_;
+    study::KeptParameters parameters_;
+    study::ContactSheet pictures_;
 };
 
 }  // namespace vitrine::ui

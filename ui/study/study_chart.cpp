@@ -374,29 +374,29 @@ void StudyChart::leaveEvent(QEvent* event)
     hovered_ = -1;
 }
 
-QString settingWords(const std::vector<SettingPart>& parts)
+QString settingWords(const std::vector<study::SettingPart>& parts)
 {
-    if (parts.empty()) return translatedText(settingText(parts));
+    if (parts.empty()) return translatedText(study::settingText(parts));
     QStringList all;
-    for (const SettingPart& part : parts)
+    for (const study::SettingPart& part : parts)
         all << translatedText(part.label) + QLatin1Char(' ') + translatedText(part.value);
     return all.join(QStringLiteral(", "));
 }
 
 namespace {
 
-QString axisTitle(const StudyCosts& costs, bool clockTrusted)
+QString axisTitle(const study::StudyCosts& costs, bool clockTrusted)
 {
-    if (costs.axis == CostAxis::time)
+    if (costs.axis == study::CostAxis::time)
         return clockTrusted ? StudyChart::tr("milliseconds of a picture")
                             : StudyChart::tr("milliseconds of a picture, by a clock that is not trusted");
     return costs.name.empty() ? StudyChart::tr("counted work")
-                              : StudyChart::tr("%1 in all views").arg(translatedText(costTitle(costs.name)));
+                              : StudyChart::tr("%1 in all views").arg(translatedText(study::costTitle(costs.name)));
 }
 
-void setCost(ChartPoint& point, const StudyCosts& costs, std::size_t i)
+void setCost(ChartPoint& point, const study::StudyCosts& costs, std::size_t i)
 {
-    const SettingCost& cost = costs.settings[i];
+    const study::SettingCost& cost = costs.settings[i];
     point.cost = cost.cost;
     point.costLow = cost.interval.low;
     point.costHigh = cost.interval.high;
@@ -406,28 +406,28 @@ void setCost(ChartPoint& point, const StudyCosts& costs, std::size_t i)
 }
 
 /// Returns the label of a setting: the value for one parameter, names and values for two, nothing for more.
-QString pointWords(const std::vector<SettingPart>& parts, std::size_t parameters)
+QString pointWords(const std::vector<study::SettingPart>& parts, std::size_t parameters)
 {
     if (parameters > 2) return {};
     return parameters == 1 && !parts.empty() ? translatedText(parts.front().value) : settingWords(parts);
 }
 
-ChartedStudy chartedBy(const StudyCosts& costs, render::Metric metric, bool clockTrusted)
+ChartedStudy chartedBy(const study::StudyCosts& costs, render::Metric metric, bool clockTrusted)
 {
     ChartedStudy study;
     study.costTitle = axisTitle(costs, clockTrusted);
     study.errorTitle = translatedText(title(metric));
     study.parameters = costs.parameters;
-    study.law = translatedText(lawSentence(costs));
+    study.law = translatedText(study::lawSentence(costs));
     return study;
 }
 
 /// Returns "Fur: Shell count", or "Fur: all parameters" for more than two.
-QString headingOf(Subjects subjects, const StudyRequest& request)
+QString headingOf(Subjects subjects, const study::StudyRequest& request)
 {
     QStringList labels;
-    for (const StudyAxis& axis : request.axes)
-        labels << translatedText(axisLabel(subjects, request.sceneState, request.subject, axis));
+    for (const study::StudyAxis& axis : request.axes)
+        labels << translatedText(study::axisLabel(subjects, request.sceneState, request.subject, axis));
     return translatedText(subjects[request.subject]->title()) + QStringLiteral(": ") +
            (labels.size() > 2 ? StudyChart::tr("all parameters") : labels.join(QStringLiteral(", ")));
 }
@@ -442,28 +442,29 @@ QString conditions(std::size_t views, glm::ivec2 size, bool alone, const std::st
 
 }  // namespace
 
-ChartedStudy charted(Subjects subjects, const StudyRequest& request, const StudyResult& result, CostAxis axis)
+ChartedStudy charted(Subjects subjects, const study::StudyRequest& request, const study::StudyResult& result,
+                     study::CostAxis axis)
 {
-    const StudyCosts costs = costsAlong(axis, request, result);
+    const study::StudyCosts costs = study::costsAlong(axis, request, result);
     ChartedStudy study = chartedBy(costs, request.metric, result.clockTrusted);
     study.heading = headingOf(subjects, request);
     study.details = conditions(result.views.size(), request.size, request.alone, result.clock);
     int drawn = 0;
     for (std::size_t i = 0; i < result.points.size(); ++i) {
-        const StudyPoint& p = result.points[i];
+        const study::StudyPoint& p = result.points[i];
         ChartPoint c;
         setCost(c, costs, i);
         c.error = p.error;
         c.errorLow = p.lowestError;
         c.errorHigh = p.worstError;
         c.modelError = p.modelError;
-        c.text = pointWords(settingParts(subjects, request, p), request.axes.size());
+        c.text = pointWords(study::settingParts(subjects, request, p), request.axes.size());
         c.present = result.present == i;
-        drawn += isDrawn(p) ? 1 : 0;
+        drawn += study::isDrawn(p) ? 1 : 0;
         study.points.push_back(std::move(c));
     }
     const int all = static_cast<int>(result.points.size());
-    if (axis == CostAxis::time)
+    if (axis == study::CostAxis::time)
         study.emptyText =
             StudyChart::tr("%1 of %2 settings are drawn.\nTimes are measured once all are drawn.").arg(drawn).arg(all);
     else if (drawn < all)
@@ -475,14 +476,14 @@ ChartedStudy charted(Subjects subjects, const StudyRequest& request, const Study
     return study;
 }
 
-ChartedStudy charted(const KeptStudy& kept, const QString& title, CostAxis axis)
+ChartedStudy charted(const study::KeptStudy& kept, const QString& title, study::CostAxis axis)
 {
-    const StudyCosts costs = costsAlong(axis, kept);
+    const study::StudyCosts costs = study::costsAlong(axis, kept);
     ChartedStudy study = chartedBy(costs, kept.metric, kept.clockTrusted);
     study.heading = title;
     study.details = conditions(kept.views.size(), kept.size, kept.alone, kept.clock);
     for (std::size_t i = 0; i < kept.points.size(); ++i) {
-        const KeptPoint& p = kept.points[i];
+        const study::KeptPoint& p = kept.points[i];
         ChartPoint c;
         setCost(c, costs, i);
         c.error = std::isfinite(p.error) ? p.error : 0;
@@ -492,8 +493,8 @@ ChartedStudy charted(const KeptStudy& kept, const QString& title, CostAxis axis)
         c.text = pointWords(kept.settingParts(i), kept.parameters.size());
         study.points.push_back(std::move(c));
     }
-    study.emptyText = axis == CostAxis::time ? StudyChart::tr("This study has no times.")
-                                             : StudyChart::tr("No count of work tells these settings apart.");
+    study.emptyText = axis == study::CostAxis::time ? StudyChart::tr("This study has no times.")
+                                                    : StudyChart::tr("No count of work tells these settings apart.");
     return study;
 }
 

@@ -85,10 +85,10 @@ private:
 };
 
 /// Returns the chart of a study, as far as it is measured.
-[[nodiscard]] ChartedStudy charted(Subjects, const StudyRequest&, const StudyResult&, CostAxis);
+[[nodiscard]] ChartedStudy charted(Subjects, const study::StudyRequest&, const study::StudyResult&, study::CostAxis);
 /// Returns the chart of a kept study, with its title as the heading.
-[[nodiscard]] ChartedStudy charted(const KeptStudy&, const QString& title, CostAxis);
+[[nodiscard]] ChartedStudy charted(const study::KeptStudy&, const QString& title, study::CostAxis);
 /// Returns the name of a setting: "Shell count 64", "as at present".
-[[nodiscard]] QString settingWords(const std::vector<SettingPart>&);
+[[nodiscard]] QString settingWords(const std::vector<study::SettingPart>&);
 
 }  // namespace vitrine::ui

@@ -38,7 +38,7 @@ constexpr int leastToKeep = 3;  ///< Number of measured settings from which a st
 }  // namespace
 
 StudyDock::StudyDock(const Museum& museum, Renderers& renderers, History& history, RenderThread& thread,
-                     StudyStore store, QWidget* parent)
+                     study::StudyStore store, QWidget* parent)
     : QWidget(parent), museum_(museum), history_(history), measurement_(renderers, thread, this),
       setup_(*jobs::findJob("study"), this),
       bar_(new MeasuringBar(this)), keepers_{new QToolButton(this), new QToolButton(this), new QToolButton(this)},
@@ -132,7 +132,7 @@ void StudyDock::connectParts()
     connect(figure, &QToolButton::clicked, this, &StudyDock::saveFigure);
     connect(list_, &QToolButton::toggled, kept_, &QWidget::setVisible);
     connect(kept_, &KeptStudies::failed, this, &StudyDock::failed);
-    connect(kept_, &KeptStudies::showAsked, this, [this](const KeptStudy& study, const std::string& json) {
+    connect(kept_, &KeptStudies::showAsked, this, [this](const study::KeptStudy& study, const std::string& json) {
         shown_->showKept(study, json, kept_->titleOf(study));
         showIdle();
     });
@@ -154,7 +154,7 @@ StudyChart& StudyDock::chart() const
     return shown_->chart();
 }
 
-const StudyResult& StudyDock::result() const
+const study::StudyResult& StudyDock::result() const
 {
     return shown_->result();
 }
@@ -180,7 +180,7 @@ void StudyDock::setSubject(std::size_t exhibit)
 
 void StudyDock::vary(const QString& parameters)
 {
-    const StudyTable& t = studyTable();
+    const study::StudyTable& t = study::studyTable();
     ParameterValues values = setup_.values();
     values.set(t.varied, parameters.toStdString());
     values.set(t.values, std::string());  // The old values belong to another parameter.
@@ -190,7 +190,7 @@ void StudyDock::vary(const QString& parameters)
 
 void StudyDock::showVaried()
 {
-    bar_->select(QString::fromStdString(setup_.values()[studyTable().varied]));
+    bar_->select(QString::fromStdString(setup_.values()[study::studyTable().varied]));
 }
 
 void StudyDock::ask(std::size_t exhibit, std::size_t row, Then then)
@@ -219,7 +219,7 @@ void StudyDock::measureWith(const SceneState& sceneState)
 void StudyDock::measure(const ParameterValues& values, const SceneState& sceneState)
 {
     try {
-        StudyRequest request = studyRequest(values, museum_, sceneState, subject_);
+        study::StudyRequest request = study::studyRequest(values, museum_, sceneState, subject_);
         request.largestTile = shortTile;
         stop();
         measurement_.start(std::move(request));
@@ -229,13 +229,13 @@ void StudyDock::measure(const ParameterValues& values, const SceneState& sceneSt
     }
 }
 
-void StudyDock::find(StudyFind wanted, double limit)
+void StudyDock::find(study::StudyFind wanted, double limit)
 {
-    const StudyTable& t = studyTable();
+    const study::StudyTable& t = study::studyTable();
     ParameterValues values = setup_.values();
     for (const Text& parameter : {t.varied, t.values}) values.set(parameter, std::string());
     values.set(t.choosing, wanted);
-    values.set(wanted == StudyFind::cheapest ? t.maxError : t.maxMilliseconds, limit);
+    values.set(wanted == study::StudyFind::cheapest ? t.maxError : t.maxMilliseconds, limit);
     values.set(t.modelError, false);
     measure(values, history_.sceneState());
 }
@@ -244,8 +244,8 @@ void StudyDock::take(StudyProgress& progress)
 {
     const bool done = progress.part >= 1;
     // The earlier result stays until the new one has a point.
-    const bool isNew =
-        !showsRunning_ && (done || std::any_of(progress.result.points.begin(), progress.result.points.end(), isDrawn));
+    const bool isNew = !showsRunning_ && (done || std::any_of(progress.result.points.begin(),
+                                                              progress.result.points.end(), study::isDrawn));
     showsRunning_ = showsRunning_ || isNew;
     bar_->showProgress(progress.part, translatedText(progress.doing));
     if (!showsRunning_) return;
@@ -263,7 +263,7 @@ void StudyDock::end(const QString& failure)
         emit failed(failure);
         return;
     }
-    const std::optional<StudyChoice> choice = result().choice;
+    const std::optional<study::StudyChoice> choice = result().choice;
     if (choice && choice->holds) shown_->applyMeasured(choice->point);
     if (then == Then::saveFigure) saveFigure();
     emit finished();
@@ -291,9 +291,9 @@ void StudyDock::endRun()
 void StudyDock::keepMeasured()
 {
     const auto& points = result().points;
-    const auto measured = std::count_if(points.begin(), points.end(), isDrawn);
+    const auto measured = std::count_if(points.begin(), points.end(), study::isDrawn);
     if (result().complete || measured >= leastToKeep)
-        kept_->keep(shown_->json(), result().complete, contactSheet(result()));
+        kept_->keep(shown_->json(), result().complete, study::contactSheet(result()));
 }
 
 void StudyDock::showIdle()

@@ -32,7 +32,7 @@ class StudyDock final : public QWidget {
 
 public:
     /// Museum, renderers and history must outlive the dock. So must the thread, unless `stop` is called before it ends.
-    StudyDock(const Museum&, Renderers&, History&, RenderThread&, StudyStore = StudyStore::standard(),
+    StudyDock(const Museum&, Renderers&, History&, RenderThread&, study::StudyStore = study::StudyStore::standard(),
               QWidget* parent = nullptr);
     ~StudyDock() override;
 
@@ -51,7 +51,7 @@ public:
     void stop();
     [[nodiscard]] bool running() const { return measurement_.running(); }
     /// Returns the result of the running study once it has a point, before that of the one before.
-    [[nodiscard]] const StudyResult& result() const;
+    [[nodiscard]] const study::StudyResult& result() const;
     /// Returns the content of a file with all measured data shown: .csv, .json (including `machine`), or the chart as
     /// .png or .svg.
     [[nodiscard]] QByteArray exported(const QString& suffix) const;
@@ -78,7 +78,7 @@ private:
     void vary(const QString& parameters);
     void showVaried();
     void measure(const ParameterValues&, const SceneState&);
-    void find(StudyFind, double limit);
+    void find(study::StudyFind, double limit);
     void endRun();
     void take(StudyProgress&);
     void end(const QString& failure);

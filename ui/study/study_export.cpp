@@ -30,12 +30,12 @@ QByteArray chartFile(const QString& suffix, LogChart& chart)
     return pngOf(chart.picture(exportedChart, 2));
 }
 
-QByteArray studyFile(const QString& suffix, Subjects subjects, const StudyRequest& request, const StudyResult& result,
-                     const render::Json& machine, LogChart& chart)
+QByteArray studyFile(const QString& suffix, Subjects subjects, const study::StudyRequest& request,
+                     const study::StudyResult& result, const render::Json& machine, LogChart& chart)
 {
-    if (suffix == QLatin1String("csv")) return QByteArray::fromStdString(studyCsv(subjects, request, result));
+    if (suffix == QLatin1String("csv")) return QByteArray::fromStdString(study::studyCsv(subjects, request, result));
     if (suffix == QLatin1String("json"))
-        return QByteArray::fromStdString(render::writeJson(studyJson(subjects, request, result, machine)));
+        return QByteArray::fromStdString(render::writeJson(study::studyJson(subjects, request, result, machine)));
     return chartFile(suffix, chart);
 }
 

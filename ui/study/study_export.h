@@ -18,8 +18,8 @@ class LogChart;
 [[nodiscard]] QByteArray chartFile(const QString& suffix, LogChart&);
 
 /// Returns the content of a file with a study: the data as "csv" or "json" (including `machine`), or the chart.
-[[nodiscard]] QByteArray studyFile(const QString& suffix, Subjects, const StudyRequest&, const StudyResult&,
-                                   const render::Json& machine, LogChart&);
+[[nodiscard]] QByteArray studyFile(const QString& suffix, Subjects, const study::StudyRequest&,
+                                   const study::StudyResult&, const render::Json& machine, LogChart&);
 
 /// Asks for a file name and writes the result of `contentOf` for its suffix. Returns a sentence why saving failed;
 /// empty after success or if the visitor canceled.

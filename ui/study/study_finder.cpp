@@ -40,22 +40,22 @@ StudyFinder::StudyFinder(QWidget* parent)
     };
     layOut(byError_, {cheapest, new QLabel(tr("with an error of at most"), byError_), error_});
     layOut(byTime_, {best, new QLabel(tr("within"), byTime_), milliseconds_, new QLabel(tr("ms"), byTime_)});
-    connect(cheapest, &QPushButton::clicked, this, [this] { ask(StudyFind::cheapest); });
-    connect(best, &QPushButton::clicked, this, [this] { ask(StudyFind::best); });
-    connect(error_, &QLineEdit::returnPressed, this, [this] { ask(StudyFind::cheapest); });
-    connect(milliseconds_, &QLineEdit::returnPressed, this, [this] { ask(StudyFind::best); });
+    connect(cheapest, &QPushButton::clicked, this, [this] { ask(study::StudyFind::cheapest); });
+    connect(best, &QPushButton::clicked, this, [this] { ask(study::StudyFind::best); });
+    connect(error_, &QLineEdit::returnPressed, this, [this] { ask(study::StudyFind::cheapest); });
+    connect(milliseconds_, &QLineEdit::returnPressed, this, [this] { ask(study::StudyFind::best); });
 }
 
-void StudyFinder::suggestTime(const StudyResult& result)
+void StudyFinder::suggestTime(const study::StudyResult& result)
 {
     if (milliseconds_->isModified() || !result.present) return;
-    const StudyPoint& present = result.points[*result.present];
+    const study::StudyPoint& present = result.points[*result.present];
     if (present.time) milliseconds_->setText(QLocale::c().toString(present.time->median / 2, 'g', 3));
 }
 
-void StudyFinder::ask(StudyFind wanted)
+void StudyFinder::ask(study::StudyFind wanted)
 {
-    const bool byError = wanted == StudyFind::cheapest;
+    const bool byError = wanted == study::StudyFind::cheapest;
     const QLineEdit* field = byError ? error_ : milliseconds_;
     const std::optional<double> limit = evaluate(field->text().trimmed().toStdString(), Unit::none);
     if (limit && *limit > 0) {

@@ -24,15 +24,15 @@ public:
     [[nodiscard]] std::array<QWidget*, 2> sentences() const { return {byError_, byTime_}; }
 
     /// Suggests half of the present time as the limit, unless a limit was typed.
-    void suggestTime(const StudyResult&);
+    void suggestTime(const study::StudyResult&);
 
 signals:
     /// `limit`: error, or milliseconds; above 0.
-    void asked(vitrine::StudyFind, double limit);
+    void asked(vitrine::study::StudyFind, double limit);
     void refused(const QString& why);
 
 private:
-    void ask(StudyFind);
+    void ask(study::StudyFind);
 
     QWidget *byError_, *byTime_;
     QLineEdit* error_;

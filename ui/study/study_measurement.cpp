@@ -16,7 +16,7 @@ constexpr qint64 refreshTime = 200;  ///< Milliseconds between two intermediate 
 
 struct StudyMeasurement::Work {
     Renderers& renderers;
-    StudyRequest request;
+    study::StudyRequest request;
     StudyJob job;
     QElapsedTimer shown;
 };
@@ -33,7 +33,7 @@ bool StudyMeasurement::step(Work& work, const RenderThread::Notify& notify, cons
         work.shown.start();
         if (!work.job.study) throw Failure(ErrorKind::openGl, "Nothing can be measured: there is no graphics context.");
     }
-    Study& study = *work.job.study;
+    study::Study& study = *work.job.study;
     study.step();
     const bool done = study.finished();
     if (done || work.shown.elapsed() >= study_measurements::refreshTime) {
@@ -50,7 +50,7 @@ bool StudyMeasurement::step(Work& work, const RenderThread::Notify& notify, cons
     return !done;
 }
 
-void StudyMeasurement::start(StudyRequest request)
+void StudyMeasurement::start(study::StudyRequest request)
 {
     cancel();
     request_ = request;

@@ -14,7 +14,7 @@ namespace vitrine::ui {
 
 /// Result of a running study so far.
 struct StudyProgress {
-    StudyResult result;
+    study::StudyResult result;
     double part = 0;  ///< Finished share, 0 to 1.
     std::string doing;
     render::Json machine = {};
@@ -29,12 +29,12 @@ public:
     StudyMeasurement(Renderers&, RenderThread&, QObject* parent);
 
     /// Starts a study in place of the one that runs.
-    void start(StudyRequest);
+    void start(study::StudyRequest);
     /// Ends the study without `ended`.
     void cancel();
     [[nodiscard]] bool running() const { return isRunning_; }
     /// Request of the running or last study.
-    [[nodiscard]] const StudyRequest& request() const { return request_; }
+    [[nodiscard]] const study::StudyRequest& request() const { return request_; }
 
 signals:
     /// Emitted a few times a second, and when the study is finished. The receiver may move the result.
@@ -52,7 +52,7 @@ private:
     RenderThread& thread_;
     RenderThread::Task task_;
     bool isRunning_ = false;
-    StudyRequest request_;
+    study::StudyRequest request_;
 };
 
 }  // namespace vitrine::ui

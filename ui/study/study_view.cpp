@@ -71,22 +71,22 @@ QWidget* StudyView::chartWithCosts()
     return left;
 }
 
-CostAxis StudyView::costAxis() const
+study::CostAxis StudyView::costAxis() const
 {
-    return cost_->currentIndex() == 0 ? CostAxis::time : CostAxis::work;
+    return cost_->currentIndex() == 0 ? study::CostAxis::time : study::CostAxis::work;
 }
 
-void StudyView::chooseCostAxis(CostAxis axis)
+void StudyView::chooseCostAxis(study::CostAxis axis)
 {
     costChosen_ = true;
-    cost_->setCurrentIndex(axis == CostAxis::time ? 0 : 1);
+    cost_->setCurrentIndex(axis == study::CostAxis::time ? 0 : 1);
 }
 
 void StudyView::decideCostAxis(bool clockTrusted)
 {
     if (costChosen_) return;
     const QSignalBlocker quiet(cost_);
-    cost_->setCurrentIndex(usualCostAxis(clockTrusted) == CostAxis::time ? 0 : 1);
+    cost_->setCurrentIndex(study::usualCostAxis(clockTrusted) == study::CostAxis::time ? 0 : 1);
 }
 
 void StudyView::connectParts()
@@ -107,7 +107,8 @@ void StudyView::showEvent(QShowEvent* event)
     QWidget::showEvent(event);
 }
 
-void StudyView::showMeasured(const StudyRequest& request, StudyResult result, const render::Json& machine, bool isNew)
+void StudyView::showMeasured(const study::StudyRequest& request, study::StudyResult result, const render::Json& machine,
+                             bool isNew)
 {
     if (isNew) {
         kept_.reset();
@@ -123,7 +124,7 @@ void StudyView::showMeasured(const StudyRequest& request, StudyResult result, co
     refresh();
 }
 
-void StudyView::showKept(KeptStudy study, std::string json, const QString& title)
+void StudyView::showKept(study::KeptStudy study, std::string json, const QString& title)
 {
     kept_.emplace(std::move(study), std::move(json), title);
     shownPoint_ = -1;
@@ -132,7 +133,7 @@ void StudyView::showKept(KeptStudy study, std::string json, const QString& title
     refresh();
 }
 
-void StudyView::showKeptPictures(const ContactSheet& sheet)
+void StudyView::showKeptPictures(const study::ContactSheet& sheet)
 {
     if (kept_ && kept_->setPictures(sheet)) showPoint(shownPoint_);
 }
@@ -143,9 +144,9 @@ void StudyView::noteStopped()
     stopped_ = true;
     if (result_.workName.empty()) {
         std::vector<std::map<std::string, double>> counters;
-        for (const StudyPoint& point : result_.points)
-            if (isDrawn(point)) counters.emplace_back(point.counters.begin(), point.counters.end());
-        result_.workName = mostTellingCounter(counters);
+        for (const study::StudyPoint& point : result_.points)
+            if (study::isDrawn(point)) counters.emplace_back(point.counters.begin(), point.counters.end());
+        result_.workName = study::mostTellingCounter(counters);
     }
     if (!kept_) refresh();
 }
@@ -158,7 +159,7 @@ void StudyView::say(const QString& words)
 
 render::Json StudyView::json() const
 {
-    return studyJson(museum_.subjects(), request_, result_, machine_);
+    return study::studyJson(museum_.subjects(), request_, result_, machine_);
 }
 
 QString StudyView::fileName() const
@@ -166,11 +167,12 @@ QString StudyView::fileName() const
     QStringList parts;
     if (kept_) {
         parts << QString::fromStdString(kept_->study().exhibit);
-        for (const KeptStudy::Parameter& parameter : kept_->study().parameters)
+        for (const study::KeptStudy::Parameter& parameter : kept_->study().parameters)
             parts << QString::fromStdString(parameter.name);
     } else {
         parts << text(museum_.subject(request_.subject).name());
-        for (const StudyAxis& axis : request_.axes) parts << text(parameterOf(request_.sceneState, axis).name);
+        for (const study::StudyAxis& axis : request_.axes)
+            parts << text(study::parameterOf(request_.sceneState, axis).name);
     }
     constexpr int mostNamed = 3;  // The exhibit and two parameters: studies of many would have endless names.
     return parts.mid(0, parts.size() > mostNamed ? 1 : mostNamed)
@@ -180,14 +182,14 @@ QString StudyView::fileName() const
 
 QByteArray StudyView::exported(const QString& suffix) const
 {
-    if (kept_ && suffix == QLatin1String("csv")) return QByteArray::fromStdString(keptCsv({kept_->study()}));
+    if (kept_ && suffix == QLatin1String("csv")) return QByteArray::fromStdString(study::keptCsv({kept_->study()}));
     if (kept_ && suffix == QLatin1String("json")) return QByteArray::fromStdString(kept_->json());
     return studyFile(suffix, museum_.subjects(), request_, result_, machine_, *chart_);
 }
 
-std::optional<std::size_t> StudyView::rowNow(const StudyAxis& axis) const
+std::optional<std::size_t> StudyView::rowNow(const study::StudyAxis& axis) const
 {
-    return history_.sceneState().values[axis.subject].table().find(parameterOf(request_.sceneState, axis).name);
+    return history_.sceneState().values[axis.subject].table().find(study::parameterOf(request_.sceneState, axis).name);
 }
 
 std::optional<std::size_t> StudyView::presentPoint() const
@@ -196,7 +198,7 @@ std::optional<std::size_t> StudyView::presentPoint() const
     for (std::size_t i = 0; i < result_.points.size(); ++i) {
         bool same = true;
         for (std::size_t a = 0; a < request_.axes.size(); ++a) {
-            const StudyAxis& axis = request_.axes[a];
+            const study::StudyAxis& axis = request_.axes[a];
             const std::optional<std::size_t> row = rowNow(axis);
             same = same && row &&
                    sceneState.values[axis.subject].row(*row) == Value(axis.values[result_.points[i].setting[a]]);
@@ -209,9 +211,11 @@ std::optional<std::size_t> StudyView::presentPoint() const
 QString StudyView::sentences(const QString& law) const
 {
     QStringList sentences{law};
-    for (const std::string& sentence : {choiceSentence(museum_.subjects(), request_, result_), result_.convergence})
+    for (const std::string& sentence :
+         {study::choiceSentence(museum_.subjects(), request_, result_), result_.convergence})
         sentences << translatedText(sentence);
-    for (const std::string& sentence : situationSentences(museum_.subjects(), request_, result_, ParameterNames::shown))
+    for (const std::string& sentence :
+         study::situationSentences(museum_.subjects(), request_, result_, study::ParameterNames::shown))
         sentences << translatedText(sentence);
     sentences.removeAll(QString());
     sentences << tr("Clock: %1, %2.")
@@ -230,7 +234,7 @@ void StudyView::refresh()
     if (kept_) return refreshKept();
     if (request_.axes.empty()) return;
     ChartedStudy study = charted(museum_.subjects(), request_, result_, costAxis());
-    if (stopped_ && costAxis() == CostAxis::time)
+    if (stopped_ && costAxis() == study::CostAxis::time)
         study.emptyText = tr("The study was stopped before its settings were timed.");
     const QString law = study.law;
     showChart(std::move(study), presentPoint());
@@ -241,7 +245,7 @@ void StudyView::refresh()
 void StudyView::refreshKept()
 {
     kept_->findParameters(museum_.subjects(), history_.sceneState());
-    const KeptStudy& kept = kept_->study();
+    const study::KeptStudy& kept = kept_->study();
     ChartedStudy study = charted(kept, kept_->title(), costAxis());
     QStringList sentences{tr("From the history: %1.").arg(kept_->title()), kept_->whyNotApplied(), study.law};
     showChart(std::move(study), kept_->presentPoint(history_.sceneState()));
@@ -253,10 +257,10 @@ void StudyView::refreshKept()
     say(sentences.join(QLatin1Char(' ')));
 }
 
-QString StudyView::captionOf(const StudyPoint& p) const
+QString StudyView::captionOf(const study::StudyPoint& p) const
 {
-    const QString setting = settingWords(settingParts(museum_.subjects(), request_, p));
-    if (!isDrawn(p)) return tr("%1 is not measured yet.").arg(setting);
+    const QString setting = settingWords(study::settingParts(museum_.subjects(), request_, p));
+    if (!study::isDrawn(p)) return tr("%1 is not measured yet.").arg(setting);
     PointNumbers numbers{.error = p.error, .workName = result_.workName, .modelError = p.modelError};
     if (p.time) numbers.time = PointNumbers::Time{p.time->median, p.time->interval.low, p.time->interval.high};
     if (const auto found = p.counters.find(result_.workName); found != p.counters.end()) numbers.work = found->second;
@@ -265,10 +269,10 @@ QString StudyView::captionOf(const StudyPoint& p) const
 
 void StudyView::showKeptPoint(int wanted)
 {
-    const KeptStudy& kept = kept_->study();
-    const ContactSheet& sheet = kept_->pictures();
+    const study::KeptStudy& kept = kept_->study();
+    const study::ContactSheet& sheet = kept_->pictures();
     const std::optional<std::size_t> present = kept_->presentPoint(history_.sceneState());
-    const std::optional<std::size_t> fallback = present ? present : costsAlong(costAxis(), kept).knee;
+    const std::optional<std::size_t> fallback = present ? present : study::costsAlong(costAxis(), kept).knee;
     const int point = wanted >= 0 ? wanted : fallback ? static_cast<int>(*fallback) : -1;
     const bool is = point >= 0 && static_cast<std::size_t>(point) < kept.points.size();
     const auto at = static_cast<std::size_t>(std::max(point, 0));
@@ -288,7 +292,8 @@ void StudyView::showPoint(int wanted)
     if (kept_) return showKeptPoint(wanted);
     const std::optional<std::size_t> present = presentPoint();
     // Without a hovered point: the present setting, or else the knee.
-    const std::optional<std::size_t> fallback = present ? present : costsAlong(costAxis(), request_, result_).knee;
+    const std::optional<std::size_t> fallback =
+        present ? present : study::costsAlong(costAxis(), request_, result_).knee;
     const int point = wanted >= 0 ? wanted : fallback ? static_cast<int>(*fallback) : -1;
     const std::size_t view = pictures_->view();
     if (point < 0 || static_cast<std::size_t>(point) >= result_.points.size() || view >= result_.references.size()) {
@@ -296,8 +301,8 @@ void StudyView::showPoint(int wanted)
         pictures_->setCaption({});
         return;
     }
-    const StudyPoint& p = result_.points[static_cast<std::size_t>(point)];
-    if (isDrawn(p))
+    const study::StudyPoint& p = result_.points[static_cast<std::size_t>(point)];
+    if (study::isDrawn(p))
         pictures_->showPictures(p.shots[view].picture, result_.references[view], request_.metric);
     else
         pictures_->hidePictures();
@@ -314,13 +319,13 @@ void StudyView::applyMeasured(std::size_t point)
     if (point >= result_.points.size()) return;
     SceneState next = history_.sceneState();
     for (std::size_t a = 0; a < request_.axes.size(); ++a) {
-        const StudyAxis& axis = request_.axes[a];
+        const study::StudyAxis& axis = request_.axes[a];
         if (const auto row = rowNow(axis))
             next.values[axis.subject].setParameter(*row, axis.values[result_.points[point].setting[a]]);
     }
     const bool one = request_.axes.size() == 1;
     history_.change(
-        one ? tr("Set %1").arg(settingWords(settingParts(museum_.subjects(), request_, result_.points[point])))
+        one ? tr("Set %1").arg(settingWords(study::settingParts(museum_.subjects(), request_, result_.points[point])))
             : tr("Set what the study found"),
         next);
 }
@@ -338,7 +343,7 @@ void StudyView::applyKept(std::size_t point)
                          .arg(translatedText(*wrong)));
         return;
     }
-    const std::vector<SettingPart> parts = kept_->study().settingParts(point);
+    const std::vector<study::SettingPart> parts = kept_->study().settingParts(point);
     history_.change(parts.size() == 1 ? tr("Set %1").arg(settingWords(parts)) : tr("Set what the study found"), next);
 }
 

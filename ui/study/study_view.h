@@ -28,13 +28,13 @@ public:
     StudyView(const Museum&, History&, QWidget* parent = nullptr);
 
     /// Shows the running or last study, from its first point on. `isNew`: it replaces the study that is shown.
-    void showMeasured(const StudyRequest&, StudyResult, const render::Json& machine, bool isNew);
+    void showMeasured(const study::StudyRequest&, study::StudyResult, const render::Json& machine, bool isNew);
     /// The running study was stopped: no further point comes.
     void noteStopped();
     /// Shows a kept study. `json`: text of its file; `title`: name for people.
-    void showKept(KeptStudy, std::string json, const QString& title);
+    void showKept(study::KeptStudy, std::string json, const QString& title);
     /// Sets the pictures of the kept study once they have been read.
-    void showKeptPictures(const ContactSheet&);
+    void showKeptPictures(const study::ContactSheet&);
     /// Updates the view after values or parameter tables changed.
     void refresh();
     /// Shows a text in place of the summary.
@@ -45,15 +45,18 @@ public:
     void applyMeasured(std::size_t point);
 
     [[nodiscard]] bool empty() const { return !kept_ && result_.points.empty(); }
-    [[nodiscard]] const StudyResult& result() const { return result_; }  ///< Result of the study measured last here.
-    [[nodiscard]] const StudyRequest& request() const { return request_; }
+    [[nodiscard]] const study::StudyResult& result() const
+    {
+        return result_;
+    }  ///< Result of the study measured last here.
+    [[nodiscard]] const study::StudyRequest& request() const { return request_; }
     [[nodiscard]] bool showsKept() const { return kept_.has_value(); }
     [[nodiscard]] StudyChart& chart() const { return *chart_; }
     /// Returns the quantity on the cost axis. Until the user chooses one, it depends on how exact each study's clock
     /// is.
-    [[nodiscard]] CostAxis costAxis() const;
+    [[nodiscard]] study::CostAxis costAxis() const;
     /// Sets the user's choice, which applies to all later studies.
-    void chooseCostAxis(CostAxis);
+    void chooseCostAxis(study::CostAxis);
     /// Returns the study measured last here, in the format of its file.
     [[nodiscard]] render::Json json() const;
     /// Returns a name for a file with what is shown, without an ending: "sdf_morph-hitTolerance".
@@ -77,16 +80,16 @@ private:
     [[nodiscard]] QWidget* chartWithCosts();
     void decideCostAxis(bool clockTrusted);
     void showChart(ChartedStudy, std::optional<std::size_t> present);
-    [[nodiscard]] QString captionOf(const StudyPoint&) const;
+    [[nodiscard]] QString captionOf(const study::StudyPoint&) const;
     /// Returns the index of an axis's parameter in its exhibit's present table, which a file may have changed.
-    [[nodiscard]] std::optional<std::size_t> rowNow(const StudyAxis&) const;
+    [[nodiscard]] std::optional<std::size_t> rowNow(const study::StudyAxis&) const;
     [[nodiscard]] std::optional<std::size_t> presentPoint() const;
     void applyKept(std::size_t point);
 
     const Museum& museum_;
     History& history_;
-    StudyRequest request_;
-    StudyResult result_;
+    study::StudyRequest request_;
+    study::StudyResult result_;
     render::Json machine_ = render::Json::object();
     std::optional<ShownKeptStudy> kept_;
     int shownPoint_ = -1;

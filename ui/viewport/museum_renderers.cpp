@@ -181,11 +181,11 @@ void MuseumRenderers::nextPicture(PictureJob& job, const SceneState& sceneState,
     job.maker = std::make_unique<PictureMaker>(museum_, *job.renderer, sceneState, request);
 }
 
-StudyJob MuseumRenderers::makeStudy(const StudyRequest& request)
+StudyJob MuseumRenderers::makeStudy(const study::StudyRequest& request)
 {
     StudyJob job;
     job.backend = taskRendererOf(*renderer_);
-    job.study = std::make_unique<Study>(museum_, *job.backend, request);
+    job.study = std::make_unique<study::Study>(museum_, *job.backend, request);
     job.machine = machine();
     return job;
 }

@@ -32,7 +32,7 @@ public:
     [[nodiscard]] std::vector<render::gl::ShaderProblem> problems() const override;
     [[nodiscard]] PictureJob makePicture(const SceneState&, const PictureRequest&) override;
     void nextPicture(PictureJob&, const SceneState&, const PictureRequest&) override;
-    [[nodiscard]] StudyJob makeStudy(const StudyRequest&) override;
+    [[nodiscard]] StudyJob makeStudy(const study::StudyRequest&) override;
     [[nodiscard]] render::Json machine() const override;
     [[nodiscard]] std::unique_ptr<render::RenderBackend> makeBackend(bool timesSteps) override;
 

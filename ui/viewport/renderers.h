@@ -23,7 +23,7 @@ struct PictureJob {
 /// Study job on a renderer of its own.
 struct StudyJob {
     std::unique_ptr<render::RenderBackend> backend;
-    std::unique_ptr<Study> study;
+    std::unique_ptr<study::Study> study;
     /// Description of the measuring machine, as written to the files of studies.
     render::Json machine = render::Json::object();
 };
@@ -75,7 +75,7 @@ public:
     /// Begins another picture on the job's renderer, which keeps its programs and textures.
     virtual void nextPicture(PictureJob&, const SceneState&, const PictureRequest&) = 0;
     /// Makes a study to run step by step. Throws Failure if there is nothing to measure.
-    [[nodiscard]] virtual StudyJob makeStudy(const StudyRequest&) = 0;
+    [[nodiscard]] virtual StudyJob makeStudy(const study::StudyRequest&) = 0;
     /// Makes a renderer for other work, which times every pass if `timesSteps`. Destroy it on this thread. Null if
     /// there are no graphics.
     [[nodiscard]] virtual std::unique_ptr<render::RenderBackend> makeBackend(bool /*timesSteps*/) { return nullptr; }

@@ -9,7 +9,8 @@
 namespace vitrine::jobs {
 namespace {
 
-void writeDifferences(const std::filesystem::path& folder, const ComparisonResult& result, double pixelsPerDegree)
+void writeDifferences(const std::filesystem::path& folder, const compare::ComparisonResult& result,
+                      double pixelsPerDegree)
 {
     const render::Image &a = result.sides[0].picture, &b = result.sides[1].picture;
     const render::Image flip = render::flipMap(a, b, pixelsPerDegree);
@@ -28,8 +29,8 @@ void requireComparisonFolder(const std::filesystem::path& folder)
     requireFolderFor(folder, "comparison.json", "a comparison");
 }
 
-void writeComparisonFolder(const std::filesystem::path& folder, Subjects subjects, const Comparison& comparison,
-                           const ComparisonText& text)
+void writeComparisonFolder(const std::filesystem::path& folder, Subjects subjects,
+                           const compare::Comparison& comparison, const ComparisonText& text)
 {
     requireComparisonFolder(folder);
     PartFolder part(folder);

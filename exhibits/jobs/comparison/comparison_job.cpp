@@ -9,7 +9,7 @@
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
 
-namespace vitrine {
+namespace vitrine::jobs {
 
 const std::vector<std::string>& comparisonGainTexts()
 {
@@ -27,7 +27,6 @@ const ComparisonTable& comparisonTable()
     return table;
 }
 
-namespace jobs {
 namespace comparisons {
 namespace {
 
@@ -63,14 +62,14 @@ OtherSettings otherOf(const ParameterValues& values, const JobScene& scene)
     if (scene.subject == hallIndex)
         throw Failure(ErrorKind::usage,
                       "--with: these settings change no exhibit; say with --exhibit which one is compared.");
-    const OfferedComparison offered = offeredComparison(scene.museum->subject(scene.subject), with);
-    return {otherSide(scene.state, scene.subject, offered), offered.title};
+    const OfferedComparison offered = compare::offeredComparison(scene.museum->subject(scene.subject), with);
+    return {compare::otherSide(scene.state, scene.subject, offered), offered.title};
 }
 
-ComparisonRequest requestOf(const ParameterValues& values, const JobScene& scene)
+compare::ComparisonRequest requestOf(const ParameterValues& values, const JobScene& scene)
 {
     const ComparisonTable& t = comparisonTable();
-    ComparisonRequest request;
+    compare::ComparisonRequest request;
     request.frame = scene.frame;
     request.frame.raster.size = {values[t.width], values[t.height]};
     request.frame.needsFiles = true;  // A picture without a named object would be wrong.
@@ -92,7 +91,7 @@ void ComparisonRun::step(const Watch&)
 {
     if (!comparison_) {
         if (!order_.out.empty()) requireComparisonFolder(order_.out);  // Before anything is drawn.
-        ComparisonRequest request = comparisons::requestOf(order_.values, order_.scene);
+        compare::ComparisonRequest request = comparisons::requestOf(order_.values, order_.scene);
         request.largestTile = order_.largestTile;
         names_ = {order_.scene.name, comparisons::otherOf(order_.values, order_.scene).name};
         backend_ = order_.backend ? order_.backend() : nullptr;
@@ -104,7 +103,7 @@ void ComparisonRun::step(const Watch&)
 
 void ComparisonRun::end()
 {
-    const ComparisonResult& result = comparison_->result();
+    const compare::ComparisonResult& result = comparison_->result();
     report_.facts = {{"Parameters that differ", static_cast<double>(result.rows.size())},
                      {"Frame of A", result.sides[0].report.milliseconds, "ms"},
                      {"Frame of B", result.sides[1].report.milliseconds, "ms"}};
@@ -115,7 +114,7 @@ ComparisonText ComparisonRun::text() const
 {
     ComparisonText text{
         names_, {}, comparisonGains.at(static_cast<std::size_t>(order_.values[comparisonTable().gain]))};
-    const ComparisonRequest& request = comparison_->request();
+    const compare::ComparisonRequest& request = comparison_->request();
     for (std::size_t side = 0; side < 2; ++side)
         text.presets[side] = pictureSettings(*order_.scene.museum, order_.scene.subject, request.settings[side],
                                              {.frame = request.frame, .samples = request.samples[side]}, names_[side]);
@@ -135,7 +134,7 @@ void ComparisonRun::publish()
 render::Image ComparisonRun::previewPicture() const
 {
     if (!comparison_ || !comparison_->finished()) return {};
-    const ComparisonResult& result = comparison_->result();
+    const compare::ComparisonResult& result = comparison_->result();
     return comparisons::besideEachOther(result.sides[0].picture, result.sides[1].picture);
 }
 
@@ -163,14 +162,14 @@ JobPlan ComparisonJob::plan(const ParameterValues& values, const JobScene& scene
     plan.facts = {{"Picture size", std::to_string(values[t.width]) + " × " + std::to_string(values[t.height]), "px"}};
     if (scene.museum) {
         try {
-            const ComparisonRequest request = comparisons::requestOf(values, scene);
-            const auto rows = differingParameters(request.settings[0], request.settings[1]);
+            const compare::ComparisonRequest request = comparisons::requestOf(values, scene);
+            const auto rows = compare::differingParameters(request.settings[0], request.settings[1]);
             plan.facts.push_back({"Parameters that differ", static_cast<double>(rows.size())});
         } catch (const Failure& why) {
             plan.refusal = why.what();
         }
         plan.offers["with"] = {std::string()};  // None: the settings B.
-        for (const OfferedComparison& each : offeredComparisons(scene.museum->subject(scene.subject)))
+        for (const OfferedComparison& each : compare::offeredComparisons(scene.museum->subject(scene.subject)))
             plan.offers["with"].push_back(each.name);
     }
     if (!out.empty()) plan.files = {{out, "page, pictures, differences and numbers"}, {documentFile(out), "settings"}};
@@ -211,5 +210,4 @@ ParameterValues ComparisonJob::draft(const ParameterValues& values, const JobInp
     return small;
 }
 
-}  // namespace jobs
-}  // namespace vitrine
+}  // namespace vitrine::jobs

@@ -28,7 +28,7 @@ public:
     [[nodiscard]] render::Json answer() const override;
 
     /// The comparison, from the first step on.
-    [[nodiscard]] const Comparison& comparison() const { return *comparison_; }
+    [[nodiscard]] const compare::Comparison& comparison() const { return *comparison_; }
     [[nodiscard]] Subjects subjects() const { return order_.scene.museum->subjects(); }
     [[nodiscard]] ComparisonText text() const;
 
@@ -38,7 +38,7 @@ private:
     JobOrder order_;
     std::array<std::string, 2> names_;
     std::unique_ptr<render::RenderBackend> backend_;
-    std::optional<Comparison> comparison_;  ///< Declared last: destroyed before the renderer that it uses.
+    std::optional<compare::Comparison> comparison_;  ///< Declared last: destroyed before the renderer that it uses.
     JobReport report_;
 };
 

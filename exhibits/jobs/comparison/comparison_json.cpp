@@ -5,14 +5,14 @@
 
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::jobs {
 
 using render::Json;
 
 namespace comparisons {
 namespace {
 
-Json sideJson(const PassSide& side)
+Json sideJson(const compare::PassSide& side)
 {
     static constexpr std::array<const char*, 3> states{"ran", "skipped", "absent"};
     return Json{{"state", states.at(static_cast<std::size_t>(side.state))},
@@ -20,17 +20,17 @@ Json sideJson(const PassSide& side)
                 {"why", side.why}};
 }
 
-Json timeJson(const ComparedSide& side)
+Json timeJson(const compare::ComparedSide& side)
 {
     if (!side.time) return nullptr;
     return Json{
         {"median", side.time->median}, {"low", side.time->low}, {"high", side.time->high}, {"runs", side.time->runs}};
 }
 
-Json parametersJson(Subjects subjects, const std::vector<DifferingParameter>& rows)
+Json parametersJson(Subjects subjects, const std::vector<compare::DifferingParameter>& rows)
 {
     Json all = Json::array();
-    for (const DifferingParameter& row : rows)
+    for (const compare::DifferingParameter& row : rows)
         all.push_back(Json{{"exhibit", std::string(subjects[row.subject]->name())},
                            {"name", row.name},
                            {"a", row.a ? jsonFromValue(row.info, *row.a) : Json(nullptr)},
@@ -43,19 +43,19 @@ Json parametersJson(Subjects subjects, const std::vector<DifferingParameter>& ro
 }  // namespace
 }  // namespace comparisons
 
-Json comparisonJson(Subjects subjects, const Comparison& comparison, const ComparisonText& text)
+Json comparisonJson(Subjects subjects, const compare::Comparison& comparison, const ComparisonText& text)
 {
-    const ComparisonRequest& request = comparison.request();
-    const ComparisonResult& result = comparison.result();
+    const compare::ComparisonRequest& request = comparison.request();
+    const compare::ComparisonResult& result = comparison.result();
     Json errors = Json::object(), passes = Json::array(), counters = Json::object();
     for (const auto& [metric, error] : result.errors)
         errors[std::string(toString(metric))] = std::isfinite(error) ? Json(error) : Json("infinite");
-    for (const PassCost& cost : result.passes)
+    for (const compare::PassCost& cost : result.passes)
         passes.push_back(Json{{"name", cost.name},
                               {"kind", toString(cost.work)},
                               {"a", comparisons::sideJson(cost.a)},
                               {"b", comparisons::sideJson(cost.b)}});
-    for (const CounterCost& cost : result.counters)
+    for (const compare::CounterCost& cost : result.counters)
         counters[cost.name] =
             Json{{"a", cost.a ? Json(*cost.a) : Json(nullptr)}, {"b", cost.b ? Json(*cost.b) : Json(nullptr)}};
     const FrameRequest& frame = request.frame;
@@ -79,4 +79,4 @@ Json comparisonJson(Subjects subjects, const Comparison& comparison, const Compa
         {"counters", counters}};
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::jobs

@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-namespace vitrine {
+namespace vitrine::jobs {
 
 /// Texts and settings of a written comparison, beside its results.
 struct ComparisonText {
@@ -17,6 +17,6 @@ struct ComparisonText {
 };
 
 /// Returns all results except the pictures: the content of comparison.json.
-[[nodiscard]] render::Json comparisonJson(Subjects, const Comparison&, const ComparisonText&);
+[[nodiscard]] render::Json comparisonJson(Subjects, const compare::Comparison&, const ComparisonText&);
 
-}  // namespace vitrine
+}  // namespace vitrine::jobs

@@ -74,29 +74,29 @@ show();
 </html>
 )page";
 
-std::string msText(const PassSide& side)
+std::string msText(const compare::PassSide& side)
 {
-    if (side.state == PassSide::State::absent) return "–";
-    if (side.state == PassSide::State::skipped) return "skipped";
+    if (side.state == compare::PassSide::State::absent) return "–";
+    if (side.state == compare::PassSide::State::skipped) return "skipped";
     return side.milliseconds < 0 ? "ran" : pageNumber(side.milliseconds);
 }
 
 /// Returns the reason once if it is the same for A and B, otherwise each reason.
-std::string whyText(const PassCost& cost)
+std::string whyText(const compare::PassCost& cost)
 {
     if (cost.a.why == cost.b.why || cost.b.why.empty()) return cost.a.why;
     if (cost.a.why.empty()) return cost.b.why;
     return "A: " + cost.a.why + ". B: " + cost.b.why;
 }
 
-std::string passRow(const PassCost& cost)
+std::string passRow(const compare::PassCost& cost)
 {
     return std::string(cost.ranInOnlyOne() ? "<tr class=\"one\">" : "<tr>") + "<td>" + escaped(cost.name) +
            "</td><td>" + msText(cost.a) + "</td><td>" + msText(cost.b) + "</td><td class=\"why\">" +
            escaped(whyText(cost)) + "</td></tr>\n";
 }
 
-std::string costTable(const ComparisonResult& result)
+std::string costTable(const compare::ComparisonResult& result)
 {
     const render::FrameReport& first = result.sides[0].report;
     std::string text = "<div class=\"sheet scroll\"><h2>What a frame costs</h2><p class=\"dim\">Milliseconds by: " +
@@ -109,8 +109,8 @@ std::string costTable(const ComparisonResult& result)
                 pageNumber(result.sides[1].time->median) + "</b></td><td></td></tr>\n";
     std::string idle;
     std::size_t idles = 0;
-    for (const PassCost& cost : result.passes) {
-        const bool ran = cost.a.state == PassSide::State::ran || cost.b.state == PassSide::State::ran;
+    for (const compare::PassCost& cost : result.passes) {
+        const bool ran = cost.a.state == compare::PassSide::State::ran || cost.b.state == compare::PassSide::State::ran;
         (ran ? text : idle) += passRow(cost);
         idles += ran ? 0 : 1;
     }
@@ -121,21 +121,21 @@ std::string costTable(const ComparisonResult& result)
     text += "</div>\n<div class=\"sheet scroll\"><h2>What a frame counts</h2><table><thead><tr>"
             "<th>counter</th><th>A</th><th>B</th></tr></thead><tbody>\n";
     const auto count = [](const std::optional<std::int64_t>& n) { return n ? std::to_string(*n) : std::string("–"); };
-    for (const CounterCost& cost : result.counters)
+    for (const compare::CounterCost& cost : result.counters)
         text += std::string(cost.a == cost.b ? "<tr>" : "<tr class=\"one\">") + "<td>" + escaped(cost.name) +
                 "</td><td>" + count(cost.a) + "</td><td>" + count(cost.b) + "</td></tr>\n";
     return text + "</tbody></table></div>\n";
 }
 
-std::string parameterTable(Subjects subjects, const std::vector<DifferingParameter>& rows)
+std::string parameterTable(Subjects subjects, const std::vector<compare::DifferingParameter>& rows)
 {
     if (rows.empty()) return "<div class=\"sheet\"><h2>A and B are identical</h2></div>\n";
     std::string text = "<div class=\"sheet scroll\"><h2>" + std::to_string(rows.size()) +
                        (rows.size() == 1 ? " parameter differs" : " parameters differ") +
                        "</h2><table><thead><tr><th>parameter</th><th>A</th><th>B</th><th></th></tr></thead><tbody>\n";
-    for (const DifferingParameter& row : rows) {
+    for (const compare::DifferingParameter& row : rows) {
         const auto value = [&](const std::optional<Value>& v) {
-            return v ? escaped(valueWithUnit(row.info, *v)) : std::string("no such parameter");
+            return v ? escaped(compare::valueWithUnit(row.info, *v)) : std::string("no such parameter");
         };
         const bool idle = !row.actsInA && !row.actsInB;
         text += std::string(idle ? "<tr class=\"idle\">" : "<tr>") + "<td title=\"" +
@@ -153,10 +153,10 @@ std::string parameterTable(Subjects subjects, const std::vector<DifferingParamet
 
 }  // namespace
 
-std::string comparisonPage(Subjects subjects, const Comparison& comparison, const ComparisonText& text)
+std::string comparisonPage(Subjects subjects, const compare::Comparison& comparison, const ComparisonText& text)
 {
-    const ComparisonRequest& request = comparison.request();
-    const ComparisonResult& result = comparison.result();
+    const compare::ComparisonRequest& request = comparison.request();
+    const compare::ComparisonResult& result = comparison.result();
     std::string page = pageHead(text.names[0] + " beside " + text.names[1]);
     page += "<h1>A: " + escaped(text.names[0]) + " · B: " + escaped(text.names[1]) + "</h1>\n";
     const glm::ivec2 size = request.frame.raster.size;

@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace vitrine {
+namespace vitrine::jobs {
 
 /// Factors by which differences are multiplied. Each has pictures of its own.
 inline constexpr std::array<int, 7> comparisonGains{1, 2, 4, 8, 16, 32, 64};
@@ -36,4 +36,4 @@ struct ComparisonTable final : Parameters {
 
 [[nodiscard]] const ComparisonTable& comparisonTable();
 
-}  // namespace vitrine
+}  // namespace vitrine::jobs

@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace vitrine {
+namespace vitrine::jobs {
 
 const HandoutTable& handoutTable()
 {
@@ -22,7 +22,6 @@ const HandoutTable& handoutTable()
     return table;
 }
 
-namespace jobs {
 namespace handouts {
 namespace {
 
@@ -204,5 +203,4 @@ ParameterValues HandoutJob::draft(const ParameterValues& values, const JobInputs
     return small;
 }
 
-}  // namespace jobs
-}  // namespace vitrine
+}  // namespace vitrine::jobs

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace vitrine {
+namespace vitrine::jobs {
 
 /// Place of the answers in a handout.
 enum class AnswerPlace : std::uint8_t { atEnd, below, none };
@@ -30,4 +30,4 @@ struct HandoutTable final : Parameters {
 
 [[nodiscard]] const HandoutTable& handoutTable();
 
-}  // namespace vitrine
+}  // namespace vitrine::jobs

@@ -20,7 +20,7 @@
 #include <variant>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::study {
 class StudyParts;
 }
 
@@ -206,7 +206,7 @@ struct JobShare {
     /// Pattern of the items that the parts made ("folder/%06d.png"). If set, they are read and not made.
     std::filesystem::path from = {};
     /// The same for items that are measures. Null: there are none.
-    StudyParts* measures = nullptr;
+    study::StudyParts* measures = nullptr;
     /// Writes a picture exactly, under this name. Empty for a job in one piece.
     std::function<void(const std::string& name, const render::Image&)> keep = {};
     /// Reads what a part kept. If set, pictures are read and not made. Throws Failure (ErrorKind::check).

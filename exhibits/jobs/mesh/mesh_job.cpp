@@ -108,10 +108,10 @@ std::optional<render::Box> shownPart(const scenes::ShownScene& shown, double sec
 std::optional<ShownInWindow> shownInWindow(const JobScene& scene)
 {
     const auto subject = scene.museum ? scene.museum->find("sdf_scenes") : std::nullopt;
-    const auto* exhibit = subject ? capability<SdfScenes>(scene.museum->subject(*subject)) : nullptr;
+    const auto* exhibit = subject ? capability<scenes::SdfScenes>(scene.museum->subject(*subject)) : nullptr;
     if (!exhibit) return std::nullopt;
     const ParameterValues& values = scene.state.values[*subject];
-    const auto& table = static_cast<const SdfScenesTable&>(values.table());
+    const auto& table = static_cast<const scenes::SdfScenesTable&>(values.table());
     ShownInWindow shown{exhibit->document(values).path};
     shown.isEdited = !exhibit->unsavedText(values).empty();
     const scenes::ShownScene& now = exhibit->shown(values);

@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::jobs {
 
 const PictureTable& pictureTable()
 {
@@ -22,7 +22,6 @@ const PictureTable& pictureTable()
     return table;
 }
 
-namespace jobs {
 namespace {
 
 constexpr glm::ivec2 usualSize{640, 360};
@@ -315,5 +314,4 @@ ParameterValues PictureJob::draft(const ParameterValues& values, const JobInputs
     return small;
 }
 
-}  // namespace jobs
-}  // namespace vitrine
+}  // namespace vitrine::jobs

@@ -2,7 +2,7 @@
 
 #include "exhibits/framework/table/parameters.h"
 
-namespace vitrine {
+namespace vitrine::jobs {
 
 /// Parameters of a picture.
 struct PictureTable final : Parameters {
@@ -46,4 +46,4 @@ private:
 
 [[nodiscard]] const PictureTable& pictureTable();
 
-}  // namespace vitrine
+}  // namespace vitrine::jobs

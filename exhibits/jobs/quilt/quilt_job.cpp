@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace vitrine {
+namespace vitrine::jobs {
 
 const QuiltTable& quiltTable()
 {
@@ -22,7 +22,6 @@ const QuiltTable& quiltTable()
     return table;
 }
 
-namespace jobs {
 namespace quilts {
 namespace {
 
@@ -221,5 +220,4 @@ ParameterValues QuiltJob::draft(const ParameterValues& values, const JobInputs&)
     return small;
 }
 
-}  // namespace jobs
-}  // namespace vitrine
+}  // namespace vitrine::jobs

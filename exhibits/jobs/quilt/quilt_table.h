@@ -2,7 +2,7 @@
 
 #include "exhibits/framework/table/parameters.h"
 
-namespace vitrine {
+namespace vitrine::jobs {
 
 /// Parameters of a quilt. The initial ones are those of a portrait display with 48 views.
 struct QuiltTable final : Parameters {
@@ -33,4 +33,4 @@ struct QuiltTable final : Parameters {
 
 [[nodiscard]] const QuiltTable& quiltTable();
 
-}  // namespace vitrine
+}  // namespace vitrine::jobs

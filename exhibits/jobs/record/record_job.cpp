@@ -19,7 +19,7 @@
 #include <numbers>
 #include <optional>
 
-namespace vitrine {
+namespace vitrine::jobs {
 
 const RecordTable& recordTable()
 {
@@ -27,8 +27,25 @@ const RecordTable& recordTable()
     return table;
 }
 
-namespace jobs {
 namespace {
+
+using recording::bookmarksFile;
+using recording::firstCollision;
+using recording::framePath;
+using recording::isFramePattern;
+using recording::isWholeTurns;
+using recording::museumTour;
+using recording::Pace;
+using recording::paced;
+using recording::readTour;
+using recording::RecordedScene;
+using recording::Recording;
+using recording::RecordingRequest;
+using recording::RecordingShare;
+using recording::Tour;
+using recording::tourPath;
+using recording::turntable;
+using recording::whyNotRecordable;
 
 constexpr int frameSideOfDraft = 240;  // Pixels of each frame in the preview.
 
@@ -327,5 +344,4 @@ std::string RecordJob::partItems(const std::filesystem::path& out) const
     return isFramePattern(out) ? std::string() : "%06d.png";
 }
 
-}  // namespace jobs
-}  // namespace vitrine
+}  // namespace vitrine::jobs

@@ -19,7 +19,7 @@ constexpr double keyDistance = 250;  // Frames from one that is stored whole to 
 
 /// Returns the number of frame i of `shown` that are evenly spaced over the recording. The last one of a loop is the
 /// one before the first.
-int evenlySpaced(const RecordingRequest& request, int i, int shown)
+int evenlySpaced(const recording::RecordingRequest& request, int i, int shown)
 {
     const int frames = request.frames();
     if (request.closed || shown < 2) return static_cast<int>(static_cast<long long>(i) * frames / shown);
@@ -76,7 +76,9 @@ void RecordPreview::step(const Watch&)
     if (!backend_) throw Failure(ErrorKind::openGl, "Nothing can be recorded: there is no graphics context.");
     Frame& frame = frames_[drawn_];
     const JobScene& scene = order_.scene;
-    if (!maker_) maker_ = std::make_unique<FrameMaker>(*scene.museum, *backend_, scene.state, *request_, frame.number);
+    if (!maker_)
+        maker_ =
+            std::make_unique<recording::FrameMaker>(*scene.museum, *backend_, scene.state, *request_, frame.number);
     maker_->step();
     if (!maker_->finished()) return;
     frame.picture = maker_->picture();
@@ -112,7 +114,7 @@ double RecordPreview::bytes(const std::filesystem::path& out) const
         pairs.push_back(frames_[i].picture);
         pairs.push_back(frames_[i + 1].picture);
     }
-    if (isFramePattern(out) || pairs.empty()) {
+    if (recording::isFramePattern(out) || pairs.empty()) {
         double sum = 0;
         for (const Frame& frame : frames_) sum += frame.isShown ? pictureBytes(frame.picture, out) : 0;
         const auto shown = std::count_if(frames_.begin(), frames_.end(), [](const Frame& f) { return f.isShown; });

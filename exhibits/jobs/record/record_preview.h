@@ -13,7 +13,7 @@ namespace vitrine::jobs {
 class RecordPreview final : public JobRun {
 public:
     /// Returns the request with the motion of the camera. Throws Failure (ErrorKind::usage).
-    using RequestMaker = RecordingRequest (*)(const JobOrder&);
+    using RequestMaker = recording::RecordingRequest (*)(const JobOrder&);
 
     RecordPreview(JobOrder, RequestMaker);
 
@@ -29,7 +29,7 @@ public:
     /// Returns the size in bytes of the recording with these frames, were its pictures as small as those of the draft.
     /// Valid once the run is done. Throws Failure as `videoBytes` and `pictureBytes` do.
     [[nodiscard]] double bytes(const std::filesystem::path& out) const;
-    [[nodiscard]] const RecordingRequest& request() const { return *request_; }
+    [[nodiscard]] const recording::RecordingRequest& request() const { return *request_; }
 
 private:
     struct Frame {
@@ -41,11 +41,11 @@ private:
 
     JobOrder order_;
     RequestMaker makeRequest_;
-    std::optional<RecordingRequest> request_;
+    std::optional<recording::RecordingRequest> request_;
     std::vector<Frame> frames_;
     std::size_t drawn_ = 0;
     std::unique_ptr<render::RenderBackend> backend_;
-    std::unique_ptr<FrameMaker> maker_;  ///< Declared last: destroyed before the renderer that it uses.
+    std::unique_ptr<recording::FrameMaker> maker_;  ///< Declared last: destroyed before the renderer that it uses.
     JobReport report_;
 };
 

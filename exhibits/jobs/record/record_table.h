@@ -2,7 +2,7 @@
 
 #include "exhibits/framework/table/parameters.h"
 
-namespace vitrine {
+namespace vitrine::jobs {
 
 enum class RecordPath : int { automatic, turntable, still, tour, bookmarks };
 enum class RecordPace : int { automatic, constant, eased };
@@ -55,4 +55,4 @@ struct RecordTable final : Parameters {
 
 [[nodiscard]] const RecordTable& recordTable();
 
-}  // namespace vitrine
+}  // namespace vitrine::jobs

@@ -15,8 +15,11 @@
 #include <sstream>
 #include <tuple>
 
-namespace vitrine {
+namespace vitrine::jobs {
 namespace {
+
+using pixel_art::mainColors;
+using pixel_art::Rgb8;
 
 constexpr std::size_t mostColors = 256;
 constexpr std::uint64_t mostBytes = 1U << 20U;
@@ -173,4 +176,4 @@ std::string paletteText(PaletteFormat format, const std::vector<Rgb8>& colors, c
     return text;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::jobs

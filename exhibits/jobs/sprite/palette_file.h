@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::jobs {
 
 /// Forms of a palette's file. `gpl`: GIMP. `hex`: Lospec, a color per line. `pal`: Paint Shop Pro (JASC).
 enum class PaletteFormat { gpl, hex, pal };
@@ -18,9 +18,9 @@ enum class PaletteFormat { gpl, hex, pal };
 /// Reads the colors of a palette's file or of a picture, in the order of the file. Of a picture: its different colors
 /// by first appearance, without fully transparent pixels, or its 256 main colors if it has more. Throws Failure
 /// (ErrorKind::file) naming file and line if it is not of its form, or has no color or more than 256.
-[[nodiscard]] std::vector<Rgb8> readPalette(const std::filesystem::path&);
+[[nodiscard]] std::vector<pixel_art::Rgb8> readPalette(const std::filesystem::path&);
 
 /// Returns the text of a palette's file. `name` is the title in a .gpl.
-[[nodiscard]] std::string paletteText(PaletteFormat, const std::vector<Rgb8>&, const std::string& name);
+[[nodiscard]] std::string paletteText(PaletteFormat, const std::vector<pixel_art::Rgb8>&, const std::string& name);
 
-}  // namespace vitrine
+}  // namespace vitrine::jobs

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace vitrine {
+namespace vitrine::jobs {
 namespace {
 
 constexpr int smallestSide = 256;  ///< Least side of the animated picture, in pixels: smaller frames are enlarged.
@@ -60,4 +60,4 @@ std::unique_ptr<render::PartFile> stagedAnimation(const SpriteSheet& sheet, cons
     return video.staged();
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::jobs

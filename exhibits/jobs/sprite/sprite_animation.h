@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <memory>
 
-namespace vitrine {
+namespace vitrine::jobs {
 
 /// Returns size, rate and format of the animated picture (`SpriteTable::animated`) of a sheet whose frames last
 /// `frameSeconds`. A single frame per direction is shown for a quarter of a second at least.
@@ -23,4 +23,4 @@ namespace vitrine {
                                                                 const render::VideoSpec&,
                                                                 const std::filesystem::path& file);
 
-}  // namespace vitrine
+}  // namespace vitrine::jobs

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace vitrine {
+namespace vitrine::jobs {
 namespace {
 
 using render::Image;
@@ -40,15 +40,15 @@ float luminanceOf(const glm::vec3& linear)
 SpriteColors::SpriteColors(const std::vector<Rgb8>& palette, SpriteDither dither) : dither_(dither)
 {
     for (const Rgb8& c : palette) {
-        linear_.push_back(linearOf(c));
-        lab_.push_back(oklab(linear_.back()));
+        linear_.push_back(pixel_art::linearOf(c));
+        lab_.push_back(pixel_art::oklab(linear_.back()));
     }
 }
 
 std::size_t SpriteColors::nearest(const glm::vec3& linear)
 {
     const auto search = [&] {
-        const glm::vec3 wanted = oklab(glm::clamp(linear, 0.0F, 1.0F));
+        const glm::vec3 wanted = pixel_art::oklab(glm::clamp(linear, 0.0F, 1.0F));
         std::size_t found = 0;
         float least = 1e9F;
         for (std::size_t i = 0; i < lab_.size(); ++i)
@@ -118,4 +118,4 @@ Image SpriteColors::of(const Image& frame)
     return made;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::jobs

@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::jobs {
 
 /// Mapping of frames to the colors of one palette: the nearest color in Oklab, with dithering.
 class SpriteColors {
@@ -32,4 +32,4 @@ private:
     std::map<std::array<float, 3>, Pattern> patterns_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::jobs

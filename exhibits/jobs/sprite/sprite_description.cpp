@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::jobs {
 namespace {
 
 using render::Json;
@@ -208,4 +208,4 @@ std::string godotResource(const std::vector<SpriteFrame>& frames, const SpriteSh
     return text + "]\n";
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::jobs

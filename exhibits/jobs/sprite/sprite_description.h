@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::jobs {
 
 /// Largest number of directions that have compass points as names.
 inline constexpr int mostCompassDirections = 16;
@@ -27,4 +27,4 @@ inline constexpr int mostCompassDirections = 16;
 /// CanvasTexture of colors and normals. Paths are relative to the resource.
 [[nodiscard]] std::string godotResource(const std::vector<SpriteFrame>&, const SpriteSheet&, const SpriteSheetOptions&);
 
-}  // namespace vitrine
+}  // namespace vitrine::jobs

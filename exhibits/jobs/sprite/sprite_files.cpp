@@ -5,7 +5,7 @@
 #include "render/image/image_io.h"
 #include "render/image/srgb.h"
 
-namespace vitrine {
+namespace vitrine::jobs {
 namespace {
 
 constexpr std::int64_t longestSide = 16384;
@@ -38,11 +38,11 @@ std::vector<Rgb8> chosenPalette(const ParameterValues& values, const std::vector
     if (values[t.palette] == SpritePalette::file) return ofFile;
     const std::string_view name =
         t.rows()[t.palette.row].choices[static_cast<std::size_t>(static_cast<int>(values[t.palette]))];
-    static const PixelArtTable look;
+    static const pixel_art::PixelArtTable look;
     const auto& names = look.rows()[look.palette.row].choices;
     for (std::size_t i = 0; i < names.size(); ++i)
         if (names[i] == name) {
-            const auto colors = shippedPalette(static_cast<PaletteName>(i));
+            const auto colors = pixel_art::shippedPalette(static_cast<pixel_art::PaletteName>(i));
             return {colors.begin(), colors.end()};
         }
     return {};
@@ -165,4 +165,4 @@ std::vector<render::NamedBytes> sheetBytes(const SpriteSheet& sheet, const Param
     return files;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::jobs

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::jobs {
 
 /// Returns the views, frames and sizes to draw for these values of `SpriteTable`.
 [[nodiscard]] SpriteRequest spriteRequest(const ParameterValues&, const SpriteSubject&);
@@ -37,4 +37,4 @@ namespace vitrine {
 [[nodiscard]] std::vector<render::NamedBytes> sheetBytes(const SpriteSheet&, const ParameterValues&,
                                                          const std::filesystem::path& out);
 
-}  // namespace vitrine
+}  // namespace vitrine::jobs

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <map>
 
-namespace vitrine {
+namespace vitrine::jobs {
 namespace {
 
 using render::Image;
@@ -84,7 +84,7 @@ std::vector<Rgb8> paletteOf(const std::vector<SpriteFrame>& frames, const Sprite
     const std::size_t stride = pixels.size() / 65536 + 1;
     std::vector<glm::vec3> some;
     for (std::size_t i = 0; i < pixels.size(); i += stride) some.push_back(pixels[i]);
-    std::vector<Rgb8> palette = mainColors(some, options.colors);
+    std::vector<Rgb8> palette = pixel_art::mainColors(some, options.colors);
     if (palette.empty()) palette.emplace_back(0, 0, 0);
     return palette;
 }
@@ -158,4 +158,4 @@ SpriteSheet spriteSheet(const std::vector<SpriteFrame>& frames, const SpriteShee
     return sheet;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::jobs

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::jobs {
 
 /// 8-bit sRGB codes.
 using Rgb8 = glm::u8vec3;
@@ -69,4 +69,4 @@ struct SpriteSheet {
 /// Makes a sheet of frames of one size, ordered by direction. Throws Failure (ErrorKind::usage) if there are none.
 [[nodiscard]] SpriteSheet spriteSheet(const std::vector<SpriteFrame>&, const SpriteSheetOptions&);
 
-}  // namespace vitrine
+}  // namespace vitrine::jobs

@@ -15,16 +15,16 @@
 #include <cmath>
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::jobs {
 
 /// Extent that contains every vertex of every frame from every direction: half the width, and the lowest and highest
 /// position.
 struct SpriteExtent {
     double across = 0, low = 1e30, high = -1e30;
 
-    void include(const std::vector<WorldPart>& parts, double elevation)
+    void include(const std::vector<pixel_art::WorldPart>& parts, double elevation)
     {
-        for (const WorldPart& part : parts)
+        for (const pixel_art::WorldPart& part : parts)
             for (const render::Vertex& vertex : part.mesh->vertices) {
                 const glm::dvec3 p(part.worldFromModel * glm::dvec4(glm::dvec3(vertex.position), 1));
                 const double out = std::hypot(p.x, p.z);
@@ -39,31 +39,33 @@ struct SpriteExtent {
 
 namespace {
 
-std::vector<WorldPart> pillarWithTorus(double turn)
+std::vector<pixel_art::WorldPart> pillarWithTorus(double turn)
 {
     static const auto pillar = [] {
-        WorldBuilder b("pillar");
-        const Paint marble{{0.76, 0.70, 0.62}};
+        pixel_art::WorldBuilder b("pillar");
+        const pixel_art::Paint marble{{0.76, 0.70, 0.62}};
         b.object().at(glm::dvec3(0)).prism(8, 0.62, 0.56, 0.16, marble);
         b.object().at(glm::dvec3(0, 0.16, 0)).prism(12, 0.26, 0.22, 0.8, marble, true);
         b.object().at(glm::dvec3(0, 0.96, 0)).prism(8, 0.4, 0.4, 0.14, marble);
         return b.finished();
     }();
-    static const auto torus = WorldBuilder("torus").object().torus(0.4, 0.13, {{0.95, 0.58, 0.10}}).finished();
+    static const auto torus =
+        pixel_art::WorldBuilder("torus").object().torus(0.4, 0.13, {{0.95, 0.58, 0.10}}).finished();
     glm::dmat4 m = glm::rotate(glm::translate(glm::dmat4(1), glm::dvec3(0, 1.75, 0)), turn, glm::dvec3(0, 1, 0));
     m = glm::rotate(m, turn + 1.1, glm::dvec3(1, 0, 0));
     return {{pillar, glm::dmat4(1), 0}, {torus, m, 10}};
 }
 
-const PixelArtTable& lookTable()
+const pixel_art::PixelArtTable& lookTable()
 {
-    static const PixelArtTable table;
+    static const pixel_art::PixelArtTable table;
     return table;
 }
 
-PixelCamera spriteCamera(const SpriteExtent& e, const SpriteRequest& request, double elevation, double azimuth)
+pixel_art::PixelCamera spriteCamera(const SpriteExtent& e, const SpriteRequest& request, double elevation,
+                                    double azimuth)
 {
-    PixelCamera camera;
+    pixel_art::PixelCamera camera;
     camera.size = request.size;
     camera.elevation = elevation;
     camera.azimuth = azimuth;
@@ -81,9 +83,9 @@ PixelCamera spriteCamera(const SpriteExtent& e, const SpriteRequest& request, do
 /// Copies color, normal and depth of the translucent parts to pixels that no opaque surface covers.
 void addTranslucent(render::RenderBackend& backend, SpriteFrame& frame, render::Image& depth)
 {
-    const render::Image over = backend.read(pixelTranslucentImage);
-    const render::Image normal = backend.read(pixelTranslucentNormalImage);
-    const render::Image overDepth = backend.read(pixelTranslucentDepthImage);
+    const render::Image over = backend.read(pixel_art::pixelTranslucentImage);
+    const render::Image normal = backend.read(pixel_art::pixelTranslucentNormalImage);
+    const render::Image overDepth = backend.read(pixel_art::pixelTranslucentDepthImage);
     const auto channels = static_cast<std::size_t>(overDepth.channels);
     for (std::size_t i = 0; i < depth.pixels.size(); ++i) {
         const float opacity = over.pixels[4 * i + 3];
@@ -99,16 +101,16 @@ void addTranslucent(render::RenderBackend& backend, SpriteFrame& frame, render::
 
 /// Reads a frame: coverage separate from color, and depth within the object's own range. `origin` is that of the
 /// object, in the small world.
-SpriteFrame frameOf(render::RenderBackend& backend, const PixelBlock& block, const PixelShot& shot,
-                    const glm::dvec3& origin, int direction)
+SpriteFrame frameOf(render::RenderBackend& backend, const pixel_art::PixelBlock& block,
+                    const pixel_art::PixelShot& shot, const glm::dvec3& origin, int direction)
 {
     SpriteFrame frame;
     frame.direction = direction;
-    frame.color = backend.read(pixelLitImage);
-    frame.normal = normalsOf(backend.read(pixelSurfaceImage));
-    render::Image depth = backend.read(pixelDrawnDepthImage);
+    frame.color = backend.read(pixel_art::pixelLitImage);
+    frame.normal = pixel_art::normalsOf(backend.read(pixel_art::pixelSurfaceImage));
+    render::Image depth = backend.read(pixel_art::pixelDrawnDepthImage);
     for (std::size_t i = 0; i < depth.pixels.size(); ++i) frame.color.pixels[4 * i + 3] = depth.pixels[i] > 0 ? 1 : 0;
-    if (hasTranslucent(shot.parts)) addTranslucent(backend, frame, depth);
+    if (pixel_art::hasTranslucent(shot.parts)) addTranslucent(backend, frame, depth);
     frame.depth = render::Image(depth.width, depth.height, 1);
     float nearest = 0, farthest = 1;
     for (const float d : depth.pixels)
@@ -148,7 +150,7 @@ int SpriteSubject::animationOf(const SpriteRequest& request) const
 
 double SpriteSubject::duration(const SpriteRequest& request) const
 {
-    if (!model_) return worldRound;
+    if (!model_) return pixel_art::worldRound;
     const int i = animationOf(request);
     return i < 0 ? 1 : model_->animations()[static_cast<std::size_t>(i)].duration;
 }
@@ -169,12 +171,12 @@ std::vector<std::string> SpriteSubject::warnings() const
     return sentences;
 }
 
-std::vector<WorldPart> SpriteSubject::parts(const SpriteRequest& request, int i) const
+std::vector<pixel_art::WorldPart> SpriteSubject::parts(const SpriteRequest& request, int i) const
 {
     const double share = static_cast<double>(i) / std::max(request.frames, 1);
     if (!model_) return pillarWithTorus(2 * std::numbers::pi * share);
     const render::Model posed = model_->posed(animationOf(request), share * duration(request));
-    std::vector<WorldPart> parts;
+    std::vector<pixel_art::WorldPart> parts;
     int id = 0;
     for (const render::MeshInstance& part : posed.parts)
         parts.push_back({part.mesh, part.modelFromPart, ++id, part.material});
@@ -182,7 +184,7 @@ std::vector<WorldPart> SpriteSubject::parts(const SpriteRequest& request, int i)
 }
 
 struct SpriteShots::Scene {
-    std::vector<std::vector<WorldPart>> poses;
+    std::vector<std::vector<pixel_art::WorldPart>> poses;
     std::vector<glm::dvec3> origins;  ///< Origin of the object in the small world, for each pose.
     SpriteExtent extent;
 };
@@ -190,10 +192,10 @@ struct SpriteShots::Scene {
 namespace {
 
 /// Returns the box around all vertices.
-render::Box exactBounds(const std::vector<WorldPart>& parts)
+render::Box exactBounds(const std::vector<pixel_art::WorldPart>& parts)
 {
     render::Box box;
-    for (const WorldPart& part : parts)
+    for (const pixel_art::WorldPart& part : parts)
         for (const render::Vertex& vertex : part.mesh->vertices)
             box.include(glm::dvec3(part.worldFromModel * glm::dvec4(glm::dvec3(vertex.position), 1)));
     return box;
@@ -229,14 +231,14 @@ glm::dvec3 turningPoint(const render::Box& box)
 SpriteShots::SpriteShots(ParameterValues look, std::shared_ptr<const SpriteSubject> subject, SpriteRequest request)
     : look_(std::move(look)), subject_(std::move(subject)), request_(std::move(request))
 {
-    const PixelArtTable& table = lookTable();
+    const pixel_art::PixelArtTable& table = lookTable();
     look_.set(table.split, false);
     look_.set(table.snap, false);
-    look_.set(table.palette, PaletteName::none);
-    look_.set(table.view, PixelView::finished);
-    look_.set(table.projection, PixelProjection::orthographic);
+    look_.set(table.palette, pixel_art::PaletteName::none);
+    look_.set(table.view, pixel_art::PixelView::finished);
+    look_.set(table.projection, pixel_art::PixelProjection::orthographic);
     // Sprites can use the drawn normals, unless the settings choose another method.
-    if (look_.isInitial(table.method.row)) look_.set(table.method, NormalsBy::trueNormals);
+    if (look_.isInitial(table.method.row)) look_.set(table.method, pixel_art::NormalsBy::trueNormals);
 }
 
 SpriteShots::~SpriteShots() = default;
@@ -274,13 +276,13 @@ void SpriteShots::pose()
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         scene->origins.push_back(-middle - way * (static_cast<double>(i) / request_.frames));
         const glm::dmat4 moved = glm::translate(glm::dmat4(1), scene->origins.back());
-        for (WorldPart& part : scene->poses[i]) part.worldFromModel = moved * part.worldFromModel;
+        for (pixel_art::WorldPart& part : scene->poses[i]) part.worldFromModel = moved * part.worldFromModel;
         extent.include(scene->poses[i], look_[lookTable().elevation]);
     }
     // The model is scaled to a fixed size, because shadows and thresholds are in meters of the small world.
     const double scale = 3 / std::max({extent.across, 0.5 * (extent.high - extent.low), 1e-9});
     for (auto& pose : scene->poses)
-        for (WorldPart& part : pose)
+        for (pixel_art::WorldPart& part : pose)
             part.worldFromModel = glm::scale(glm::dmat4(1), glm::dvec3(scale)) * part.worldFromModel;
     for (glm::dvec3& origin : scene->origins) origin *= scale;
     extent = {extent.across * scale, extent.low * scale, extent.high * scale};
@@ -293,22 +295,24 @@ void SpriteShots::step(render::RenderBackend& backend)
         pose();
         return;
     }
-    const PixelArtTable& table = lookTable();
+    const pixel_art::PixelArtTable& table = lookTable();
     const int d = static_cast<int>(frames_.size()) / request_.frames;
     const int i = static_cast<int>(frames_.size()) % request_.frames;
     ParameterValues values = look_;
     const double azimuth = look_[table.azimuth] + 2 * std::numbers::pi * d / request_.directions;
     values.setParameter(table.azimuth.row, std::remainder(azimuth, 2 * std::numbers::pi));
-    PixelShot shot{table, values, spriteCamera(scene_->extent, request_, values[table.elevation], azimuth)};
+    pixel_art::PixelShot shot{table, values, spriteCamera(scene_->extent, request_, values[table.elevation], azimuth)};
     shot.parts = scene_->poses[static_cast<std::size_t>(i)];
     shot.partsId = render::Hash().addValue(d).addValue(i).value();
     render::FramePlan plan;
     plan.view.raster.size = request_.size;
     plan.allSlices = true;
-    const PixelBlock block = planPixelPicture(shot, plan);
-    std::vector<std::string> outputs{pixelLitImage, pixelSurfaceImage, pixelDrawnDepthImage};
-    if (hasTranslucent(shot.parts))
-        outputs.insert(outputs.end(), {pixelTranslucentImage, pixelTranslucentNormalImage, pixelTranslucentDepthImage});
+    const pixel_art::PixelBlock block = pixel_art::planPixelPicture(shot, plan);
+    std::vector<std::string> outputs{pixel_art::pixelLitImage, pixel_art::pixelSurfaceImage,
+                                     pixel_art::pixelDrawnDepthImage};
+    if (pixel_art::hasTranslucent(shot.parts))
+        outputs.insert(outputs.end(), {pixel_art::pixelTranslucentImage, pixel_art::pixelTranslucentNormalImage,
+                                       pixel_art::pixelTranslucentDepthImage});
     plan.prune(outputs);
     backend.draw(plan);
     frames_.push_back(frameOf(backend, block, shot, scene_->origins[static_cast<std::size_t>(i)], d));
@@ -328,4 +332,4 @@ std::vector<SpriteFrame> drawSprite(const ParameterValues& look, const SpriteSub
     return std::move(shots.frames());
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::jobs

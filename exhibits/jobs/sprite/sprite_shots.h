@@ -11,9 +11,11 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
-
+namespace vitrine::pixel_art {
 struct WorldPart;
+}
+
+namespace vitrine::jobs {
 
 /// Name of the exhibit whose style sprites are drawn in.
 inline constexpr const char* spriteLookName = "pixel_art";
@@ -42,7 +44,7 @@ public:
     [[nodiscard]] const std::string& name() const { return name_; }
 
     /// Returns the parts in frame `i` of `n`. Throws Failure (ErrorKind::usage) if the animation does not exist.
-    [[nodiscard]] std::vector<WorldPart> parts(const SpriteRequest&, int i) const;
+    [[nodiscard]] std::vector<pixel_art::WorldPart> parts(const SpriteRequest&, int i) const;
     /// Returns the length of the animation in seconds.
     [[nodiscard]] double duration(const SpriteRequest&) const;
     /// Returns whether its frames differ; those of the built-in object always do.
@@ -91,4 +93,4 @@ private:
 [[nodiscard]] std::vector<SpriteFrame> drawSprite(const ParameterValues& look, const SpriteSubject&,
                                                   const SpriteRequest&, render::RenderBackend&);
 
-}  // namespace vitrine
+}  // namespace vitrine::jobs

@@ -1,6 +1,6 @@
 #include "exhibits/jobs/sprite/sprite_table.h"
 
-namespace vitrine {
+namespace vitrine::jobs {
 
 const SpriteTable& spriteTable()
 {
@@ -8,4 +8,4 @@ const SpriteTable& spriteTable()
     return table;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::jobs

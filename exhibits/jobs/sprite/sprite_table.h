@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace vitrine {
+namespace vitrine::jobs {
 
 /// Palette of the sheet. The choices between these are the palettes of the exhibit Pixel Art, by name.
 enum class SpritePalette : int { own, file = 10 };
@@ -110,4 +110,4 @@ struct SpriteTable final : Parameters {
 
 [[nodiscard]] const SpriteTable& spriteTable();
 
-}  // namespace vitrine
+}  // namespace vitrine::jobs

@@ -11,19 +11,19 @@ namespace vitrine::jobs {
 namespace {
 
 /// Returns the study. Throws Failure (ErrorKind::usage) as `studyRequest`.
-StudyRequest orderedStudy(const ParameterValues& values, const JobScene& scene)
+study::StudyRequest orderedStudy(const ParameterValues& values, const JobScene& scene)
 {
-    StudyRequest request = studyRequest(values, *scene.museum, scene.state, scene.subject);
+    study::StudyRequest request = study::studyRequest(values, *scene.museum, scene.state, scene.subject);
     request.needsFiles = scene.frame.needsFiles;
     for (const PinnedParameter& each : scene.pinned) request.pinned.push_back({each.subject, each.row});
     return request;
 }
 
-std::vector<Fact> factsOf(const StudyRequest& request)
+std::vector<Fact> factsOf(const study::StudyRequest& request)
 {
     const bool isSearch = request.axes.size() > 2;
     double settings = 1;
-    for (const StudyAxis& axis : request.axes) settings *= static_cast<double>(axis.values.size());
+    for (const study::StudyAxis& axis : request.axes) settings *= static_cast<double>(axis.values.size());
     if (isSearch) settings = std::min(settings, static_cast<double>(request.settings));
     return {{isSearch ? "Settings at most" : "Settings", settings},
             {"Views at most", static_cast<double>(request.views)},
@@ -35,11 +35,12 @@ std::vector<Fact> factsOf(const StudyRequest& request)
 void StudyRun::step(const Watch&)
 {
     if (!study_) {
-        StudyRequest request = orderedStudy(order_.values, order_.scene);
+        study::StudyRequest request = orderedStudy(order_.values, order_.scene);
         request.largestTile = order_.largestTile;
         backend_ = order_.backend ? order_.backend() : nullptr;
         if (!backend_) throw Failure(ErrorKind::openGl, "Nothing can be measured: there is no graphics context.");
-        study_ = std::make_unique<Study>(*order_.scene.museum, *backend_, std::move(request), order_.share.measures);
+        study_ =
+            std::make_unique<study::Study>(*order_.scene.museum, *backend_, std::move(request), order_.share.measures);
     }
     study_->step();
     if (study_->finished()) end();
@@ -58,7 +59,7 @@ bool StudyRun::isPart() const
 void StudyRun::end()
 {
     if (isPart()) return;
-    const StudyResult& result = study_->result();
+    const study::StudyResult& result = study_->result();
     report_.facts = {{"Settings", static_cast<double>(result.points.size())},
                      {"Views", static_cast<double>(result.views.size())}};
     if (!order_.out.empty()) report_.files = {order_.out, documentFile(order_.out)};
@@ -74,23 +75,23 @@ void StudyRun::publish()
 
 render::Json StudyRun::answer() const
 {
-    return studyJson(subjects(), study_->request(), study_->result(),
-                     order_.machine ? order_.machine() : render::Json());
+    return study::studyJson(subjects(), study_->request(), study_->result(),
+                            order_.machine ? order_.machine() : render::Json());
 }
 
-CostAxis StudyRun::costs() const
+study::CostAxis StudyRun::costs() const
 {
-    return chartCosts(order_.values, study_->result());
+    return study::chartCosts(order_.values, study_->result());
 }
 
 std::string StudyRun::chosenPreset() const
 {
-    const StudyResult& result = study_->result();
+    const study::StudyResult& result = study_->result();
     if (!result.choice || !result.choice->holds) return {};
     const SceneState sceneState = study_->sceneStateOf(result.points[result.choice->point]);
     const std::size_t subject = study_->request().subject;
     const std::string name = "Chosen by a study";
-    for (const StudyAxis& axis : study_->request().axes)
+    for (const study::StudyAxis& axis : study_->request().axes)
         if (axis.subject != subject)
             return exhibitionText({name, namedValues(subjects(), sceneState.values), sceneState.camera});
     return presetText(Preset{std::string(subjects()[subject]->name()), name, sceneState.values[subject], std::nullopt});
@@ -98,7 +99,7 @@ std::string StudyRun::chosenPreset() const
 
 const Parameters& StudyJob::parameters() const
 {
-    return studyTable();
+    return study::studyTable();
 }
 
 std::shared_ptr<const JobInputs> StudyJob::read(const ParameterValues&) const
@@ -130,7 +131,7 @@ std::unique_ptr<JobRun> StudyJob::start(JobOrder order) const
 std::vector<std::pair<const char*, const char*>> StudyJob::idleOptions(const ParameterValues& values,
                                                                        const JobScene& scene) const
 {
-    const StudyTable& t = studyTable();
+    const study::StudyTable& t = study::studyTable();
     const std::size_t varied = linesOf(values[t.varied]).size();
     std::vector<std::pair<const char*, const char*>> idle;
     if (!values[t.values].empty()) idle.emplace_back("--points", "a study of --values");

@@ -23,10 +23,10 @@ public:
     [[nodiscard]] render::Json answer() const override;
 
     /// The study, from the first step on.
-    [[nodiscard]] const Study& study() const { return *study_; }
+    [[nodiscard]] const study::Study& study() const { return *study_; }
     [[nodiscard]] Subjects subjects() const { return order_.scene.museum->subjects(); }
     /// Returns the cost axis of the chart.
-    [[nodiscard]] CostAxis costs() const;
+    [[nodiscard]] study::CostAxis costs() const;
     /// Returns the chosen values as a preset of the exhibit; for the hall, as an exhibition. Empty: nothing was chosen.
     [[nodiscard]] std::string chosenPreset() const;
 
@@ -36,7 +36,7 @@ private:
 
     JobOrder order_;
     std::unique_ptr<render::RenderBackend> backend_;
-    std::unique_ptr<Study> study_;  ///< Declared last: destroyed before the renderer that it uses.
+    std::unique_ptr<study::Study> study_;  ///< Declared last: destroyed before the renderer that it uses.
     JobReport report_;
 };
 

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::compare {
 namespace {
 
 using namespace test;
@@ -250,4 +250,4 @@ TEST(Comparison, TimesAllTilesOfAFrame)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::compare

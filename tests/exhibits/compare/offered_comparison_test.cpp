@@ -13,7 +13,7 @@
 #include <set>
 #include <string>
 
-namespace vitrine {
+namespace vitrine::compare {
 namespace {
 
 /// Returns the error for a comparison that is not offered; empty if it is offered.
@@ -56,13 +56,13 @@ TEST(OfferedComparison, HasTheValuesOfAButForItsParametersWhichDoNotMove)
     const auto exhibits = allExhibits();
     const auto rays =
         std::find_if(exhibits.begin(), exhibits.end(), [](const auto& e) { return e->name() == "crepuscular_rays"; });
-    const CrepuscularRaysTable table;
+    const crepuscular_rays::CrepuscularRaysTable table;
     SceneState a{{table.initial(), table.initial()}, {}};
     a.values[1].set(table.weight, 0.25);
     a.values[1].setMotion(table.technique.row, Motion{.from = 0.0, .to = 3.0});
     const SceneState b = otherSide(a, 1, offeredComparison(**rays, "screen"));
     EXPECT_EQ(b.values[0], a.values[0]);
-    EXPECT_EQ(b.values[1][table.technique], RayTechnique::screen);
+    EXPECT_EQ(b.values[1][table.technique], crepuscular_rays::RayTechnique::screen);
     EXPECT_EQ(b.values[1][table.weight], 0.25);
     EXPECT_TRUE(b.values[1].motions().empty());
     ASSERT_EQ(differingParameters(a, b).size(), 1U);
@@ -80,4 +80,4 @@ TEST(OfferedComparison, IsNoneWhereAnExhibitOffersNone)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::compare

@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::crepuscular_rays {
 namespace {
 
 using glm::dvec2;
@@ -154,7 +154,7 @@ TEST_F(LongRays, OfTheVolumeAreThoseOfAMapDrawnAnewHoweverTheMobileCameToTurn)
     // Another sun in between draws the whole map again.
     shot.hall().set(hallTable().sunAzimuth, 0.2);
     (void)shot.take();
-    shot.hall().set(hallTable().sunAzimuth, straightSunAzimuth);
+    shot.hall().set(hallTable().sunAzimuth, sdf_morph::straightSunAzimuth);
     (void)shot.take();
     const render::Image anew = gallery().renderer.read("shadow.hall");
     EXPECT_EQ(test::largestDifference(stepped, anew), 0);
@@ -173,7 +173,7 @@ TEST_F(Rays, TheProbeIsTheSameHoweverTheMobileHungWhenItWasMade)
         shot.hall().set(hallTable().sunAzimuth, 0.2);  // Another sun in between makes the probe again.
         (void)shot.take();
         const render::Image elsewhere = gallery().renderer.read("probe.irradiance");
-        shot.hall().set(hallTable().sunAzimuth, straightSunAzimuth);
+        shot.hall().set(hallTable().sunAzimuth, sdf_morph::straightSunAzimuth);
         (void)shot.take();
         const render::Image irradiance = gallery().renderer.read("probe.irradiance");
         EXPECT_GT(test::largestDifference(irradiance, elsewhere), 0);
@@ -202,4 +202,4 @@ TEST_F(Rays, OfTheVolumeAloneAreTheBeamOfTheWindowAndNothingElse)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::crepuscular_rays

@@ -13,7 +13,7 @@
 #include <limits>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::crepuscular_rays {
 namespace {
 
 using glm::dvec2;
@@ -37,7 +37,8 @@ TEST_F(LongDustyAir, FillsTheHallAndEndsAtItsWalls)
     const Picture p = shot.take();
     const render::Box& room = test::building().room();
     const double falloff = shot.rays()[raysTable().densityFalloff];
-    const std::vector<Beam> found = beams(test::building().openings(), room, sunOf(hallTable(), shot.hall()).towards());
+    const std::vector<Beam> found =
+        beams(test::building().openings(), room, hall::sunOf(hallTable(), shot.hall()).towards());
     ASSERT_FALSE(found.empty());
     const auto hiddenIn = [&](const render::Box& air, const dvec3& direction, double end) {
         const dvec2 inside = glsl::airBox(p.view.eye, direction, air.low, air.high);
@@ -117,7 +118,7 @@ TEST_F(LongDustyAir, ShowsAShaftFromTheOculusAtNoon)
     shot.inHall();
     shot.size(96, 54);
     shot.see({1.35, 1.65, 10.2}, {-0.35, 2.15, -4.0});
-    shot.hall().set(hallTable().sunBy, SunBy::hour);
+    shot.hall().set(hallTable().sunBy, hall::SunBy::hour);
     ParameterValues& rays = shot.sceneState.values[*test::museum().find("crepuscular_rays")];
     rays.resetParameter(raysTable().technique.row);
     const auto brightened = [&](double hour) {
@@ -138,4 +139,4 @@ TEST_F(LongDustyAir, ShowsAShaftFromTheOculusAtNoon)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::crepuscular_rays

@@ -11,14 +11,15 @@ namespace vitrine::test {
 class Rays : public GlTest {};
 
 /// Direction to the sun in a RayShot.
-inline const glm::dvec3 shotTowardsSun(std::sin(straightSunAzimuth) * std::cos(straightSunElevation),
-                                       std::sin(straightSunElevation),
-                                       -std::cos(straightSunAzimuth) * std::cos(straightSunElevation));
+inline const glm::dvec3
+    shotTowardsSun(std::sin(sdf_morph::straightSunAzimuth) * std::cos(sdf_morph::straightSunElevation),
+                   std::sin(sdf_morph::straightSunElevation),
+                   -std::cos(sdf_morph::straightSunAzimuth) * std::cos(sdf_morph::straightSunElevation));
 
 /// Shot of the window from the middle of the hall, in linear light. White rays of strength 1; the exposure does not
 /// change them.
 struct RayShot : Shot {
-    explicit RayShot(RayTechnique technique)
+    explicit RayShot(crepuscular_rays::RayTechnique technique)
     {
         inHall();
         request.frame.subject.reset();
@@ -33,8 +34,8 @@ struct RayShot : Shot {
         rays().set(raysTable().skyColor, false);
         rays().set(raysTable().lightSize, 3.141593);
         rays().set(raysTable().jitter, false);
-        rays().set(raysTable().resolution, RayResolution::full);
-        rays().set(raysTable().view, RayView::light);
+        rays().set(raysTable().resolution, crepuscular_rays::RayResolution::full);
+        rays().set(raysTable().view, crepuscular_rays::RayView::light);
         rays().set(raysTable().densityNoise, 0.0);
     }
     /// Shows the exhibit alone: only sky, a white mask, and the sun in the picture.

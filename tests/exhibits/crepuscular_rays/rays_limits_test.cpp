@@ -13,7 +13,7 @@
 #include <map>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::crepuscular_rays {
 namespace {
 
 using glm::dvec2;
@@ -254,4 +254,4 @@ TEST_F(Rays, AreFiniteTowardsTheSkyAndWithTheEyeInTheWindow)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::crepuscular_rays

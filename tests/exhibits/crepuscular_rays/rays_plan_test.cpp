@@ -16,11 +16,17 @@
 #include <cstring>
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::crepuscular_rays {
 namespace {
 
 using glm::dvec2;
 using glm::dvec3;
+using hall::HallTable;
+using hall::skyByHour;
+using hall::Sun;
+using hall::sunAtHour;
+using hall::SunBy;
+using hall::sunOf;
 using namespace test;
 
 /// Scene that looks along the hall at the window.
@@ -406,4 +412,4 @@ TEST(SteadyLightView, KeepsItsGridWhileTheBoxMovesAndGrows)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::crepuscular_rays

@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::crepuscular_rays {
 namespace {
 
 using glm::dvec2;
@@ -75,7 +75,7 @@ TEST_F(Rays, AreOfferedBesideThePictureWithoutThem)
          {std::pair{"without", RayTechnique::none}, {"screen", RayTechnique::screen}, {"air", RayTechnique::volume}}) {
         RayShot offered(RayTechnique::both), alone(technique);
         for (RayShot* shot : {&offered, &alone}) shot->rays().set(raysTable().view, RayView::picture);
-        offered.sceneState = otherSide(offered.sceneState, rays, offeredComparison(subject, name));
+        offered.sceneState = compare::otherSide(offered.sceneState, rays, compare::offeredComparison(subject, name));
         const Picture b = offered.take();
         EXPECT_GT(b.mean(), 0.001) << "an empty picture proves nothing";
         EXPECT_EQ(test::largestDifference(b.image, alone.take().image), 0) << name;
@@ -438,4 +438,4 @@ TEST_F(LongRays, LegalValuesNeverMakeWhatIsNotANumber)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::crepuscular_rays

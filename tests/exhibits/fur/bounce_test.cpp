@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::fur {
 namespace {
 
 const FurTable& table()
@@ -328,4 +328,4 @@ TEST(Bodies, MeetThePaddedRimWhereItIsDrawnAndNothingAboveIt)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::fur

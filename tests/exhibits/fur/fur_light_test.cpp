@@ -4,8 +4,10 @@
 
 #include <cmath>
 
-namespace vitrine::test {
+namespace vitrine::fur {
 namespace {
+
+using namespace test;
 
 class FurLight : public GlTest {};
 
@@ -75,4 +77,4 @@ TEST_F(FurLight, ShowsWhatIsBehindTheFringeAndNotTheHallWhereThePitIs)
 }
 
 }  // namespace
-}  // namespace vitrine::test
+}  // namespace vitrine::fur

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <limits>
 
-namespace vitrine {
+namespace vitrine::fur {
 namespace {
 
 using namespace test;
@@ -27,7 +27,7 @@ const Museum& museumOfFur()
 {
     static const Museum opened = [] {
         std::vector<std::unique_ptr<Exhibit>> guests;
-        guests.push_back(std::make_unique<SdfMorph>());
+        guests.push_back(std::make_unique<sdf_morph::SdfMorph>());
         guests.push_back(std::make_unique<Fur>());
         return Museum(std::move(guests));
     }();
@@ -264,4 +264,4 @@ TEST(FurPlan, DressesAModelOfItsOwnByItsPlaceAmongTheAssets)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::fur

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vitrine::test {
+namespace vitrine::fur {
 namespace {
+
+using namespace test;
 
 class FurQuality : public GlTest {};
 class LongFurQuality : public FurQuality {};
@@ -250,4 +252,4 @@ TEST_F(FurQuality, EachStudyHasAViewThatTellsItsMethodsApart)
 }
 
 }  // namespace
-}  // namespace vitrine::test
+}  // namespace vitrine::fur

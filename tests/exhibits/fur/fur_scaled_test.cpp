@@ -10,8 +10,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vitrine::test {
+namespace vitrine::fur {
 namespace {
+
+using namespace test;
 
 using FurScaled = GlTest;
 
@@ -130,4 +132,4 @@ TEST_F(FurScaled, AnUnevenlyScaledCoatIsTheScaledCoatOnEverySide)
 }
 
 }  // namespace
-}  // namespace vitrine::test
+}  // namespace vitrine::fur

@@ -7,13 +7,13 @@
 namespace vitrine::test {
 
 /// Shot of the furry bodies alone, on a bare floor: transparent, with depth and normals.
-struct FurShot : ExhibitShot<FurTable> {
+struct FurShot : ExhibitShot<fur::FurTable> {
     FurShot() : ExhibitShot("fur")
     {
         values().set(table().rugRadius, 0.0);
         size(128, 80);
     }
-    FurShot& shells(int count, FurSilhouette silhouette, FurOrder order = FurOrder::outerFirst)
+    FurShot& shells(int count, fur::FurSilhouette silhouette, fur::FurOrder order = fur::FurOrder::outerFirst)
     {
         values().set(table().shellCount, count);
         values().set(table().silhouette, silhouette);
@@ -23,7 +23,7 @@ struct FurShot : ExhibitShot<FurTable> {
     }
     FurShot& reference()
     {
-        shells(256, FurSilhouette::march);
+        shells(256, fur::FurSilhouette::march);
         values().set(table().samplesBetween, 32);
         return *this;
     }
@@ -31,7 +31,7 @@ struct FurShot : ExhibitShot<FurTable> {
     FurShot& withoutFilm()
     {
         request.frame.averageIn = AverageIn::display;
-        hall().set(hallTable().toneCurve, ToneCurve::none);
+        hall().set(hallTable().toneCurve, hall::ToneCurve::none);
         return *this;
     }
     FurShot& hand(const glm::dvec3& tipOffset, double turn)
@@ -46,7 +46,7 @@ struct FurShot : ExhibitShot<FurTable> {
     [[nodiscard]] std::int64_t samplesPassed() const { return take().report.counters.at("samples"); }
 };
 
-inline const FurTable& furTable()
+inline const fur::FurTable& furTable()
 {
     return FurShot::table();
 }

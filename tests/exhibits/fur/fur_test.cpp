@@ -12,8 +12,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vitrine::test {
+namespace vitrine::fur {
 namespace {
+
+using namespace test;
 
 class FurTest : public GlTest {};
 
@@ -266,4 +268,4 @@ TEST_F(LongFurTest, IsThinnedFromAfarWithoutAChangeOfLook)
 }
 
 }  // namespace
-}  // namespace vitrine::test
+}  // namespace vitrine::fur

@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::fur {
 namespace {
 
 using glm::dvec3;
@@ -132,4 +132,4 @@ TEST(CoatLight, IsNotHiddenByACoatThatIsNotThere)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::fur

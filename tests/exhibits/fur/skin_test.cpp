@@ -12,7 +12,7 @@
 #include <cmath>
 #include <map>
 
-namespace vitrine {
+namespace vitrine::fur {
 namespace {
 
 using render::Mesh;
@@ -214,4 +214,4 @@ TEST(LevelOfDetail, FallsContinuouslyWithDistance)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::fur

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::fur {
 namespace {
 
 using std::numbers::pi;
@@ -69,4 +69,4 @@ TEST(Rotation, GoesThereAndBackFromNothingToHalfATurn)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::fur

@@ -10,7 +10,7 @@
 #include <set>
 #include <tuple>
 
-namespace vitrine {
+namespace vitrine::fur {
 namespace {
 
 using glm::dvec3;
@@ -210,4 +210,4 @@ TEST(Taper, RunsFromFullAtTheRootToNothingAtTheTip)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::fur

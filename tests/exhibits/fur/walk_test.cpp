@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::fur {
 namespace {
 
 using glm::dvec2;
@@ -381,4 +381,4 @@ TEST(CoatStretch, HandsEachRayOnHalfwayAndLosesNoneThatTurnsBack)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::fur

@@ -16,12 +16,12 @@ namespace vitrine::test {
 /// Sums of sources on six sides of all points in the air, gray: [6 i + side].
 using Air = std::vector<double>;
 
-inline Air airOf(const SunTransfer& transfer, const std::vector<SunTransfer::Source>& sources)
+inline Air airOf(const hall::SunTransfer& transfer, const std::vector<hall::SunTransfer::Source>& sources)
 {
     const render::Texture& picture = *transfer.picture();
     const auto width = static_cast<std::size_t>(picture.width);
     Air air(width, 0.0);
-    for (const SunTransfer::Source& source : sources)
+    for (const hall::SunTransfer::Source& source : sources)
         for (std::size_t i = 0; i < width; ++i) {
             const double code = picture.bytes[source.row * width + i] / 255.0;
             air[i] += code * code * transfer.scale(source.row) * source.light;
@@ -30,16 +30,16 @@ inline Air airOf(const SunTransfer& transfer, const std::vector<SunTransfer::Sou
 }
 
 /// Returns the light of a sky of radiance 1 at the same points, gray.
-inline Air skyInAir(const SunTransfer& transfer)
+inline Air skyInAir(const hall::SunTransfer& transfer)
 {
     const std::size_t row = transfer.sourceCount();
     return airOf(transfer, {{row, 1.0 / 3}, {row + 1, 1.0 / 3}, {row + 2, 1.0 / 3}});
 }
 
 /// Returns the light on a surface with unit normal `n` at a place in world space, interpolated linearly between points.
-inline double airOn(const SunTransfer& transfer, const Air& air, const glm::dvec3& place, const glm::dvec3& n)
+inline double airOn(const hall::SunTransfer& transfer, const Air& air, const glm::dvec3& place, const glm::dvec3& n)
 {
-    const SunTransfer::Grid& grid = transfer.grid();
+    const hall::SunTransfer::Grid& grid = transfer.grid();
     const glm::dvec3 last = glm::dvec3(grid.size - 1);
     const glm::dvec3 at = glm::clamp((place - grid.box.low) / (grid.box.high - grid.box.low), 0.0, 1.0) * last;
     const glm::ivec3 base = glm::min(glm::ivec3(at), grid.size - 2);
@@ -59,7 +59,7 @@ inline double airOn(const SunTransfer& transfer, const Air& air, const glm::dvec
 }
 
 /// Returns the ratio of a surface's light to the air's, in the texel at atlas coordinates from 0 to 1.
-inline glm::dvec3 surfaceShare(const SunTransfer& transfer, const glm::dvec2& atlas)
+inline glm::dvec3 surfaceShare(const hall::SunTransfer& transfer, const glm::dvec2& atlas)
 {
     const render::Texture& picture = *transfer.surfaces();
     const glm::ivec2 texel(atlas * glm::dvec2(picture.width, picture.height));

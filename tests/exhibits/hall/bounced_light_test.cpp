@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::hall {
 namespace {
 
 using namespace test;
@@ -267,4 +267,4 @@ TEST(BouncedLight, ComesAndGoesWithTheDay)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::hall

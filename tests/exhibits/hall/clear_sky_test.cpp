@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::hall {
 namespace {
 
 using test::degree;
@@ -146,4 +146,4 @@ TEST(SkyTint, IsNoneAtTheReferenceAndFollowsTheSunLittleByLittle)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::hall

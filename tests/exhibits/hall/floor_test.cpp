@@ -9,7 +9,7 @@
 #include <functional>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::hall {
 namespace {
 
 using namespace test;
@@ -226,4 +226,4 @@ TEST_F(Floor, KeepsItsContactShadowsWhileNothingElseStandsThere)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::hall

@@ -14,7 +14,7 @@
 #include <initializer_list>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::hall {
 namespace {
 
 using namespace test;
@@ -190,4 +190,4 @@ TEST_F(GlareOfLight, IsLeftOutForAReason)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::hall

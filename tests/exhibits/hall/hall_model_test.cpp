@@ -15,7 +15,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::hall {
 namespace {
 
 using std::numbers::pi;
@@ -63,11 +63,11 @@ TEST(HallModel, HasThePitThatTheFurIsMadeFor)
     ASSERT_NE(pit, file.markers.end());
     const render::Box box = render::Box{glm::dvec3(-1), glm::dvec3(1)}.transformed(
         glm::inverse(test::building().place(3)->worldFromPlace) * pit->modelFromMarker);
-    EXPECT_NEAR(box.high.x, pitRadius, 1e-6);
-    EXPECT_NEAR(box.high.z, pitRadius, 1e-6);
-    EXPECT_NEAR(box.low.x, -pitRadius, 1e-6);
+    EXPECT_NEAR(box.high.x, fur::pitRadius, 1e-6);
+    EXPECT_NEAR(box.high.z, fur::pitRadius, 1e-6);
+    EXPECT_NEAR(box.low.x, -fur::pitRadius, 1e-6);
     EXPECT_NEAR(box.low.y, 0, 1e-6);
-    EXPECT_NEAR(box.high.y, pitRim, 1e-6);
+    EXPECT_NEAR(box.high.y, fur::pitRim, 1e-6);
 }
 
 TEST(HallModel, KnowsWhichPlacesAreFramesInItsWalls)
@@ -104,18 +104,18 @@ TEST(HallModel, HasABarThatTheCardLeansAgainst)
             const double area = 0.5 * glm::length(across);
             const glm::dvec3 n = area > 0 ? across / (2 * area) : glm::dvec3(0);
             if (std::abs(n.x) > 1e-3 || n.y < 0.1 || n.z < n.y || area <= largest) continue;
-            if (std::abs(a.y - cardMiddle().y) > 0.1) continue;
+            if (std::abs(a.y - lenticular::cardMiddle().y) > 0.1) continue;
             largest = area;
             normal = n;
             place = a;
         }
     }
     ASSERT_GT(largest, 1e-3);  // Square meters.
-    EXPECT_NEAR(std::atan2(normal.y, normal.z), cardLean, 1e-3) << "LEAN in assets/models/hall_props.py";
+    EXPECT_NEAR(std::atan2(normal.y, normal.z), lenticular::cardLean, 1e-3) << "LEAN in assets/models/hall_props.py";
     // It touches the back of the card, which is 5 mm thick.
-    const glm::dvec3 onCard(glm::inverse(exhibitFromCard()) * glm::dvec4(place, 1));
+    const glm::dvec3 onCard(glm::inverse(lenticular::exhibitFromCard()) * glm::dvec4(place, 1));
     EXPECT_NEAR(onCard.z, -2 * lenticular::cardHalfSize.z, 1e-3);
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::hall

@@ -7,8 +7,11 @@
 #include <algorithm>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::hall {
 namespace {
+
+using noise::NoiseSun;
+using noise::NoiseTable;
 
 using namespace test;
 
@@ -180,4 +183,4 @@ TEST_F(LongHours, LampsWithoutStrengthAreNoLampsToTheBit)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::hall

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::hall {
 namespace {
 
 using namespace test;
@@ -168,14 +168,14 @@ TEST_F(LightLevels, AreReflectedByWhatStandsAroundButNotByWhatStandsWhereTheProb
 /// Returns the mug in the hall, with this roughness, while the work behind the frame of Noise has this color.
 Picture mugBeside(const glm::dvec3& color, double roughness)
 {
-    static const NoiseTable table;
+    static const noise::NoiseTable table;
     Shot shot;
     shot.inHall().size(320, 200).see({-1.1, 1.6, 1.0}, {0, 1.45, 0});
     shot.request.frame.averageIn = AverageIn::radiance;
     shot.hall().set(hallTable().probeSize, 128);
     shot.values().set(sdfTable().roughness, roughness);
     ParameterValues& noise = shot.sceneState.values[*gallery().museum.find("noise")];
-    noise.set(table.work, NoiseWork::field);
+    noise.set(table.work, noise::NoiseWork::field);
     noise.set(table.threshold, -0.4);
     noise.set(table.albedo, ColorValue{color});
     return shot.take();
@@ -334,4 +334,4 @@ TEST_F(LightLevels, AreNotVeiledByDustInTheBeam)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::hall

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::hall {
 namespace {
 
 using namespace test;
@@ -100,4 +100,4 @@ TEST_F(Panorama, AboveTheFirstRowLiesNotTheLastOne)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::hall

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace vitrine {
+namespace vitrine::hall {
 namespace {
 
 using namespace test;
@@ -87,4 +87,4 @@ TEST(PlaqueText, FillsItsPlateAndStaysWithinIt)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::hall

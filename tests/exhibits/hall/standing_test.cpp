@@ -11,7 +11,7 @@
 #include <numbers>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::hall {
 namespace {
 
 using std::numbers::pi;
@@ -252,4 +252,4 @@ TEST(Furniture, OfAStandIsAFlatFootAndASlenderPost)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::hall

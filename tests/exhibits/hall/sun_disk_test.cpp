@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::hall {
 namespace {
 
 using namespace test;
@@ -132,4 +132,4 @@ TEST_F(SunDisk, OfAPointIsTheHardShadow)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::hall

@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::hall {
 namespace {
 
 using glm::dvec3;
@@ -190,4 +190,4 @@ TEST(ToneCurves, OfNoneIsTheIdentityUpToWhite)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::hall

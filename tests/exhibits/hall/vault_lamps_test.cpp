@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::hall {
 namespace {
 
 using namespace test;
@@ -148,4 +148,4 @@ TEST(VaultLamps, CostNothingByDay)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::hall

@@ -20,7 +20,7 @@ public:
         glm::dvec3 start, finish;
     };
 
-    explicit EverySolid(const IceCreamShape& shape, std::vector<Sprinkle> sprinkles = {})
+    explicit EverySolid(const ice_cream::IceCreamShape& shape, std::vector<Sprinkle> sprinkles = {})
         : s_(shape), sprinkles_(std::move(sprinkles))
     {
     }
@@ -81,7 +81,7 @@ public:
     [[nodiscard]] double layer(int i, const glm::dvec3& p) const
     {
         if (!has(PART_CREAM + i)) return far;
-        const CreamLayer& layer = s_.layers[static_cast<std::size_t>(i)];
+        const ice_cream::CreamLayer& layer = s_.layers[static_cast<std::size_t>(i)];
         std::vector<double> cones;
         for (int k = 0; k < layer.lobes; ++k) cones.push_back(lobe(layer, p, k));
         cones.push_back(far);
@@ -90,7 +90,7 @@ public:
     }
 
     /// Returns the distance to one cone of a layer, with space rotated and twisted like in the reference.
-    [[nodiscard]] static double lobe(const CreamLayer& layer, const glm::dvec3& p, int k)
+    [[nodiscard]] static double lobe(const ice_cream::CreamLayer& layer, const glm::dvec3& p, int k)
     {
         const double a = double{layer.twist} * p.y + 2 * std::numbers::pi * k / layer.lobes;
         const glm::dvec3 q(std::cos(a) * p.x + std::sin(a) * p.z, p.y, std::cos(a) * p.z - std::sin(a) * p.x);
@@ -146,7 +146,7 @@ private:
         const glm::dvec3 ab = b - a;
         return glm::distance(p, a + ab * std::clamp(glm::dot(p - a, ab) / glm::dot(ab, ab), 0.0, 1.0));
     }
-    static double candy(const Candy& c, const glm::dvec3& p)
+    static double candy(const ice_cream::Candy& c, const glm::dvec3& p)
     {
         const glm::dvec3 x(c.axisX), y(c.axisY), v = p - glm::dvec3(c.center), half(c.halfSize);
         const double corner = std::min({double{c.corner}, half.x, half.y, half.z});
@@ -155,7 +155,7 @@ private:
         return glm::length(glm::max(q, 0.0)) + std::min(std::max({q.x, q.y, q.z}), 0.0) - corner;
     }
 
-    IceCreamShape s_;
+    ice_cream::IceCreamShape s_;
     std::vector<Sprinkle> sprinkles_;
 };
 

@@ -8,11 +8,11 @@ namespace vitrine::test {
 
 /// Shot of the ice cream alone. By default with the light, shape, size and first view of the reference, static;
 /// linear, with depth and normals. Its own space is then the world's, moved by `foot`.
-struct IceCreamShot : ExhibitShot<IceCreamTable> {
+struct IceCreamShot : ExhibitShot<ice_cream::IceCreamTable> {
     IceCreamShot() : ExhibitShot("ice_cream")
     {
         useSmallMaps(hall(), 256);
-        set(table().lighting, IceCreamLighting::reference).set(table().size, 1.0);
+        set(table().lighting, ice_cream::IceCreamLighting::reference).set(table().size, 1.0);
         set(table().creamRoughness, 0.25);
         setReferenceShape(table(), values());
         request.frame.camera = museum.get().exhibit(exhibit).bestView(values());

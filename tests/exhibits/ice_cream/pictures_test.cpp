@@ -9,7 +9,7 @@
 #include <numbers>
 #include <set>
 
-namespace vitrine {
+namespace vitrine::ice_cream {
 namespace {
 
 using glm::dvec3;
@@ -359,4 +359,4 @@ TEST_F(IceCreamPicture, AThousandSprinklesLieOnTheCream)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::ice_cream

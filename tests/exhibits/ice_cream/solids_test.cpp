@@ -11,7 +11,7 @@
 
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::ice_cream {
 namespace {
 
 using glm::dvec2;
@@ -462,4 +462,4 @@ TEST(IceCreamDimensions, CandiesSpinAndFloatAsTheReferenceTellsThem)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::ice_cream

@@ -21,9 +21,17 @@
 #include <set>
 #include <tuple>
 
-namespace vitrine {
+namespace vitrine::jobs {
 namespace {
 
+using pixel_art::linearOf;
+using pixel_art::mainColors;
+using pixel_art::nearestColor;
+using pixel_art::PaletteName;
+using pixel_art::paletteTextures;
+using pixel_art::PaletteTextures;
+using pixel_art::Rgb8;
+using pixel_art::shippedPalette;
 using render::Image;
 using test::TemporaryFolder;
 
@@ -634,4 +642,4 @@ TEST(SpriteSheet, HasThePivotThatIsAskedFor)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::jobs

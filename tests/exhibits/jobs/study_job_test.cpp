@@ -30,7 +30,7 @@ protected:
     }
     StudyJobTest()
     {
-        const StudyTable& t = studyTable();
+        const study::StudyTable& t = study::studyTable();
         values_.set(t.varied, std::string("steps"));
         values_.set(t.width, 16);
         values_.set(t.height, 9);
@@ -57,7 +57,7 @@ protected:
 
     Museum museum_{knownOne()};
     StudyJob job_;
-    ParameterValues values_{studyTable()};
+    ParameterValues values_{study::studyTable()};
 };
 
 using LongStudyJobTest = StudyJobTest;
@@ -67,10 +67,11 @@ TEST_F(LongStudyJobTest, MeasuresAsAStudyOfTheSameRequestDoes)
     const std::unique_ptr<JobRun> run = job_.start(order());
     runAll(*run);
     test::KnownBackend backend;
-    Study study(museum_, backend, studyRequest(values_, museum_, museum_.initialSceneState(), 1));
+    study::Study study(museum_, backend, study::studyRequest(values_, museum_, museum_.initialSceneState(), 1));
     while (study.step()) {
     }
-    EXPECT_EQ(run->answer(), studyJson(museum_.subjects(), study.request(), study.result(), {{"processors", 2}}));
+    EXPECT_EQ(run->answer(),
+              study::studyJson(museum_.subjects(), study.request(), study.result(), {{"processors", 2}}));
     EXPECT_EQ(run->report().facts.front(), (Fact{"Settings", static_cast<double>(study.result().points.size())}));
     EXPECT_EQ(run->progress(), 1);
 }
@@ -84,7 +85,7 @@ TEST_F(StudyJobTest, WritesItsFolderAndADocumentThatKeepsWhatWasSet)
     int written = 0;
     all.writeFolder = [&written](const JobRun& run) {
         ++written;
-        EXPECT_EQ(static_cast<const StudyRun&>(run).costs(), CostAxis::time);
+        EXPECT_EQ(static_cast<const StudyRun&>(run).costs(), study::CostAxis::time);
     };
     const std::unique_ptr<JobRun> run = job_.start(all);
     runAll(*run);
@@ -106,11 +107,11 @@ TEST_F(StudyJobTest, PlansRandomValuesAndRefusesInOneSentence)
     RandomNumbers random(6);
     int refused = 0;
     for (int i = 0; i < 200; ++i) {
-        ParameterValues values = randomValues(studyTable(), random, 0.7);
+        ParameterValues values = randomValues(study::studyTable(), random, 0.7);
         const char* varied[] = {"", "steps", "steps\nrays", "soup", "hue", "hall.supersamples"};
         const char* tried[] = {"", "", "1,8", "1,soup"};
-        values.set(studyTable().varied, std::string(varied[random.index(6)]));
-        values.set(studyTable().values, std::string(tried[random.index(4)]));
+        values.set(study::studyTable().varied, std::string(varied[random.index(6)]));
+        values.set(study::studyTable().values, std::string(tried[random.index(4)]));
         const JobPlan plan = planned(values);
         EXPECT_NE(plan.refusal.empty(), plan.facts.empty());
         if (plan.refusal.empty()) continue;
@@ -123,7 +124,7 @@ TEST_F(StudyJobTest, PlansRandomValuesAndRefusesInOneSentence)
 
 TEST_F(StudyJobTest, CountsTheSettingsOfItsPlan)
 {
-    const StudyTable& t = studyTable();
+    const study::StudyTable& t = study::studyTable();
     values_.set(t.values, std::string("1,8,64"));
     EXPECT_EQ(planned(values_).facts.front(), (Fact{"Settings", 3.0}));
     values_.set(t.values, std::string());
@@ -136,14 +137,14 @@ TEST_F(StudyJobTest, CountsTheSettingsOfItsPlan)
 
 TEST_F(LongStudyJobTest, ChoosesOnlyWhereALimitIsSet)
 {
-    const StudyTable& t = studyTable();
+    const study::StudyTable& t = study::studyTable();
     const auto preset = [&] {
         const std::unique_ptr<JobRun> run = job_.start(order());
         runAll(*run);
         return static_cast<const StudyRun&>(*run).chosenPreset();
     };
     EXPECT_EQ(preset(), "");
-    values_.set(t.choosing, StudyFind::cheapest);
+    values_.set(t.choosing, study::StudyFind::cheapest);
     values_.set(t.maxError, 0.2);
     EXPECT_NE(preset().find("\"steps\""), std::string::npos);
     values_.set(t.maxError, 0.0);
@@ -153,8 +154,8 @@ TEST_F(LongStudyJobTest, ChoosesOnlyWhereALimitIsSet)
 
 TEST(StudyMetrics, AreAllThatFallToNothing)
 {
-    EXPECT_EQ(studyMetrics(), (std::vector<std::string>{"rmse", "max", "beyond", "mape", "relmse", "dssim", "flip",
-                                                        "normal", "depth"}));
+    EXPECT_EQ(study::studyMetrics(), (std::vector<std::string>{"rmse", "max", "beyond", "mape", "relmse", "dssim",
+                                                               "flip", "normal", "depth"}));
 }
 
 }  // namespace

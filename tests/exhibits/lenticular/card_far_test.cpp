@@ -19,6 +19,11 @@
 namespace vitrine {
 namespace {
 
+using lenticular::CardAxis;
+using lenticular::CardModel;
+using lenticular::CardSheet;
+using lenticular::LenticularTable;
+
 using namespace test;
 
 class CardFar : public test::GlTest {

@@ -14,6 +14,12 @@ namespace vitrine {
 namespace {
 
 using glm::dvec3;
+using lenticular::CardAxis;
+using lenticular::cardLamp;
+using lenticular::cardMiddle;
+using lenticular::exhibitFromCard;
+using lenticular::Lenticular;
+using lenticular::LenticularTable;
 using namespace test;
 
 /// Position of the lamp in the card's space.

@@ -12,6 +12,11 @@
 namespace vitrine {
 namespace {
 
+using lenticular::CardAxis;
+using lenticular::CardEyes;
+using lenticular::CardModel;
+using lenticular::CardSheet;
+using lenticular::LenticularTable;
 using printing::Sheet;
 using namespace test;
 

@@ -22,6 +22,9 @@
 namespace vitrine {
 namespace {
 
+using lenticular::CardSheet;
+using lenticular::LenticularTable;
+using lenticular::scrollAt;
 using render::FramePlan;
 using render::Pass;
 using namespace test;

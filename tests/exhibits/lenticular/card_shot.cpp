@@ -42,7 +42,7 @@ CardShot::CardShot() : ExhibitShot("lenticular")
     request.frame.channels.normal = false;
     set(table().scroll, false).set(table().margin, 0.0).set(table().distance, 1e6).set(table().inkSpread, 0.0);
     set(table().views, 256).set(table().apertureSamples, 64).set(table().specular, 0.0);
-    transform(glm::affineInverse(exhibitFromCard()));
+    transform(glm::affineInverse(lenticular::exhibitFromCard()));
     size(25, 25);
 }
 

@@ -27,7 +27,7 @@ private:
 
 /// Shot of the card alone, upright with the center of its front at the origin, from far away with a narrow field of
 /// view, and with strips for parallel view directions.
-struct CardShot : ExhibitShot<LenticularTable> {
+struct CardShot : ExhibitShot<lenticular::LenticularTable> {
     CardShot();
 
     /// Looks at the card's center from `angle` across and `rise` above (radians), `distance` meters away. A pixel is
@@ -37,7 +37,7 @@ struct CardShot : ExhibitShot<LenticularTable> {
     [[nodiscard]] std::vector<double> printed(CardViews&, const std::string& views, int channel = 1);
 };
 
-inline const LenticularTable& cardTable()
+inline const lenticular::LenticularTable& cardTable()
 {
     return CardShot::table();
 }

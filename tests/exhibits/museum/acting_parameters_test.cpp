@@ -83,7 +83,7 @@ struct Situation {
 /// Returns a camera in front of the free plinth, where the visitor's object stands.
 render::Camera beforeThePlinth()
 {
-    const glm::dmat4 world = test::building().place(freePlinthPlace)->worldFromPlace;
+    const glm::dmat4 world = test::building().place(hall::freePlinthPlace)->worldFromPlace;
     return {glm::dvec3(world * glm::dvec4(0, 1.2, 1.6, 1)), glm::dvec3(world * glm::dvec4(0, 0.9, 0, 1)), 0.9};
 }
 
@@ -105,7 +105,7 @@ std::vector<Situation> situationsOf(std::size_t exhibit, const ParameterValues& 
         turning.inMotion = true;
         all.push_back(turning);
         Situation night = all.front();
-        night.values.set(hallTable().sunBy, SunBy::hour);
+        night.values.set(hallTable().sunBy, hall::SunBy::hour);
         night.values.set(hallTable().timeOfDay, 21.0);
         all.push_back(night);
     }

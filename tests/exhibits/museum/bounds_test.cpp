@@ -137,7 +137,7 @@ void expectHeld(const Case& c, int seeds = 4)
 
 void noAir(Shot& shot)
 {
-    valuesOf(shot, "crepuscular_rays").set(raysTable().technique, RayTechnique::none);
+    valuesOf(shot, "crepuscular_rays").set(raysTable().technique, crepuscular_rays::RayTechnique::none);
 }
 
 TEST_F(BoundsOfEffects, ShadowsOfTheSunTakeNoMoreThanTheSunGives)
@@ -210,23 +210,24 @@ TEST_F(BoundsOfEffects, OcclusionOfGlassIsCulledAndWouldHaveChangedNothing)
 
 TEST_F(BoundsOfEffects, ColorsThatSpreadStayBelowWhitePaper)
 {
-    const LenticularTable table;
+    const lenticular::LenticularTable table;
     expectHeld({"lenticular", "lenticular/dispersion",
                 [&](Shot& s, bool on) { valuesOf(s, "lenticular").set(table.dispersion, on); }, false,
                 // The print with the brighter paper: the other one is dark.
-                [&](Shot& s) { valuesOf(s, "lenticular").set(table.face, CardFace::back); }, 1e-3});
+                [&](Shot& s) { valuesOf(s, "lenticular").set(table.face, lenticular::CardFace::back); }, 1e-3});
 }
 
 TEST_F(BoundsOfEffects, RaysAddNoMoreThanTheMaskTimesTheirStrength)
 {
-    const auto rays = [](RayTechnique technique) {
+    const auto rays = [](crepuscular_rays::RayTechnique technique) {
         return [technique](Shot& s, bool on) {
-            valuesOf(s, "crepuscular_rays").set(raysTable().technique, on ? technique : RayTechnique::none);
+            valuesOf(s, "crepuscular_rays")
+                .set(raysTable().technique, on ? technique : crepuscular_rays::RayTechnique::none);
         };
     };
     const auto plain = [](Shot& shot) {
         ParameterValues& values = valuesOf(shot, "crepuscular_rays");
-        values.set(raysTable().view, RayView::picture);
+        values.set(raysTable().view, crepuscular_rays::RayView::picture);
         values.set(raysTable().samples, 64);
         // Bounds use the brightest point of lamps, which is not in this picture.
         ParameterValues& lanterns = valuesOf(shot, "paper_lanterns");
@@ -234,7 +235,7 @@ TEST_F(BoundsOfEffects, RaysAddNoMoreThanTheMaskTimesTheirStrength)
         shot.hall().set(hallTable().spotStrength, 0.0);
     };
     // From here, much of the air in front of the wall is lit, and nothing hides the window.
-    Case c{"crepuscular_rays", "crepuscular_rays/composite", rays(RayTechnique::screen), true, plain};
+    Case c{"crepuscular_rays", "crepuscular_rays/composite", rays(crepuscular_rays::RayTechnique::screen), true, plain};
     c.camera = render::Camera{{-4.9, 1.65, -2.0}, {1.2, 2.9, -11.5}, 0.959931};
     expectHeld(c, 6);
     // Uniform, thin, isotropic air: the light that random dust absorbs of its own is not part of the bound.
@@ -246,7 +247,7 @@ TEST_F(BoundsOfEffects, RaysAddNoMoreThanTheMaskTimesTheirStrength)
         values.set(raysTable().densityNoise, 0.0);
         values.set(raysTable().anisotropy, 0.0);
     };
-    c.with = rays(RayTechnique::volume);
+    c.with = rays(crepuscular_rays::RayTechnique::volume);
     c.prepare = evenAir;
     expectHeld(c, 6);
 }

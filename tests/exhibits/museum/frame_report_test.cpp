@@ -15,6 +15,10 @@
 namespace vitrine {
 namespace {
 
+using pixel_art::NormalsBy;
+using pixel_art::PixelArtTable;
+using pixel_art::PixelView;
+
 using namespace test;
 
 class FrameReports : public GlTest {};
@@ -89,11 +93,14 @@ bool begins(std::string_view name, const std::string& start)
 
 TEST_F(LongFrameReports, AnEffectThatIsOffHasNoPassNoProgramAndNoTexture)
 {
-    constexpr double fins = static_cast<double>(FurSilhouette::fins), march = static_cast<double>(FurSilhouette::march);
+    constexpr double fins = static_cast<double>(fur::FurSilhouette::fins),
+                     march = static_cast<double>(fur::FurSilhouette::march);
     constexpr double field = static_cast<double>(SdfShown::field), mesh = static_cast<double>(SdfShown::mesh);
-    constexpr double volume = static_cast<double>(RayTechnique::volume),
-                     screen = static_cast<double>(RayTechnique::screen), none = static_cast<double>(RayTechnique::none);
-    constexpr double sea = static_cast<double>(NoiseWork::sea), clouds = static_cast<double>(NoiseWork::clouds);
+    constexpr double volume = static_cast<double>(crepuscular_rays::RayTechnique::volume),
+                     screen = static_cast<double>(crepuscular_rays::RayTechnique::screen),
+                     none = static_cast<double>(crepuscular_rays::RayTechnique::none);
+    constexpr double sea = static_cast<double>(noise::NoiseWork::sea),
+                     clouds = static_cast<double>(noise::NoiseWork::clouds);
     constexpr double finished = static_cast<double>(PixelView::finished),
                      depthView = static_cast<double>(PixelView::depth);
     // The mesh replaces two passes with their two programs and an image, and needs two passes with one program for the
@@ -197,10 +204,10 @@ double colorsDiffer(const Picture& a, const Picture& b)
 TEST_F(FrameReports, OcclusionOfABlackLightIsNotEvaluated)
 {
     const std::size_t exhibit = *gallery().museum.find("ice_cream");
-    const IceCreamTable table;
+    const ice_cream::IceCreamTable table;
     Shot shot = shotOf(exhibit, true);
     ParameterValues& values = shot.sceneState.values[exhibit];
-    values.set(table.lighting, IceCreamLighting::reference);
+    values.set(table.lighting, ice_cream::IceCreamLighting::reference);
     shot.request.frame.camera = gallery().museum.subject(exhibit).bestView(values);
     const Counted lit = counted(shot);
     values.set(table.referenceAmbient, ColorValue{glm::dvec3(0)});
@@ -218,19 +225,19 @@ TEST_F(FrameReports, OcclusionOfABlackLightIsNotEvaluated)
 TEST_F(FrameReports, ShadowsOnWhatSendsNoLightOfTheLightsAreNotEvaluated)
 {
     const std::size_t exhibit = *gallery().museum.find("sdf_scenes");
-    const SdfScenesTable table;
+    const scenes::SdfScenesTable table;
     Shot shot = shotOf(exhibit, true);
-    const auto take = [&](SceneShadow shadows) {
+    const auto take = [&](scenes::SceneShadow shadows) {
         ParameterValues& values = shot.sceneState.values[exhibit];
         values.set(table.scene, std::string(VITRINE_SOURCE_DIR "/assets/scenes/ambient_occlusion.json"));
-        values.set(table.look, SceneLook::reference);
+        values.set(table.look, scenes::SceneLook::reference);
         values.set(table.shadowMethod, shadows);
         shot.sceneState = gallery().museum.readTables(shot.sceneState).sceneState;
         shot.request.frame.camera = gallery().museum.subject(exhibit).bestView(shot.sceneState.values[exhibit]);
         return counted(shot);
     };
-    const Counted none = take(SceneShadow::none);
-    const Counted any = take(SceneShadow::look);
+    const Counted none = take(scenes::SceneShadow::none);
+    const Counted any = take(scenes::SceneShadow::look);
     EXPECT_EQ(any.evaluations, none.evaluations);
     EXPECT_EQ(colorsDiffer(any.picture, none.picture), 0);
 }
@@ -287,7 +294,7 @@ Shot shotOfOverdraw(double scale)
 {
     Shot shot = shotOf(hallIndex, false);
     shot.request.frame.raster.size = {96, 60};
-    shot.hall().set(hallTable().heatMap, HallHeatMap::overdraw);
+    shot.hall().set(hallTable().heatMap, hall::HallHeatMap::overdraw);
     shot.hall().set(hallTable().heatScale, scale);
     return shot;
 }

@@ -15,7 +15,7 @@ namespace {
 
 using namespace test;
 
-const HallTable hallParameters;
+const hall::HallTable hallParameters;
 constexpr int width = 160;
 constexpr int height = 24;
 constexpr int barWidth = 40;

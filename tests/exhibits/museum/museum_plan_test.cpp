@@ -19,6 +19,9 @@
 namespace vitrine {
 namespace {
 
+using hall::buttonScale;
+using hall::isBehind;
+using hall::Occluder;
 using render::FramePlan;
 using render::toString;
 using namespace test;
@@ -277,7 +280,7 @@ TEST(MuseumPlan, WorksOnTheWallsAreDrawnForMirrorsThatCanShowThemAndKeptUntilThe
     }
 
     const render::PersistentState kept = keptAfter(first);
-    static const NoiseTable table;
+    static const noise::NoiseTable table;
     const auto ofNoise = [](Scene& s) -> ParameterValues& { return s.sceneState.values[*museum().find("noise")]; };
     const auto changed = [&](const auto& change) {
         Scene other = scene;

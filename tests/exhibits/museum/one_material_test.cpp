@@ -123,10 +123,10 @@ LightAt inTheHall(const std::string& file, int squares)
     hall.set(hallTable().sunTemperature, 4700.0);  // Has less color than the initial one.
     for (const Toggle* off : {&hallTable().sunShadows, &hallTable().reflectionProbe, &hallTable().contactShadows})
         hall.set(*off, false);
-    const OwnObjectParameters& rows = hallTable().objects.front();
+    const hall::OwnObjectParameters& rows = hallTable().objects.front();
     hall.set(rows.model, file);
     // High up and small, so that the light on it is uniform.
-    hall.set(rows.modelStand, ObjectStand::ownPlinth);
+    hall.set(rows.modelStand, hall::ObjectStand::ownPlinth);
     hall.set(rows.modelPlinthHeight, 1.0);
     hall.set(rows.modelSize, 0.8);
     hall.set(rows.modelAcross, 0.0);
@@ -147,7 +147,7 @@ LightAt inTheHall(const std::string& file, int squares)
 
 LightAt asSprite(const std::string& file, int squares)
 {
-    const PixelArtTable look;
+    const pixel_art::PixelArtTable look;
     ParameterValues values = look.initial();
     values.set(look.shadows, false);
     values.set(look.bands, 1);
@@ -155,13 +155,13 @@ LightAt asSprite(const std::string& file, int squares)
     values.set(look.highlightStrength, 0.0);
     values.set(look.azimuth, 0.0);
     values.set(look.elevation, 0.0);
-    const auto frames =
-        drawSprite(values, SpriteSubject{std::filesystem::path(file)}, {1, 1, {480, 240}, {}}, gallery().renderer);
+    const auto frames = jobs::drawSprite(values, jobs::SpriteSubject{std::filesystem::path(file)},
+                                         {1, 1, {480, 240}, {}}, gallery().renderer);
     const render::Image image = frames.front().color;
     glm::dvec2 low(1e9), high(-1);
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x) {
-            if (!isSeen(image, x, y)) continue;
+            if (!jobs::isSeen(image, x, y)) continue;
             low = glm::min(low, glm::dvec2(x, y));
             high = glm::max(high, glm::dvec2(x + 1, y + 1));
         }

@@ -32,17 +32,17 @@ TEST_F(LongOwnObjectsPictures, EachStandsAtItsPlaceAndTakingOneAwayChangesItsPix
 {
     Shot shot = plainHall();
     const Picture none = shot.take();
-    for (const OwnObjectParameters& rows : hallTable().objects) {
+    for (const hall::OwnObjectParameters& rows : hallTable().objects) {
         shot.hall().set(rows.model, render::asset("models/teddy.glb").string());
         shot.hall().set(rows.modelSize, 1.2);
     }
     const Picture all = shot.take();
     const auto prepared = gallery().museum.prepare(shot.sceneState, shot.request.frame);
     const std::vector<OwnObjectShown> objects = gallery().museum.surroundings().ownObjects(prepared);
-    ASSERT_EQ(objects.size(), mostOwnObjects);
+    ASSERT_EQ(objects.size(), hall::mostOwnObjects);
     for (const OwnObjectShown& one : objects) {
         SCOPED_TRACE(one.which);
-        const OwnObjectParameters& rows = hallTable().objects[one.which];
+        const hall::OwnObjectParameters& rows = hallTable().objects[one.which];
         Shot without = shot;
         without.hall().set(rows.model, std::string());
         const Picture picture = without.take();
@@ -62,7 +62,7 @@ TEST_F(LongOwnObjectsPictures, EachStandsAtItsPlaceAndTakingOneAwayChangesItsPix
         EXPECT_EQ(inBox, changed);
     }
     // Without objects, the hall is exactly as before.
-    for (const OwnObjectParameters& rows : hallTable().objects) shot.hall().set(rows.model, std::string());
+    for (const hall::OwnObjectParameters& rows : hallTable().objects) shot.hall().set(rows.model, std::string());
     EXPECT_EQ(test::largestDifference(none.image, shot.take().image), 0);
 }
 

@@ -15,6 +15,10 @@ namespace vitrine {
 namespace {
 
 using glm::dvec3;
+using hall::HallTable;
+using hall::mostOwnObjects;
+using hall::ObjectStand;
+using hall::OwnObjectParameters;
 using namespace test;
 
 const std::array<const char*, mostOwnObjects> modelParameters{"model", "secondModel", "thirdModel", "fourthModel"};

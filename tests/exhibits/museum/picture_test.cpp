@@ -222,7 +222,7 @@ TEST_F(PictureTest, EveryShadowFilterAndMapSizeDrawsTheSameShadow)
     shot.inHall();
     shot.hall().set(hallTable().shadowMapSize, 2048);
     const Picture fine = shot.take();
-    for (const ShadowFilter filter : {ShadowFilter::hard, ShadowFilter::tent3})
+    for (const hall::ShadowFilter filter : {hall::ShadowFilter::hard, hall::ShadowFilter::tent3})
         for (const int size : {1024, 2048}) {
             shot.hall().set(hallTable().shadowFilter, filter);
             shot.hall().set(hallTable().shadowMapSize, size);
@@ -256,7 +256,7 @@ TEST_F(PictureTest, TheDisplayShowsTheChosenToneCurveOfTheLight)
     render::Image before;
     for (int i = 0; i < 5; ++i) {
         SCOPED_TRACE(test::toneCurves[i].name);
-        shot.hall().set(hallTable().toneCurve, static_cast<ToneCurve>(i));
+        shot.hall().set(hallTable().toneCurve, static_cast<hall::ToneCurve>(i));
         const Picture shown = shot.take();
         int opaque = 0;
         shown.each([&](int x, int y) {

@@ -78,9 +78,9 @@ TEST(LongPlanning, TwiceGivesTheSamePlanToTheLastByte)
 /// Returns the scenes of two users, who differ in everything that is resolved.
 std::vector<Scene> twoUsers()
 {
-    const FurTable fur;
-    const LenticularTable card;
-    const SdfMorphTable& sdf = test::sdfTable();
+    const fur::FurTable fur;
+    const lenticular::LenticularTable card;
+    const sdf_morph::SdfMorphTable& sdf = test::sdfTable();
     std::vector<Scene> users(2);
     for (std::size_t u = 0; u < 2; ++u) {
         Scene& scene = users[u];
@@ -88,7 +88,7 @@ std::vector<Scene> twoUsers()
         ParameterValues& print = scene.sceneState.values[*museum().find("lenticular")];
         scene.object().set(sdf.shownAs, SdfShown::mesh);
         scene.object().set(sdf.tessellation, u == 0 ? 8 : 11);
-        coat.set(fur.silhouette, FurSilhouette::fins);
+        coat.set(fur.silhouette, fur::FurSilhouette::fins);
         coat.set(fur.frozenAt, u == 0 ? 0.6 : 0.0);
         coat.set(fur.toss, u == 0 ? 4 : 5);
         coat.set(fur.bouncePeriod, u == 0 ? 0.0 : 4.0);
@@ -132,7 +132,7 @@ TEST(LongPlanning, TwoUsersInTurnGetWhatEachGetsAloneAndNeverRebuildEachOthers)
 
 TEST(Planning, TheMeshDependsOnTheShapeAlone)
 {
-    const SdfMorphTable& table = test::sdfTable();
+    const sdf_morph::SdfMorphTable& table = test::sdfTable();
     Scene scene;
     scene.object().set(table.shownAs, SdfShown::mesh);
     scene.object().set(table.tessellation, 6);

@@ -22,7 +22,7 @@ using namespace test;
 
 /// Skipped pass, and its picture.
 struct Skipped {
-    const ScanCase& picture;
+    const stability::ScanCase& picture;
     const render::FramePlan& plan;
     const render::CulledPass& step;
 
@@ -47,7 +47,7 @@ struct Skipped {
         return std::get<std::string>(values().row(*values().table().find(row))).empty();
     }
     [[nodiscard]] bool alone() const { return picture.frame.alone.has_value(); }
-    [[nodiscard]] Sun sun() const { return sunOf(test::hallTable(), picture.sceneState.values[hallIndex]); }
+    [[nodiscard]] hall::Sun sun() const { return hall::sunOf(test::hallTable(), picture.sceneState.values[hallIndex]); }
     /// Returns whether the point is in the view, if nothing is in front of it.
     [[nodiscard]] bool inView(const glm::dvec3& point) const
     {
@@ -98,7 +98,7 @@ bool measuredByPictures(const Skipped&)
 bool noButtonInView(const Skipped& s)
 {
     return std::none_of(museum().exhibits().begin(), museum().exhibits().end(), [&](const MuseumExhibit& e) {
-        const Place* place = building().place(e.exhibit.place());
+        const hall::Place* place = building().place(e.exhibit.place());
         return place && place->worldFromButton && capability<HasButton>(e.exhibit) &&
                s.inView(glm::dvec3((*place->worldFromButton)[3]));
     });
@@ -107,7 +107,7 @@ bool noButtonInView(const Skipped& s)
 bool noPlaqueInView(const Skipped& s)
 {
     return std::none_of(museum().exhibits().begin(), museum().exhibits().end(), [&](const MuseumExhibit& e) {
-        const Place* place = building().place(e.exhibit.place());
+        const hall::Place* place = building().place(e.exhibit.place());
         return place && place->worldFromPlaque && s.inView(glm::dvec3((*place->worldFromPlaque)[3]));
     });
 }
@@ -424,7 +424,7 @@ void Reasons::expectTrueReasons(std::uint64_t firstSeed, std::uint64_t lastSeed)
     std::set<std::string> told;
     for (std::uint64_t seed = firstSeed; seed <= lastSeed; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
-        ScanCase c = scanCase(museum(), exhibit, seed * 32);
+        stability::ScanCase c = stability::scanCase(museum(), exhibit, seed * 32);
         RandomNumbers random(seed);
         if (random.chance(0.7)) drawSettings(c.sceneState.values[exhibit], random);
         if (random.chance(0.3)) drawSettings(c.sceneState.hall(), random);

@@ -24,7 +24,7 @@ struct Drawn {
     std::string leftOut;  ///< Skipped passes with their reasons.
 };
 
-Drawn drawn(ScanCase c, bool runEverything)
+Drawn drawn(stability::ScanCase c, bool runEverything)
 {
     c.frame.runEverything = runEverything;
     c.frame.channels.evaluations = false;  // These count the work, which differs.
@@ -48,8 +48,8 @@ TEST_P(RunEverything, ChangesNoBitWhateverIsSetAndFromWhereverItIsSeen)
     const std::size_t exhibit = *gallery().museum.find(GetParam());
     int leftOut = 0;
     for (std::uint64_t seed = first; seed < first + count; ++seed) {
-        const ScanCase c =
-            scanCase(gallery().museum, exhibit, seed * 7919);  // Consecutive seeds would have the same light.
+        const stability::ScanCase c = stability::scanCase(gallery().museum, exhibit,
+                                                          seed * 7919);  // Consecutive seeds would have the same light.
         const Drawn needed = drawn(c, false);
         const Drawn everything = drawn(c, true);
         leftOut += needed.passes != everything.passes;

@@ -20,6 +20,10 @@ namespace vitrine {
 namespace {
 
 using glm::dvec3;
+using hall::Collider;
+using hall::freePlinthPlace;
+using hall::Place;
+using hall::visitorRadius;
 using test::Scene;
 
 constexpr double eyeHeight = 1.65;
@@ -340,7 +344,7 @@ TEST(Pick, AFieldIsHitWhereItsMeshIs)
     test::Random random(6);
     Scene scene;
     scene.object().set(test::sdfTable().morph, 0.6);
-    const SdfMorph exhibit;
+    const sdf_morph::SdfMorph exhibit;
     const SdfBody body = exhibit.body(scene.object(), 0);
     const auto mesh = surfaceNet(body.distance, body.box, 96, "mesh");
     const double cell =

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::noise {
 namespace {
 
 using std::numbers::pi;
@@ -108,4 +108,4 @@ TEST(LongNoiseCharts, AreFiniteForEveryWorkAndThoseOfTheReferenceAreItsOwn)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::noise

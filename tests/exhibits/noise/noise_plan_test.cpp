@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::noise {
 namespace {
 
 using std::numbers::pi;
@@ -180,4 +180,4 @@ TEST(CloudMedium, IsBrighterWithEveryOrderAndBrightestTowardsTheSun)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::noise

@@ -6,7 +6,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-namespace vitrine {
+namespace vitrine::noise {
 namespace {
 
 using namespace test;
@@ -362,4 +362,4 @@ TEST_F(NoiseWorks, OfBakedCloudsComeNearerToTheEvaluatedOnesTheFinerTheVolumeIs)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::noise

@@ -10,19 +10,19 @@
 
 namespace vitrine::test {
 
-inline const PaperLanternsTable& lanternsTable()
+inline const paper_lanterns::PaperLanternsTable& lanternsTable()
 {
-    static const PaperLanternsTable table;
+    static const paper_lanterns::PaperLanternsTable table;
     return table;
 }
 
 /// Returns values with the waves of the reference and lanterns that fill their cells: the most difficult lattice.
 inline ParameterValues sourceLake()
 {
-    const PaperLanternsTable& t = lanternsTable();
+    const paper_lanterns::PaperLanternsTable& t = lanternsTable();
     ParameterValues values = t.initial();
     values.set(t.waveHeight, 1.0);
-    values.set(t.waveSpeed, LakeSpeed::reference);
+    values.set(t.waveSpeed, paper_lanterns::LakeSpeed::reference);
     values.set(t.crowding, 1.0);
     values.set(t.spacing, 4.0);
     values.set(t.lanterns, 40000);
@@ -34,7 +34,7 @@ inline glsl::Lake lakeAtFloat64(const ParameterValues& values, double seconds)
 {
     static const std::shared_ptr<const render::Texture> noise = blueNoise();
     glsl::Lake made;
-    copyLake(made.lake, lakeBlock(lanternsTable(), values, seconds));
+    paper_lanterns::copyLake(made.lake, paper_lanterns::lakeBlock(lanternsTable(), values, seconds));
     made.lake.pointWidth = 1e9;
     made.lake.meanWidth = 1e9;
     made.lake.stepLimit = 512;

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::paper_lanterns {
 namespace {
 
 using namespace test;
@@ -388,4 +388,4 @@ TEST_F(LakePictures, CostNothingInTheHallWhereTheyAreNotSeen)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::paper_lanterns

@@ -6,12 +6,12 @@
 namespace vitrine::test {
 
 /// Small picture of the lake, alone.
-struct LakeShot : ExhibitShot<PaperLanternsTable> {
+struct LakeShot : ExhibitShot<paper_lanterns::PaperLanternsTable> {
     LakeShot() : ExhibitShot("paper_lanterns") { size(96, 60); }
     /// Shows only lanterns and calm water under a black sky.
     LakeShot& inTheDark()
     {
-        const PaperLanternsTable& t = lanternsTable();
+        const paper_lanterns::PaperLanternsTable& t = lanternsTable();
         set(t.moon, 0.0).set(t.stars, 0.0).set(t.dusk, 0.0).set(t.fog, 0.0);
         set(t.ripples, 0.0).set(t.waveHeight, 0.0).set(t.colors, 0.0);
         return *this;
@@ -19,7 +19,7 @@ struct LakeShot : ExhibitShot<PaperLanternsTable> {
     /// Shows one lantern that is not rotated; returns it.
     glsl::Lake::Lantern withOneLantern()
     {
-        const PaperLanternsTable& t = lanternsTable();
+        const paper_lanterns::PaperLanternsTable& t = lanternsTable();
         set(t.lanterns, 1).set(t.crowding, 1.0).set(t.irregularity, 0.0).set(t.turned, 0.0);
         return lakeAtFloat64(values(), lakeTime(t, values(), 0)).lanternOfCell({0, 0});
     }

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <random>
 
-namespace vitrine {
+namespace vitrine::paper_lanterns {
 namespace {
 
 using glm::dvec2;
@@ -211,4 +211,4 @@ TEST(LakeScene, IsFiniteAndWithinItsPeriodsAtAnyTime)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::paper_lanterns

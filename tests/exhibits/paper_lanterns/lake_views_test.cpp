@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string>
 
-namespace vitrine {
+namespace vitrine::paper_lanterns {
 namespace {
 
 using namespace test;
@@ -370,4 +370,4 @@ TEST_F(LakeViews, TheProbeSeesTheGlow)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::paper_lanterns

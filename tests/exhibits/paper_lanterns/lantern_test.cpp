@@ -9,7 +9,7 @@
 #include <numbers>
 #include <random>
 
-namespace vitrine {
+namespace vitrine::paper_lanterns {
 namespace {
 
 using glm::dvec2;
@@ -344,4 +344,4 @@ TEST(Paper, TiltsAsASurfaceWithThoseBumpsDoes)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::paper_lanterns

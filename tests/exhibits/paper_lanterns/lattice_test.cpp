@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::paper_lanterns {
 namespace {
 
 using glm::dvec3;
@@ -138,4 +138,4 @@ TEST(Lattice, HasNoneAndOneAndMany)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::paper_lanterns

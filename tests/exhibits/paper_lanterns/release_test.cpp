@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::paper_lanterns {
 namespace {
 
 using glm::dvec2;
@@ -272,4 +272,4 @@ TEST(LanternsAfloat, OneOfACrowdLeavesItsCellEmpty)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::paper_lanterns

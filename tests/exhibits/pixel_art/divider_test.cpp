@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-namespace vitrine {
+namespace vitrine::pixel_art {
 namespace {
 
 TEST(PixelDivider, LiesUnderThePointerToHalfATexel)
@@ -56,4 +56,4 @@ TEST(PixelDivider, IsThereOnlyBetweenTwoHalves)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::pixel_art

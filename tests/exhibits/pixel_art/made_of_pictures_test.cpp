@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::pixel_art {
 namespace {
 
 using namespace test;
@@ -26,10 +26,10 @@ class MadeOfPictures : public GlTest {};
 
 TEST_F(MadeOfPictures, SpritesFitTheirFramesFromAllSides)
 {
-    const SpriteSubject pillar;
-    const auto frames = drawSprite(table().initial(), pillar, {6, 5, {40, 52}, {}}, gallery().renderer);
+    const jobs::SpriteSubject pillar;
+    const auto frames = jobs::drawSprite(table().initial(), pillar, {6, 5, {40, 52}, {}}, gallery().renderer);
     ASSERT_EQ(frames.size(), 30U);
-    for (const SpriteFrame& frame : frames) {
+    for (const jobs::SpriteFrame& frame : frames) {
         int seen = 0;
         for (int y = 0; y < 52; ++y)
             for (int x = 0; x < 40; ++x) {
@@ -44,7 +44,7 @@ TEST_F(MadeOfPictures, SpritesFitTheirFramesFromAllSides)
         EXPECT_GT(seen, 100);
         EXPECT_NEAR(frame.pivot.x, 20, 1e-4);
     }
-    const auto tiny = drawSprite(table().initial(), pillar, {1, 1, {1, 1}, {}}, gallery().renderer);
+    const auto tiny = jobs::drawSprite(table().initial(), pillar, {1, 1, {1, 1}, {}}, gallery().renderer);
     EXPECT_EQ(tiny.front().color.width, 1);
 }
 
@@ -71,4 +71,4 @@ TEST_F(MadeOfPictures, TheTableOfMethodsHasALineForEachAndTheirErrors)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::pixel_art

@@ -11,7 +11,7 @@
 #include <numbers>
 #include <random>
 
-namespace vitrine {
+namespace vitrine::pixel_art {
 namespace {
 
 using namespace test;
@@ -341,4 +341,4 @@ TEST(PixelCamera, OrbitsAndTurnsByWholeSteps)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::pixel_art

@@ -16,7 +16,7 @@
 #include <tuple>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::pixel_art {
 namespace {
 
 using namespace test;
@@ -464,4 +464,4 @@ TEST_F(PixelPictures, TheTestSceneMovesAndComesBackAfterItsRound)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::pixel_art

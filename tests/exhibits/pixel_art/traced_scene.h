@@ -95,8 +95,8 @@ inline std::optional<TracedHit> bars(const glm::dvec3& o, const glm::dvec3& d)
 
 /// Picture of stored depth and true normals.
 struct TracedPicture {
-    TracedPicture(const PixelCamera& camera, const TracedWorld& world)
-        : block(pixelView(camera, false).block), size(camera.size)
+    TracedPicture(const pixel_art::PixelCamera& camera, const TracedWorld& world)
+        : block(pixel_art::pixelView(camera, false).block), size(camera.size)
     {
         depth.resize(static_cast<std::size_t>(size.x * size.y), 0.0);
         normals.resize(depth.size(), glm::dvec3(0));
@@ -119,7 +119,7 @@ struct TracedPicture {
     [[nodiscard]] std::size_t index(glm::ivec2 p) const { return static_cast<std::size_t>(p.y * size.x + p.x); }
     [[nodiscard]] bool hit(glm::ivec2 p) const { return depth[index(p)] > 0; }
 
-    PixelBlock block;
+    pixel_art::PixelBlock block;
     glm::ivec2 size;
     std::vector<double> depth;        ///< Reversed depth at float64; 0: nothing.
     std::vector<glm::dvec3> normals;  ///< Normals in view space.

@@ -15,8 +15,16 @@
 #include <cmath>
 #include <map>
 
-namespace vitrine {
+namespace vitrine::pixel_art {
 namespace {
+
+using jobs::drawSprite;
+using jobs::isSeen;
+using jobs::seenPixels;
+using jobs::SpriteFrame;
+using jobs::SpriteMotion;
+using jobs::SpriteRequest;
+using jobs::SpriteSubject;
 
 using namespace test;
 
@@ -362,4 +370,4 @@ TEST_F(SpriteFraming, FailsWhereNothingIsToBeSeen)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::pixel_art

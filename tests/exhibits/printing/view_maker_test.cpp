@@ -50,7 +50,8 @@ TEST(Shots, SeeTheSunWhereTheirShiftedLensesPutIt)
     for (const ViewShot& shot : shots(5)) {
         const render::View view = render::makeView(shot.sceneState.camera, {.size = {90, 60}});
         const glm::dvec2 ndc(0.3, -0.6);
-        const SunInPicture sun = sunInPicture(view, glm::normalize(view.direction(ndc)));
+        const crepuscular_rays::SunInPicture sun =
+            crepuscular_rays::sunInPicture(view, glm::normalize(view.direction(ndc)));
         EXPECT_TRUE(sun.inFront);
         EXPECT_LT(glm::length(sun.pixel - (ndc * 0.5 + 0.5) * glm::dvec2(90, 60)), 1e-9);
     }

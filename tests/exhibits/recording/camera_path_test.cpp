@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace vitrine {
+namespace vitrine::recording {
 namespace {
 
 using render::Camera;
@@ -179,4 +179,4 @@ TEST(Moments, LieEvenlyInTheExposure)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::recording

@@ -11,6 +11,7 @@
 namespace {
 
 using namespace vitrine;
+using recording::CameraPath;
 using render::Camera;
 
 double numberIn(int low, int high)

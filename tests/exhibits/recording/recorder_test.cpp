@@ -11,7 +11,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace vitrine {
+namespace vitrine::recording {
 namespace {
 
 using test::gallery;
@@ -209,4 +209,4 @@ TEST_F(LongRecorderTest, ACopiedCommandLineDrawsTheSamePicture)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::recording

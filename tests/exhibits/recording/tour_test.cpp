@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::recording {
 namespace {
 
 using glm::dvec3;
@@ -91,7 +91,7 @@ double clearance(const CameraPath& path)
     double nearest = 1e9;
     for (int i = 0; i <= 4000; ++i) {
         const dvec3 eye = path.at(i / 4000.0).eye;
-        for (const Collider& collider : test::building().colliders()) {
+        for (const hall::Collider& collider : test::building().colliders()) {
             const dvec3 p = dvec3(collider.localFromWorld * glm::dvec4(eye, 1));
             const double dy = std::max(std::abs(p.y) - collider.halfSize.y, 0.0);
             const double flat = collider.cylinder ? std::max(std::hypot(p.x, p.z) - collider.halfSize.x, 0.0)
@@ -107,7 +107,7 @@ TEST(TourPath, IsLedRoundWhatStandsBetween)
 {
     // From one side of each collider of the museum that is as high as a visitor to the other.
     int tried = 0;
-    for (const Collider& collider : test::building().colliders()) {
+    for (const hall::Collider& collider : test::building().colliders()) {
         const glm::dmat4 world = glm::inverse(collider.localFromWorld);
         const double reach = collider.halfSize.x + 0.9;
         dvec3 a = dvec3(world * glm::dvec4(-reach, 0, 0, 1)), b = dvec3(world * glm::dvec4(reach, 0, 0, 1));
@@ -118,7 +118,7 @@ TEST(TourPath, IsLedRoundWhatStandsBetween)
             !museum().surroundings().obstacles().cameraPasses(b, b))
             continue;
         const CameraPath path = tourPath(museum().surroundings().obstacles(), twoViews(a, b));
-        EXPECT_GE(clearance(path), cameraRadius - 0.01);
+        EXPECT_GE(clearance(path), hall::cameraRadius - 0.01);
         EXPECT_GT(path.length(), glm::length(a - b));
         ++tried;
     }
@@ -127,11 +127,11 @@ TEST(TourPath, IsLedRoundWhatStandsBetween)
 
 TEST(TourPath, IsLedRoundTheVisitorsOwnObjects)
 {
-    const HallTable& table = test::hallTable();
-    const OwnObjectParameters& rows = table.objects[1];
+    const hall::HallTable& table = test::hallTable();
+    const hall::OwnObjectParameters& rows = table.objects[1];
     SceneState sceneState = museum().initialSceneState();
     sceneState.hall().set(rows.model, render::asset("models/teddy.glb").string());
-    sceneState.hall().set(rows.modelStand, ObjectStand::ownPlinth);
+    sceneState.hall().set(rows.modelStand, hall::ObjectStand::ownPlinth);
     sceneState.hall().set(rows.modelAcross, 0.0);
     sceneState.hall().set(rows.modelAlong, 10.2);
     const Obstacles obstacles = museum().surroundings().obstacles(sceneState);
@@ -143,7 +143,7 @@ TEST(TourPath, IsLedRoundTheVisitorsOwnObjects)
     // The sides of the plinth, at least 0.18 m from its center, stay out of the camera's reach.
     for (int i = 0; i <= 2000; ++i) {
         const dvec3 eye = path.at(i / 2000.0).eye;
-        EXPECT_GT(std::max(std::abs(eye.x), std::abs(eye.z - 10.2)), 0.18 + cameraRadius - 0.01) << i;
+        EXPECT_GT(std::max(std::abs(eye.x), std::abs(eye.z - 10.2)), 0.18 + hall::cameraRadius - 0.01) << i;
     }
     // The museum's own tour leaves out the view that the object blocks.
     const Tour before = museumTour(museum(), museum().initialSceneState());
@@ -167,7 +167,7 @@ TEST(TourPath, ErrorsNameTheBookmarks)
             return failure.what();
         }
     };
-    const Collider& solid = test::building().colliders().front();
+    const hall::Collider& solid = test::building().colliders().front();
     const dvec3 middle = dvec3(glm::inverse(solid.localFromWorld) * glm::dvec4(0, 0, 0, 1));
     EXPECT_NE(said({0, 1.65, 10.5}, middle).find("\"there\" is inside"), std::string::npos);
     const std::string out = said({0, 1.65, 10.5}, {0, 1.65, 500});
@@ -188,7 +188,7 @@ TEST(TourPath, TheMuseumsOwnPassesEveryExhibitAndHitsNothing)
         EXPECT_TRUE(std::any_of(tour.bookmarks.begin(), tour.bookmarks.end(), isIt)) << each.exhibit.name();
     }
     const CameraPath path = tourPath(museum().surroundings().obstacles(), tour);
-    EXPECT_GE(clearance(path), cameraRadius - 0.01);
+    EXPECT_GE(clearance(path), hall::cameraRadius - 0.01);
     EXPECT_EQ(path.at(0), path.at(1));
     for (const Bookmark& bookmark : tour.bookmarks) {
         double nearest = 1e9;
@@ -231,4 +231,4 @@ TEST(FramePath, OtherNamesAreRefused)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::recording

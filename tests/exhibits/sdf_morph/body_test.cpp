@@ -8,7 +8,7 @@
 
 #include <cstring>
 
-namespace vitrine {
+namespace vitrine::sdf_morph {
 namespace {
 
 float floatAt(const render::Bytes& bytes, std::size_t offset)
@@ -52,4 +52,4 @@ TEST(SdfMorphBody, HasAnotherMeshForAnotherShapeOnly)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::sdf_morph

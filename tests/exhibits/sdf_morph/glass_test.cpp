@@ -11,7 +11,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace vitrine {
+namespace vitrine::sdf_morph {
 namespace {
 
 using glm::dvec3;
@@ -114,9 +114,9 @@ LeavingRay through(const test::Solid& solid, const test::Ray& ray, double index)
 /// Returns the bounds of the stone below the exhibit in world space.
 render::Box plinthUnder(const Shot& shot)
 {
-    static const HallModel building;
+    static const hall::HallModel building;
     const dvec3 below = dvec3(shot.worldFromExhibit()[3]) - dvec3(0, 0.8, 0);
-    for (const Collider& collider : building.colliders()) {
+    for (const hall::Collider& collider : building.colliders()) {
         const dvec3 local(collider.localFromWorld * glm::dvec4(below, 1));
         if (collider.cylinder || glm::any(glm::greaterThan(glm::abs(local), collider.halfSize))) continue;
         return render::Box{-collider.halfSize, collider.halfSize}.transformed(
@@ -227,4 +227,4 @@ TEST_F(GlassInTheHall, OnlyGlassCopiesThePictureAndOnlyRoughGlassBlursIt)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::sdf_morph

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::sdf_morph {
 namespace {
 
 using glm::dvec3;
@@ -328,4 +328,4 @@ TEST_F(Light, TowardsASunBehindTheSurfaceNoRayIsSent)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::sdf_morph

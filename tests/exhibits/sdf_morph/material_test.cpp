@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::sdf_morph {
 namespace {
 
 using glm::dvec3;
@@ -196,13 +196,13 @@ TEST_F(Material, IsOfferedBesideItsMeshWithEachAsItIsAlone)
     const Picture marched = shot.take();
     const Picture mesh = twin(24);
     Shot other = shot;
-    other.sceneState =
-        otherSide(shot.sceneState, *gallery().museum.find("sdf_morph"), offeredComparison(subject, "mesh"));
+    other.sceneState = compare::otherSide(shot.sceneState, *gallery().museum.find("sdf_morph"),
+                                          compare::offeredComparison(subject, "mesh"));
     EXPECT_EQ(test::largestDifference(other.take().image, mesh.image), 0);
     EXPECT_GT(test::colorDifference(marched, mesh), 0.01) << "facets show";
     Shot back = other;
-    back.sceneState =
-        otherSide(other.sceneState, *gallery().museum.find("sdf_morph"), offeredComparison(subject, "field"));
+    back.sceneState = compare::otherSide(other.sceneState, *gallery().museum.find("sdf_morph"),
+                                         compare::offeredComparison(subject, "field"));
     EXPECT_EQ(test::largestDifference(back.take().image, marched.image), 0);
 }
 
@@ -260,4 +260,4 @@ TEST_F(Material, TheNormalsMapShowsTheNormals)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::sdf_morph

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace vitrine {
+namespace vitrine::sdf_morph {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -70,4 +70,4 @@ TEST(SdfMorphBounds, HoldTheShapeAtEveryTimeOfItsMelt)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::sdf_morph

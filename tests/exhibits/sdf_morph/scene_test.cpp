@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::sdf_morph {
 namespace {
 
 using glm::dmat4;
@@ -267,4 +267,4 @@ TEST_F(Scene, TheObjectLiesInTheShadowOfTheWalls)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::sdf_morph

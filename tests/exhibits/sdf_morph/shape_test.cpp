@@ -9,7 +9,7 @@
 #include <cmath>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::sdf_morph {
 namespace {
 
 using glm::dmat4;
@@ -403,4 +403,4 @@ TEST_F(Shape, TheOverlayShowsTheBoxAndTurnsRedWhenItClips)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::sdf_morph

@@ -13,7 +13,7 @@ namespace {
 
 glsl::TorusMug torusMug(const ParameterValues& v)
 {
-    static const SdfMorphTable t;
+    static const sdf_morph::SdfMorphTable t;
     return {v[t.morph],         v[t.majorRadius],  v[t.minorRadius],     v[t.mugRadius], v[t.mugHeight],
             v[t.wallThickness], v[t.handleRadius], v[t.handleThickness], v[t.blend]};
 }
@@ -30,7 +30,7 @@ Ray pixelRay(const render::View& view, int x, int y)
 Solid::Solid(const ParameterValues& values, const glm::dmat4& worldFromLocal)
     : values_(values), worldFromLocal_(worldFromLocal), localFromWorld_(glm::affineInverse(worldFromLocal))
 {
-    static const SdfMorph exhibit;
+    static const sdf_morph::SdfMorph exhibit;
     box_ = exhibit.bounds(values);
     const glm::dmat3 linear(worldFromLocal);
     largestScale_ = std::max({glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])});

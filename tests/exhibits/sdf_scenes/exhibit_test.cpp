@@ -20,9 +20,9 @@ namespace {
 
 using namespace test;
 
-const SdfScenesTable& table()
+const scenes::SdfScenesTable& table()
 {
-    static const SdfScenesTable made;
+    static const scenes::SdfScenesTable made;
     return made;
 }
 
@@ -118,8 +118,8 @@ TEST(SceneExhibit, HasNothingInItsShaderThatTheSceneDoesNotContain)
     for (const char* word : {"GLASS", "MIRRORS", "LAMPS", "LIGHTS", "SHADOWS"})
         EXPECT_TRUE(still.defines(word)) << word;
     Shown off("still_life.json");
-    off.values().set(table().shadowMethod, SceneShadow::none);
-    off.values().set(table().occlusionMethod, SceneOcclusion::none);
+    off.values().set(table().shadowMethod, scenes::SceneShadow::none);
+    off.values().set(table().occlusionMethod, scenes::SceneOcclusion::none);
     EXPECT_FALSE(off.defines("SHADOWS"));
     EXPECT_FALSE(off.defines("OCCLUSION"));
     EXPECT_EQ(reasonFor(off.plan(), "sdf_scenes/occlusion"), "ambient occlusion is switched off");
@@ -202,7 +202,7 @@ TEST(SceneExhibit, EveryShippedSceneIsSeenFromItsOwnCamera)
 {
     for (const char* name : {"torus", "primitives", "environment_mapping_1", "mercury", "dahlia"}) {
         Shown shown(std::string(name) + ".json");
-        const auto& scene = *static_cast<const SdfScenesTable&>(shown.values().table()).shown;
+        const auto& scene = *static_cast<const scenes::SdfScenesTable&>(shown.values().table()).shown;
         const scenes::SceneCamera camera = scenes::sceneCamera(*scene.scene, scene.scene->numbersAt(0), 0);
         const render::Camera view = museum().exhibit(shown.exhibit).bestView(shown.values());
         const Portal portal = scenes::scenePortal(camera, scene.toOpening);
@@ -234,9 +234,9 @@ TEST(SceneExhibit, OnlyWhatMovesIsDrawnAgain)
 TEST(SceneExhibit, WithoutTheSceneThatIsThereAtFirstShowsASphereAndSaysWhy)
 {
     render::AssetStore assets;
-    EXPECT_EQ(SdfScenes().dynamicParameters(table().initial(), assets).why, "");
+    EXPECT_EQ(scenes::SdfScenes().dynamicParameters(table().initial(), assets).why, "");
     const test::TemporaryFolder folder;
-    const SdfScenes alone(folder.path() / "mercury.json");
+    const scenes::SdfScenes alone(folder.path() / "mercury.json");
     const std::string why = alone.dynamicParameters(alone.parameters().initial(), assets).why.english();
     EXPECT_NE(why.find("mercury.json"), std::string::npos) << why;
     EXPECT_TRUE(why.ends_with('.')) << why;

@@ -22,15 +22,15 @@ struct HalvesCase {
 
 std::vector<HalvesCase> halvesCases()
 {
-    const SdfScenesTable& t = scenesTable();
+    const scenes::SdfScenesTable& t = scenesTable();
     const auto both = [](const char* name, const auto& row, const auto& rightParameter, const auto& value) {
         return HalvesCase{name, [&row, value](ParameterValues& v) { v.set(row, value); },
                           [&rightParameter, value](ParameterValues& v) { v.set(rightParameter, value); }};
     };
-    return {both("shadows", t.shadowMethod, t.rightShadowMethod, SceneShadow::none),
-            both("occlusion", t.occlusionMethod, t.rightOcclusionMethod, SceneOcclusion::cones),
+    return {both("shadows", t.shadowMethod, t.rightShadowMethod, scenes::SceneShadow::none),
+            both("occlusion", t.occlusionMethod, t.rightOcclusionMethod, scenes::SceneOcclusion::cones),
             both("bounces", t.bounces, t.rightBounces, 0),
-            both("evaluation", t.evaluation, t.rightEvaluation, SceneEvaluation::near),
+            both("evaluation", t.evaluation, t.rightEvaluation, scenes::SceneEvaluation::near),
             both("step limit", t.stepLimit, t.rightStepLimit, 12),
             both("hit tolerance", t.hitTolerance, t.rightHitTolerance, 24.0)};
 }
@@ -61,7 +61,7 @@ HalvesFound compareHalves(SceneShot shot, const HalvesCase& setting, double divi
     SceneShot other = shot;
     setting.whole(other.values());
     const render::Image right = other.take().image;
-    shot.values().set(scenesTable().rightShadowMethod, SceneShadow::look);  // The same as on the left.
+    shot.values().set(scenesTable().rightShadowMethod, scenes::SceneShadow::look);  // The same as on the left.
     setting.right(shot.values());
     shot.values().set(scenesTable().split, true);
     shot.values().set(scenesTable().divider, divider);
@@ -97,7 +97,7 @@ using LongSceneHalves = SceneHalves;
 TEST_F(LongSceneHalves, AreEachTheWholePictureWithItsSettings)
 {
     SceneShot shot(shippedScene("primitives"));
-    shot.values().set(scenesTable().look, SceneLook::physical);
+    shot.values().set(scenesTable().look, scenes::SceneLook::physical);
     for (const HalvesCase& setting : halvesCases()) {
         const HalvesFound found = compareHalves(shot, setting, 0.45, dividerIn(shot, 0.45, glm::dmat4(1)));
         EXPECT_EQ(found.ofNeither, 0) << setting.name;
@@ -148,8 +148,8 @@ TEST_F(SceneHalves, CostOnePictureNotTwo)
 
 TEST(SceneDivider, LiesUnderThePointer)
 {
-    const SdfScenes exhibit;
-    const SdfScenesTable& t = exhibit.parameters();
+    const scenes::SdfScenes exhibit;
+    const scenes::SdfScenesTable& t = exhibit.parameters();
     ParameterValues values = t.initial();
     EXPECT_TRUE(exhibit.draggedLines({values}, {0, 0, 2}).empty()) << "there is none without halves";
     values.set(t.split, true);

@@ -13,6 +13,10 @@ namespace vitrine {
 namespace {
 
 using glm::dvec3;
+using scenes::SceneEvaluation;
+using scenes::SceneHeatMap;
+using scenes::SceneOcclusion;
+using scenes::SceneShadow;
 using namespace test;
 
 class NearPicture : public test::GlTest {

@@ -367,7 +367,7 @@ TEST(SceneOperations, WhatIsHiddenIsNotThere)
     const SceneField field =
         test::fieldOf(R"({"kind": "subtraction", "children": [{"kind": "sphere", "hidden": true}, {"kind": "box"}]})");
     EXPECT_EQ(field.distance({0, 0, 0}), 1e9);
-    EXPECT_EQ(field.sample({0, 0, 0}).node, scenes::none);
+    EXPECT_EQ(field.sample({0, 0, 0}).node, scenes::noIndex);
     EXPECT_TRUE(field.program().nodes().empty());
     const SceneField kept =
         test::fieldOf(R"({"kind": "subtraction", "children": [{"kind": "sphere"}, {"kind": "box", "hidden": true}]})");

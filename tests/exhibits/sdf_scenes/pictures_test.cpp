@@ -16,6 +16,9 @@ namespace vitrine {
 namespace {
 
 using glm::dvec3;
+using scenes::SceneEvaluation;
+using scenes::SceneLook;
+using scenes::SceneOcclusion;
 using namespace test;
 
 class ScenePicture : public test::GlTest {

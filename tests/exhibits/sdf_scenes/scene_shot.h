@@ -12,7 +12,7 @@
 namespace vitrine::test {
 
 /// Shot of a scene alone, from its own camera: linear, with depth and normals.
-struct SceneShot : ExhibitShot<SdfScenesTable> {
+struct SceneShot : ExhibitShot<scenes::SdfScenesTable> {
     explicit SceneShot(const std::filesystem::path& file = {}) : ExhibitShot("sdf_scenes")
     {
         sceneState = museum.get().initialSceneState();  // With the hall's haze.
@@ -37,13 +37,13 @@ struct SceneShot : ExhibitShot<SdfScenesTable> {
     }
     [[nodiscard]] const scenes::ShownScene& shown()
     {
-        return *static_cast<const SdfScenesTable&>(values().table()).shown;
+        return *static_cast<const scenes::SdfScenesTable&>(values().table()).shown;
     }
     /// Returns the evaluator of the shown scene.
     [[nodiscard]] scenes::SceneField field()
     {
         std::vector<double> own;
-        for (const Real& row : static_cast<const SdfScenesTable&>(values().table()).ofScene)
+        for (const Real& row : static_cast<const scenes::SdfScenesTable&>(values().table()).ofScene)
             own.push_back(values()[row]);
         return scenes::SceneField(shown().scene, values()[table().moment], own);
     }
@@ -56,7 +56,7 @@ struct SceneShot : ExhibitShot<SdfScenesTable> {
     }
 };
 
-inline const SdfScenesTable& scenesTable()
+inline const scenes::SdfScenesTable& scenesTable()
 {
     return SceneShot::table();
 }

@@ -49,8 +49,11 @@ struct Edited : test::Scene {
         see(museum().bestView(exhibit, values()));
     }
     [[nodiscard]] std::string path() const { return (folder / "a.json").string(); }
-    [[nodiscard]] const SdfScenes& shown() const { return static_cast<const SdfScenes&>(museum().exhibit(exhibit)); }
-    [[nodiscard]] const SdfScenesTable& row() const { return shown().parameters(); }
+    [[nodiscard]] const scenes::SdfScenes& shown() const
+    {
+        return static_cast<const scenes::SdfScenes&>(museum().exhibit(exhibit));
+    }
+    [[nodiscard]] const scenes::SdfScenesTable& row() const { return shown().parameters(); }
     [[nodiscard]] ParameterValues& values() { return sceneState.values[exhibit]; }
     void read()
     {
@@ -80,7 +83,7 @@ struct Edited : test::Scene {
     /// Returns the ray from the scene's camera to a point of the scene, in the exhibit's space.
     [[nodiscard]] render::Ray towards(const glm::dvec3& point)
     {
-        const auto& table = static_cast<const SdfScenesTable&>(values().table());
+        const auto& table = static_cast<const scenes::SdfScenesTable&>(values().table());
         const std::vector<double> numbers = table.shown->scene->numbersAt(0);
         const Portal portal =
             scenes::scenePortal(scenes::sceneCamera(*table.shown->scene, numbers, 0), table.shown->toOpening);
@@ -378,7 +381,7 @@ TEST(SceneTree, AnotherFileTakesTheDocumentWithItAndPresetsCarryIt)
     e.set("root.children[0]", "radius", 0.75);
     ParameterValues loaded(e.row());
     std::vector<std::string> notes;
-    for (const SdfScenesTable* table = &e.row(); const File parameter : {table->scene, table->document})
+    for (const scenes::SdfScenesTable* table = &e.row(); const File parameter : {table->scene, table->document})
         loaded.setParameter(
             parameter.row,
             valueFromText(table->rows()[parameter.row],
@@ -408,7 +411,7 @@ TEST(SceneTree, FilesThatItIncludesAreWatchedAndReadAgain)
     e.read();
     ASSERT_TRUE(e.unreadable.empty()) << e.unreadable.front();
     const auto radius = [&] {
-        const auto& scene = *static_cast<const SdfScenesTable&>(e.values().table()).shown->scene;
+        const auto& scene = *static_cast<const scenes::SdfScenesTable&>(e.values().table()).shown->scene;
         return scene.numbersAt(0)[scene.nodes.at(2).numbers];
     };
     EXPECT_EQ(radius(), 0.5);

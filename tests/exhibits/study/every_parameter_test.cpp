@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::study {
 namespace {
 
 using namespace test;
@@ -166,4 +166,4 @@ TEST_F(OneParameter, ShellsAreNotCappedByTheLevelOfDetail)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::study

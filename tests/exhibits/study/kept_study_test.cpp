@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-namespace vitrine {
+namespace vitrine::study {
 namespace {
 
 using namespace test;
@@ -320,4 +320,4 @@ TEST_F(KeptStudies, AreATableOfOneLineForEachPoint)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::study

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::study {
 namespace {
 
 /// Returns a study whose points have these costs and errors. Costs are evaluations of one view of 10 x 10 pixels, with
@@ -161,4 +161,4 @@ TEST(StudyComparison, LabelsTellThemApart)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::study

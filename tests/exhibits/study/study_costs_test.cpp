@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::study {
 namespace {
 
 using namespace test;
@@ -192,4 +192,4 @@ TEST(StudyCosts, ALawWhoseIntervalSaysNothingIsNotTold)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::study

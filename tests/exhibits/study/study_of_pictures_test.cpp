@@ -6,7 +6,7 @@
 #include "tests/support/edge_error.h"
 #include "tests/support/gallery.h"
 
-namespace vitrine {
+namespace vitrine::study {
 namespace {
 
 using namespace test;
@@ -144,4 +144,4 @@ TEST_F(StudyOfPictures, WhatIsKeptBetweenFramesIsDrawnAnewWhereItIsStudied)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::study

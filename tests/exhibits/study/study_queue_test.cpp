@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::study {
 namespace {
 
 /// Parts in memory: a part makes every second measure; `measures` holds what parts have kept.
@@ -106,4 +106,4 @@ TEST(StudyQueue, AJobMayAddOthersWhenItsMeasureIsTaken)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::study

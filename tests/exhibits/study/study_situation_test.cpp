@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::study {
 namespace {
 
 using namespace test;
@@ -216,4 +216,4 @@ TEST(MakeAct, ChangesAsFewParametersAsItTakesAndNoneThatIsFixed)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::study

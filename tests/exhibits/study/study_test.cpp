@@ -12,7 +12,7 @@
 #include <cmath>
 #include <set>
 
-namespace vitrine {
+namespace vitrine::study {
 namespace {
 
 using namespace test;
@@ -516,4 +516,4 @@ TEST(Study, ResolutionAndSupersamplesAreParametersOfEveryPicture)
 }
 
 }  // namespace
-}  // namespace vitrine
+}  // namespace vitrine::study

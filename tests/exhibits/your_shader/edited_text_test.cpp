@@ -28,7 +28,7 @@ protected:
     }
     [[nodiscard]] ParameterValues initial() const { return exhibit_.parameters().initial(); }
 
-    YourShader exhibit_;
+    guest::YourShader exhibit_;
     render::AssetStore assets_;
 };
 
@@ -114,7 +114,7 @@ TEST_F(EditedTexts, OfTheFirstShaderHaveItsInputsBeforeAFileIsChosen)
 {
     const DynamicParameters first = exhibit_.dynamicParameters(initial(), assets_);
     ASSERT_TRUE(first.table);
-    const std::string path = (render::asset("shaders") / YourShaderTable::firstShader).string();
+    const std::string path = (render::asset("shaders") / guest::YourShaderTable::firstShader).string();
     EXPECT_EQ(exhibit_.document(initial()).path, path);
     EXPECT_EQ(exhibit_.documentText(initial()), render::readFile(path, 1 << 20));
     // The same parameters as those of the file by its path.
@@ -132,7 +132,7 @@ TEST_F(EditedTexts, OfTheFirstShaderHaveItsInputsBeforeAFileIsChosen)
 
 TEST(FilePaths, OfTheProgramsOwnFilesMayHaveAFolder)
 {
-    const YourShader exhibit;
+    const guest::YourShader exhibit;
     const ParameterInfo& row = exhibit.parameters().rows()[exhibit.parameters().file.row];
     const auto own = [](const char* name) { return (render::asset("shaders") / name).string(); };
     EXPECT_EQ(filePath(row, "ink.fs"), own("ink.fs"));

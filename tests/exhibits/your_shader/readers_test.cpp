@@ -87,7 +87,7 @@ TEST(IsfReader, TakesTheExactValueOfAChoice)
  {"NAME": "steps", "TYPE": "long", "MIN": 1, "MAX": 9, "DEFAULT": 4, "EXACT": 9}])",
         "gl_FragColor = vec4(float(mode), float(steps), 0, 1);"));
     ASSERT_EQ(errorsOf(read), "");
-    const YourShaderTable table(*read.shader);
+    const guest::YourShaderTable table(*read.shader);
     EXPECT_EQ(table.rows()[table.ofInputs[0][0]].qualityReference, 1.0) << "the second choice";
     EXPECT_EQ(table.rows()[table.ofInputs[1][0]].qualityReference, 9.0);
     EXPECT_EQ(errorsOf(checked(isf(R"("INPUTS": [{"NAME": "m", "TYPE": "long", "VALUES": [1, 2], "EXACT": 3}])"))),
@@ -106,7 +106,7 @@ TEST(ShaderTable, GivesInputsPlainNames)
         inputs += std::string(inputs.back() == '[' ? "" : ",") + "{\"NAME\": \"" + written + "\", \"TYPE\": \"bool\"}";
     const guest::CheckedShader read = checked(isf(inputs + ']'));
     ASSERT_EQ(errorsOf(read), "");
-    const YourShaderTable table(*read.shader);
+    const guest::YourShaderTable table(*read.shader);
     for (std::size_t i = 0; i < names.size(); ++i) {
         const ParameterInfo& row = table.rows()[table.ofInputs[i][0]];
         EXPECT_EQ(row.name, names[i].second);
@@ -123,7 +123,7 @@ TEST(ShaderTable, ShowsSixParametersAtFirstTheFileAndInputsBeforeTheOthers)
         const guest::CheckedShader read = checked(isf(text + ']'));
         EXPECT_EQ(errorsOf(read), "");
         std::vector<std::string> names;
-        const YourShaderTable table(*read.shader);
+        const guest::YourShaderTable table(*read.shader);
         for (const ParameterInfo& row : table.rows())
             if (row.essential) names.emplace_back(row.name);
         return names;

@@ -261,7 +261,7 @@ TEST_F(ShownPictures, AreSeenByAllStepsOfFeedback)
 TEST(SourcesOfPictures, AreThoseOfTheMuseum)
 {
     std::vector<std::unique_ptr<Exhibit>> exhibits;
-    exhibits.push_back(std::make_unique<YourShader>());
+    exhibits.push_back(std::make_unique<guest::YourShader>());
     const Museum museum(std::move(exhibits));
     TemporaryFolder folder;
     writeBytes(folder / "own.fs", isf(R"("INPUTS": [{"NAME": "inputImage", "TYPE": "image"}])"));

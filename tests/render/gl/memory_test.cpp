@@ -110,7 +110,7 @@ TEST_F(Memory, IsNotSpentOnTheReaderOfForeignPicturesForWhatIsShipped)
 TEST_F(Memory, OfAStudyThatIsFinishedIsItsColors)
 {
     const Shot shot;
-    StudyRequest request;
+    study::StudyRequest request;
     request.subject = shot.exhibit;
     request.sceneState = shot.sceneState;
     request.axes = {
@@ -120,13 +120,13 @@ TEST_F(Memory, OfAStudyThatIsFinishedIsItsColors)
     request.views = 1;
     request.alone = true;
     render::gl::Renderer renderer;
-    Study study(gallery().museum, renderer, request);
+    study::Study study(gallery().museum, renderer, request);
     while (study.step()) {
     }
-    const StudyResult result = study.takeResult();
+    const study::StudyResult result = study.takeResult();
     ASSERT_TRUE(result.complete);
     ASSERT_EQ(result.points.size(), 2U);
-    for (const StudyPoint& point : result.points) EXPECT_EQ(point.shots[0].picture.channels, 4);
+    for (const study::StudyPoint& point : result.points) EXPECT_EQ(point.shots[0].picture.channels, 4);
     EXPECT_EQ(result.references.at(0).channels, 4);
     EXPECT_TRUE(study.result().references.empty()) << "moved, not copied";
 }

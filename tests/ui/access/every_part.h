@@ -24,7 +24,7 @@ namespace vitrine::test {
 class EveryPart : public OpenWindow {
 protected:
     EveryPart() { mostSamples_ = asTheHallRequests; }
-    [[nodiscard]] std::unique_ptr<Exhibit> anotherExhibit() override { return std::make_unique<SdfScenes>(); }
+    [[nodiscard]] std::unique_ptr<Exhibit> anotherExhibit() override { return std::make_unique<scenes::SdfScenes>(); }
 
     void activate(QWidget* window)
     {
@@ -97,7 +97,7 @@ private:
     [[nodiscard]] static std::vector<std::unique_ptr<Exhibit>> withSprites()
     {
         std::vector<std::unique_ptr<Exhibit>> exhibits;
-        exhibits.push_back(std::make_unique<PixelArt>());
+        exhibits.push_back(std::make_unique<pixel_art::PixelArt>());
         return exhibits;
     }
     void lookAt(const QString& name, const std::function<void()>& open,

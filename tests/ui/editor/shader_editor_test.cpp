@@ -52,12 +52,15 @@ class ShaderEditorTest : public test::OpenWindow {
 
     static constexpr std::size_t shader = 2;
 
-    std::unique_ptr<Exhibit> anotherExhibit() override { return std::make_unique<YourShader>(); }
+    std::unique_ptr<Exhibit> anotherExhibit() override { return std::make_unique<guest::YourShader>(); }
     [[nodiscard]] QString path() const { return home_->filePath("own.frag"); }
     [[nodiscard]] std::string onDisk() const { return render::readFile(path().toStdString(), 1 << 20); }
     void write(const std::string& text) const { std::ofstream(path().toStdString()) << text; }
     [[nodiscard]] const ParameterValues& values() { return window_->history().sceneState().values[shader]; }
-    [[nodiscard]] const YourShaderTable& table() { return static_cast<const YourShaderTable&>(values().table()); }
+    [[nodiscard]] const guest::YourShaderTable& table()
+    {
+        return static_cast<const guest::YourShaderTable&>(values().table());
+    }
     [[nodiscard]] std::string written(const char* row)
     {
         return std::get<std::string>(values().row(values().table().find(row).value()));

@@ -73,9 +73,9 @@ class ShaderPictureTest : public test::OpenMuseum {
         renderers_.reset();
         others_ = others;
         std::vector<std::unique_ptr<Exhibit>> exhibits;
-        exhibits.push_back(std::make_unique<YourShader>());
-        if (others > 0) exhibits.push_back(std::make_unique<SdfScenes>());
-        if (others > 1) exhibits.push_back(std::make_unique<Fur>());
+        exhibits.push_back(std::make_unique<guest::YourShader>());
+        if (others > 0) exhibits.push_back(std::make_unique<scenes::SdfScenes>());
+        if (others > 1) exhibits.push_back(std::make_unique<fur::Fur>());
         museum_ = std::make_unique<Museum>(std::move(exhibits));
     }
     /// Writes a shader, names it and waits for its picture.
@@ -87,9 +87,9 @@ class ShaderPictureTest : public test::OpenMuseum {
         file.write(text);
         file.close();
         set("file", path.toStdString());
-        QTRY_VERIFY(static_cast<const YourShaderTable&>(values().table()).work);
+        QTRY_VERIFY(static_cast<const guest::YourShaderTable&>(values().table()).work);
         QTRY_COMPARE(QString::fromStdString(
-                         static_cast<const YourShaderTable&>(values().table()).work->path.filename().string()),
+                         static_cast<const guest::YourShaderTable&>(values().table()).work->path.filename().string()),
                      name);
         settle();
     }
@@ -207,7 +207,7 @@ private slots:
             // and one of the next frames shows it. The first picture of a text is small unless buffers are kept.
             QCOMPARE(checks, 1);
             QVERIFY2(frames <= 3, qPrintable(QString::number(frames)));
-            const auto work = static_cast<const YourShaderTable&>(values().table()).work;
+            const auto work = static_cast<const guest::YourShaderTable&>(values().table()).work;
             QVERIFY(work);
             if (times == 0) QCOMPARE(isSmall, !work->isKept);
             settle();
@@ -423,7 +423,7 @@ private slots:
         QTRY_VERIFY(strip->texts().join(QLatin1Char('\n')).contains("It is a shader of your own now."));
         QCOMPARE(window_->chosen(), shader);
         QTRY_VERIFY(panel().view()->text().contains("as Vitrine draws it"));
-        const auto work = [&] { return static_cast<const YourShaderTable&>(values().table()).work; };
+        const auto work = [&] { return static_cast<const guest::YourShaderTable&>(values().table()).work; };
         QTRY_VERIFY(work() && work()->path.filename() == "sdf_scenes.fs");
         viewport().visitor().jumpTo(museum_->bestView(shader, values()));
         QTRY_VERIFY_WITH_TIMEOUT(viewport().pictures().schedule().still(), 60000);

@@ -310,16 +310,16 @@ private slots:
         // The animations only move the whole object. This motion is removed from the frames, so all frames are equal
         // until it is kept.
         QTRY_VERIFY(dialog_->settled() && warned());
-        set({{"motion", static_cast<double>(SpriteMotion::kept)}});
+        set({{"motion", static_cast<double>(jobs::SpriteMotion::kept)}});
         QTRY_VERIFY(dialog_->settled() && !warned());
         QCOMPARE(animations().currentText(), QString());
         animations().setCurrentIndex(1);
         emit animations().activated(1);
-        QCOMPARE(dialog_->setup().values()[spriteTable().animation], "jump");
+        QCOMPARE(dialog_->setup().values()[jobs::spriteTable().animation], "jump");
         // Another file has other animations.
-        const std::size_t model = spriteTable().model.row;
+        const std::size_t model = jobs::spriteTable().model.row;
         dialog_->setup().history().set(0, model, at("still.glb").toStdString(), newGesture());
-        QCOMPARE(dialog_->setup().values()[spriteTable().animation], "");
+        QCOMPARE(dialog_->setup().values()[jobs::spriteTable().animation], "");
     }
 
     void thePreviewTurns()
@@ -357,7 +357,7 @@ private slots:
         QTRY_VERIFY(dialog_->settled() && preview().shown());
         QVERIFY(said().isEmpty());
         QVERIFY(button("Export")->isEnabled());
-        QCOMPARE(dialog_->setup().values()[spriteTable().directions], 5);
+        QCOMPARE(dialog_->setup().values()[jobs::spriteTable().directions], 5);
     }
 
     void longCancelLeavesNoFile()

@@ -44,11 +44,11 @@ class RecordWindowTest : public test::OpenWindow {
         QTest::keyClick(&window_->viewport(), key, with);
         settle();
     }
-    [[nodiscard]] JobDialog* openDialog(RecordPath path)
+    [[nodiscard]] JobDialog* openDialog(jobs::RecordPath path)
     {
         action("Record…")->trigger();
         auto* dialog = window_->findChild<JobDialog*>();
-        const RecordTable& t = recordTable();
+        const jobs::RecordTable& t = jobs::recordTable();
         ParameterValues values = dialog->setup().values();
         values.set(t.path, path);
         values.set(t.seconds, 0.5);
@@ -179,7 +179,7 @@ private slots:
         window_->bookmarks().saveAs(at("tour.json"));
         QFile file(at("tour.json"));
         QVERIFY(file.open(QIODevice::ReadOnly));
-        const Tour tour = parseTour(file.readAll().toStdString(), "tour.json");
+        const recording::Tour tour = recording::parseTour(file.readAll().toStdString(), "tour.json");
         QCOMPARE(tour.bookmarks.size(), std::size_t{2});
         QCOMPARE(tour.bookmarks[0].camera.eye.x, -0.5);  // Sorted by number.
         QCOMPARE(tour.bookmarks[1].camera.eye.x, 0.5);
@@ -207,7 +207,7 @@ private slots:
 
     void longAFilmAlongTheBookmarksIsRecordedBesideTheWindow()
     {
-        JobDialog* dialog = openDialog(RecordPath::bookmarks);
+        JobDialog* dialog = openDialog(jobs::RecordPath::bookmarks);
         QVERIFY2(says(*dialog, "Set two bookmarks"), "and there is nothing to record");
         stand(0.5);
         window_->bookmarks().set(1);
@@ -234,16 +234,16 @@ private slots:
 
     void everySettingOfTheTableIsAParameterOfTheDialog()
     {
-        JobDialog* dialog = openDialog(RecordPath::still);
+        JobDialog* dialog = openDialog(jobs::RecordPath::still);
         const auto* panel = dialog->findChild<ParameterPanel*>();
-        for (const ParameterInfo& parameter : recordTable().rows())
+        for (const ParameterInfo& parameter : jobs::recordTable().rows())
             QVERIFY2(panel->row(parameter.name), std::string(parameter.name).c_str());
     }
 
     void theFilmOfTheDialogIsThatOfItsCommandLine()
     {
         stand(0.5);
-        JobDialog* dialog = openDialog(RecordPath::still);
+        JobDialog* dialog = openDialog(jobs::RecordPath::still);
         dialog->setPath(at("window.apng"));
         const QString line = dialog->commandLine();
         QVERIFY2(line.startsWith("vitrine record hall ") && line.contains(" --path=still "), qPrintable(line));
@@ -255,7 +255,7 @@ private slots:
 
     void whatCannotBeRecordedIsSaidAndNothingBegins()
     {
-        JobDialog* dialog = openDialog(RecordPath::still);
+        JobDialog* dialog = openDialog(jobs::RecordPath::still);
         dialog->setPath(at("film.avi"));
         dialog->startExport();
         QVERIFY(!dialog->exporting());
@@ -271,9 +271,9 @@ private slots:
 
     void canceledItLeavesNoFileAndTheWindowAsksBeforeItCloses()
     {
-        JobDialog* dialog = openDialog(RecordPath::still);
+        JobDialog* dialog = openDialog(jobs::RecordPath::still);
         ParameterValues values = dialog->setup().values();
-        values.set(recordTable().seconds, 3600.0);
+        values.set(jobs::recordTable().seconds, 3600.0);
         dialog->setup().change("Change", values);
         waitFor(*dialog);
         dialog->setPath(at("film.apng"));

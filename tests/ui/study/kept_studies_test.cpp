@@ -77,7 +77,7 @@ class KeptStudiesTest : public test::OpenStudyDock {
     /// Writes a changed copy of a study's file.
     [[nodiscard]] QString changedFile(const QString& name, const std::function<void(QJsonObject&)>& change)
     {
-        const StudyStore store = test::storeIn(home_->path());
+        const study::StudyStore store = test::storeIn(home_->path());
         QFile file(QString::fromStdString(store.list().front().path.string()));
         if (!file.open(QIODevice::ReadOnly)) return {};
         QJsonObject object = QJsonDocument::fromJson(file.readAll()).object();
@@ -145,7 +145,7 @@ private slots:
                                  20000);
         QVERIFY(dock_->running());
         dock_->stop();
-        const std::vector<StudyEntry> kept = test::storeIn(home_->path()).list();
+        const std::vector<study::StudyEntry> kept = test::storeIn(home_->path()).list();
         QCOMPARE(kept.size(), std::size_t{1});
         QCOMPARE(kept[0].problem, std::string());
         QVERIFY(!kept[0].study.complete);
@@ -192,7 +192,7 @@ private slots:
         auto* dialog = dock_->findChild<ComparisonDialog*>();
         QVERIFY2(failed.isEmpty(), failed.isEmpty() ? "" : qPrintable(failed[0][0].toString()));
         QVERIFY(dialog && dialog->isVisible());
-        const StudyComparison& comparison = dialog->chart().comparison();
+        const study::StudyComparison& comparison = dialog->chart().comparison();
         QCOMPARE(comparison.curves.size(), std::size_t{2});
         QCOMPARE(comparison.cost, std::string("ms"));
         QCOMPARE(dialog->chart().legend->itemCount(), 2);

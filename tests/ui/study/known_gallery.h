@@ -12,7 +12,7 @@
 namespace vitrine::test {
 
 /// Returns a store of studies in a folder of the test.
-inline StudyStore storeIn(const QString& folder)
+inline study::StudyStore storeIn(const QString& folder)
 {
     const std::filesystem::path path = folder.toStdString();
     return {path / "studies", path / "trash"};
@@ -78,13 +78,13 @@ public:
     [[nodiscard]] std::vector<render::gl::ShaderProblem> problems() const override { return {}; }
     [[nodiscard]] ui::PictureJob makePicture(const SceneState&, const PictureRequest&) override { return {}; }
     void nextPicture(ui::PictureJob&, const SceneState&, const PictureRequest&) override {}
-    [[nodiscard]] ui::StudyJob makeStudy(const StudyRequest& request) override
+    [[nodiscard]] ui::StudyJob makeStudy(const study::StudyRequest& request) override
     {
         measuredOn = std::this_thread::get_id();
         ui::StudyJob job;
         job.machine = {{"renderer", "the painter"}, {"processors", 2}};
         job.backend = std::make_unique<TimedBackend>(clockTrusted, frame);
-        job.study = std::make_unique<Study>(museum, *job.backend, request);
+        job.study = std::make_unique<study::Study>(museum, *job.backend, request);
         return job;
     }
 };

@@ -7,7 +7,7 @@ namespace vitrine::test {
 /// Sets the size of the measured pictures in pixels, and how often each is timed.
 inline void setEffort(ui::StudyDock& dock, glm::ivec2 size, int runs)
 {
-    const StudyTable& t = studyTable();
+    const study::StudyTable& t = study::studyTable();
     ParameterValues values = dock.setup().values();
     values.set(t.width, size.x);
     values.set(t.height, size.y);

@@ -109,7 +109,7 @@ private slots:
             QTest::qWait(1);
             const auto& points = dock_->result().points;
             const auto drawn =
-                std::count_if(points.begin(), points.end(), [](const StudyPoint& p) { return p.cost > 0; });
+                std::count_if(points.begin(), points.end(), [](const study::StudyPoint& p) { return p.cost > 0; });
             someBeforeAll = someBeforeAll || (drawn > 0 && static_cast<std::size_t>(drawn) < points.size());
         }
         QVERIFY(someBeforeAll);
@@ -197,7 +197,7 @@ private slots:
         QVERIFY(dock_->result().choice);
         QVERIFY(dock_->result().choice->holds);
         QCOMPARE(history_->stack().count(), 1);
-        const StudyPoint& chosen = dock_->result().points[dock_->result().choice->point];
+        const study::StudyPoint& chosen = dock_->result().points[dock_->result().choice->point];
         QVERIFY(chosen.worstError <= 0.05);
         history_->stack().undo();
         QVERIFY(history_->sceneState() == gallery_->museum.initialSceneState());
@@ -222,8 +222,8 @@ private slots:
 
     void theSettingsChooseMetricViewsSizeAndValues()
     {
-        const StudyTable& t = studyTable();
-        const auto& metrics = studyMetrics();
+        const study::StudyTable& t = study::studyTable();
+        const auto& metrics = study::studyMetrics();
         ParameterValues values = dock_->setup().values();
         values.set(t.varied, std::string("steps"));
         values.set(t.values, std::string("2,32"));
@@ -232,25 +232,27 @@ private slots:
         values.set(t.width, 24);
         dock_->setup().change(QString(), values);
         measureAsSet();
-        const StudyResult& result = dock_->result();
+        const study::StudyResult& result = dock_->result();
         QCOMPARE(result.views.size(), std::size_t{2});
         QCOMPARE(result.references.front().width, 24);
         QCOMPARE(result.points.size(), std::size_t{2});
-        for (const StudyPoint& point : result.points) {
+        for (const study::StudyPoint& point : result.points) {
             double largest = 0;
-            for (const StudyShot& shot : point.shots) largest = std::max(largest, shot.errors.at(render::Metric::max));
+            for (const study::StudyShot& shot : point.shots)
+                largest = std::max(largest, shot.errors.at(render::Metric::max));
             QCOMPARE(point.error, largest);
         }
     }
 
     void theRowsOfTheJobAreThePanelsAndTwoParametersAreASurface()
     {
-        for (const ParameterInfo& parameter : studyTable().rows()) QVERIFY(dock_->settings().row(parameter.name));
+        for (const ParameterInfo& parameter : study::studyTable().rows())
+            QVERIFY(dock_->settings().row(parameter.name));
         auto* box = dock_->settings().row("parameters")->findChild<QComboBox*>();
         QCOMPARE(box->count(), 4);
         box->setEditText(QStringLiteral("method; shortcut"));
         emit box->lineEdit()->editingFinished();
-        QCOMPARE(dock_->setup().values()[studyTable().varied], std::string("method\nshortcut"));
+        QCOMPARE(dock_->setup().values()[study::studyTable().varied], std::string("method\nshortcut"));
         QCOMPARE(box->currentText(), QString("method; shortcut"));
         QCOMPARE(dock_->findChildren<QComboBox*>().front()->currentIndex(), -1);
         measureAsSet();
@@ -259,7 +261,7 @@ private slots:
 
     void theSettingsAreRememberedButNotWhatIsMeasured()
     {
-        const StudyTable& t = studyTable();
+        const study::StudyTable& t = study::studyTable();
         ParameterValues values = dock_->setup().values();
         values.set(t.views, 5);
         values.set(t.varied, std::string("rays"));
@@ -275,7 +277,7 @@ private slots:
     void whatCannotBeStudiedIsSaid()
     {
         ParameterValues values = dock_->setup().values();
-        values.set(studyTable().values, std::string("2,soup"));
+        values.set(study::studyTable().values, std::string("2,soup"));
         dock_->setup().change(QString(), values);
         clickMeasure();
         QVERIFY(!dock_->running());
@@ -361,7 +363,7 @@ private slots:
             if (titles.isEmpty() || titles.back() != chart.costTitle()) titles << chart.costTitle();
             for (std::size_t i = 0; i < chart.points().size(); ++i) {
                 // At the position of its time, or not shown yet.
-                const StudyPoint& point = dock_->result().points[i];
+                const study::StudyPoint& point = dock_->result().points[i];
                 QCOMPARE(chart.points()[i].cost, point.time ? point.time->median : 0.0);
             }
         }
@@ -378,7 +380,7 @@ private slots:
         dock_->ask(1, row("rays"));
         finish();
         QCOMPARE(chart.costTitle(), QString("work in all views"));
-        dock_->view().chooseCostAxis(CostAxis::time);
+        dock_->view().chooseCostAxis(study::CostAxis::time);
         QCOMPARE(chart.costTitle(), QString("milliseconds of a picture"));
     }
 
@@ -395,7 +397,7 @@ private slots:
         }
         titles.removeAll(QString("counted work"));  // Title of the empty chart, before all settings are drawn.
         QCOMPARE(titles, QStringList{"work in all views"});
-        dock_->view().chooseCostAxis(CostAxis::time);
+        dock_->view().chooseCostAxis(study::CostAxis::time);
         QVERIFY(dock_->chart().costTitle().contains("not trusted"));
     }
 
@@ -403,13 +405,13 @@ private slots:
     {
         const auto* pictures = dock_->findChild<StudyPictures*>();
         QVERIFY(!pictures->isVisible());
-        StudyRequest request;
+        study::StudyRequest request;
         request.sceneState = history_->sceneState();
-        request.axes = {*studyAxis(request.sceneState, 1, row("steps"), 8)};
+        request.axes = {*study::studyAxis(request.sceneState, 1, row("steps"), 8)};
         request.size = {16, 9};
         request.runs = 3;
         test::KnownBackend backend;
-        Study study(gallery_->museum, backend, request);
+        study::Study study(gallery_->museum, backend, request);
         ui::StudyView& view = dock_->view();
         const auto caption = [&view] {
             for (const QLabel* label : view.findChildren<QLabel*>())
@@ -423,8 +425,8 @@ private slots:
         QVERIFY(!pictures->isVisible());
         QVERIFY(!view.chart().xAxis->visible());
         // The setting that is the reference is drawn with it, before all others.
-        const std::vector<StudyPoint>& points = study.result().points;
-        const auto drawn = std::count_if(points.begin(), points.end(), isDrawn);
+        const std::vector<study::StudyPoint>& points = study.result().points;
+        const auto drawn = std::count_if(points.begin(), points.end(), study::isDrawn);
         QVERIFY(drawn > 0 && drawn < static_cast<std::ptrdiff_t>(points.size()));
         QVERIFY2(view.chart().emptyText().startsWith(QString("%1 of ").arg(drawn)),
                  qPrintable(view.chart().emptyText()));

@@ -47,7 +47,7 @@ class TreeWindowTest : public test::OpenWindow {
 
     static constexpr std::size_t scenes = 2;
 
-    std::unique_ptr<Exhibit> anotherExhibit() override { return std::make_unique<SdfScenes>(); }
+    std::unique_ptr<Exhibit> anotherExhibit() override { return std::make_unique<scenes::SdfScenes>(); }
     [[nodiscard]] QString path() const { return home_->filePath("two.json"); }
     [[nodiscard]] std::string onDisk() const { return render::readFile(path().toStdString(), 1 << 20); }
     void write(const std::string& text) const { std::ofstream(path().toStdString()) << text; }

@@ -71,7 +71,7 @@ public:
     [[nodiscard]] std::vector<render::gl::ShaderProblem> problems() const override { return {}; }
     [[nodiscard]] PictureJob makePicture(const SceneState&, const PictureRequest&) override { return {}; }
     void nextPicture(PictureJob&, const SceneState&, const PictureRequest&) override {}
-    [[nodiscard]] StudyJob makeStudy(const StudyRequest&) override { return {}; }
+    [[nodiscard]] StudyJob makeStudy(const study::StudyRequest&) override { return {}; }
     [[nodiscard]] std::unique_ptr<render::RenderBackend> makeBackend(bool) override
     {
         return std::make_unique<test::BlankBackend>();
@@ -420,9 +420,9 @@ private slots:
         QVERIFY(dialog && dialog->isVisible());
         const auto set = [&](int samples) {
             ParameterValues values = dialog->setup().values();
-            values.set(pictureTable().width, 64);
-            values.set(pictureTable().height, 36);
-            values.set(pictureTable().samples, samples);
+            values.set(jobs::pictureTable().width, 64);
+            values.set(jobs::pictureTable().height, 36);
+            values.set(jobs::pictureTable().samples, samples);
             dialog->setup().change("Change", values);
             QTRY_VERIFY_WITH_TIMEOUT(dialog->settled(), test::patience);
         };
@@ -492,9 +492,9 @@ private slots:
         auto* all = window_->findChild<ExportDialog*>();
         auto* picture = all->findChild<JobDialog*>();
         ParameterValues values = picture->setup().values();
-        values.set(pictureTable().width, 64);
-        values.set(pictureTable().height, 36);
-        values.set(pictureTable().samples, 200);
+        values.set(jobs::pictureTable().width, 64);
+        values.set(jobs::pictureTable().height, 36);
+        values.set(jobs::pictureTable().samples, 200);
         picture->setup().change("Change", values);
         QTRY_VERIFY_WITH_TIMEOUT(picture->settled(), test::patience);
         picture->setPath(path("slow.png"));

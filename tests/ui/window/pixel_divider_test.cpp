@@ -13,10 +13,10 @@ class PixelDividerTest : public test::OpenWindow {
     Q_OBJECT
 
     static constexpr std::size_t art = 2;
-    const PixelArt exhibit_{};
-    const PixelArtTable& t_ = exhibit_.parameters();
+    const pixel_art::PixelArt exhibit_{};
+    const pixel_art::PixelArtTable& t_ = exhibit_.parameters();
 
-    std::unique_ptr<Exhibit> anotherExhibit() override { return std::make_unique<PixelArt>(); }
+    std::unique_ptr<Exhibit> anotherExhibit() override { return std::make_unique<pixel_art::PixelArt>(); }
     [[nodiscard]] const ParameterValues& values() { return window_->history().sceneState().values[art]; }
     [[nodiscard]] QUndoStack& stack() { return window_->history().stack(); }
     /// Returns the position of the line's center in the picture.
@@ -62,11 +62,11 @@ private slots:
         QVERIFY(window_->viewport().rect().contains(before.toPoint()));
         drag(before.toPoint(), 83);
         QCOMPARE(stack().count(), steps + 1);
-        const double columns = values()[t_.divider] * sizeOf(values()[t_.resolution]).x;
+        const double columns = values()[t_.divider] * pixel_art::sizeOf(values()[t_.resolution]).x;
         QVERIFY(std::abs(columns - std::round(columns)) < 1e-9);
         QVERIFY(values()[t_.divider] > 0.5);
         // 83 pixels of the pointer, within half a texel.
-        const double texel = 83 / std::max(columns - 0.5 * sizeOf(values()[t_.resolution]).x, 1.0);
+        const double texel = 83 / std::max(columns - 0.5 * pixel_art::sizeOf(values()[t_.resolution]).x, 1.0);
         QVERIFY2(std::abs(line().x() - before.x() - 83) <= 0.5 * texel + 1,
                  qPrintable(QStringLiteral("%1, a texel of %2").arg(line().x() - before.x()).arg(texel)));
         QCOMPARE(window_->history().sceneState().camera, camera);

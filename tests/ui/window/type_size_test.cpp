@@ -34,7 +34,7 @@ class TypeSizeTest : public test::OpenWindow {
     Q_OBJECT
 
     /// The exhibit that sprites are drawn by.
-    [[nodiscard]] std::unique_ptr<Exhibit> anotherExhibit() override { return std::make_unique<PixelArt>(); }
+    [[nodiscard]] std::unique_ptr<Exhibit> anotherExhibit() override { return std::make_unique<pixel_art::PixelArt>(); }
 
     void setType(int percent)
     {

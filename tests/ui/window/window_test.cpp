@@ -307,7 +307,7 @@ private slots:
         }
         const QString gray = action("Export picture again")->toolTip();
         QVERIFY2(gray.contains("No picture was exported yet"), qPrintable(gray));
-        window_->again().note(pictureTable().initial(), {});
+        window_->again().note(jobs::pictureTable().initial(), {});
         QVERIFY(action("Export picture again")->isEnabled());
         QVERIFY(action("Export picture again")->toolTip() != gray);
         window_->visit(1);

@@ -17,7 +17,7 @@ const std::string lessonHead = "# Title\n\n```json\n{\"format\": \"vitrine-lesso
 
 const NamedValues& lessonTables()
 {
-    static const HallTable hall;
+    static const hall::HallTable hall;
     static const NamedValues tables{{"hall", hall.initial()}, {"everything", test::everyKind.initial()}};
     return tables;
 }
@@ -53,7 +53,7 @@ TEST(Lesson, HasATitleAnIntroductionAndSteps)
     EXPECT_EQ(first.text, "See this.");
     EXPECT_EQ(first.line, 9);
     EXPECT_EQ(first.values[test::everyKind.gap], 0.25);
-    const HallTable hall;
+    const hall::HallTable hall;
     ASSERT_EQ(first.hall.size(), 1U);
     EXPECT_EQ(first.hall[0].first, hall.exposure.row);
     EXPECT_EQ(std::get<double>(first.hall[0].second), 1.5);

@@ -46,7 +46,7 @@ protected:
         return render::readFile(render::asset(folder + '/' + std::string(exhibit.name()) + ".md"), lessonBytes);
     }
 
-    const HallTable hall_;
+    const hall::HallTable hall_;
     std::vector<std::unique_ptr<Exhibit>> exhibits_ = allExhibits();
     NamedValues tables_;
 };

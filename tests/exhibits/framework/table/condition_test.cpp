@@ -113,7 +113,7 @@ TEST_F(Conditions, AParameterIsCalledWhatItsTableSaysAndDoesNotRepeatItsHeading)
 
 TEST(ConditionsOfTheTables, LookAtRowsThatAreThereWithValuesThatTheyCanHave)
 {
-    static const HallTable hall;
+    static const hall::HallTable hall;
     std::vector<const Parameters*> tables{&hall};
     const auto exhibits = allExhibits();
     for (const auto& exhibit : exhibits) tables.push_back(&exhibit->parameters());
