@@ -1,5 +1,7 @@
 #include "ui/parameters/group_edits.h"
 
+#include "ui/kit/language.h"
+
 namespace vitrine::ui {
 
 GroupEdits::GroupEdits(History& history, std::size_t exhibit, QObject* parent)

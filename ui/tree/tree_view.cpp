@@ -1,5 +1,6 @@
 #include "ui/tree/tree_view.h"
 
+#include "ui/kit/language.h"
 #include "ui/kit/text.h"
 #include "ui/parameters/shown_text.h"
 #include "ui/tree/tree_editor.h"
