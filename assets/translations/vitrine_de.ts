@@ -14376,6 +14376,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>das erneute Öffnen</translation>
     </message>
     <message>
+        <location filename="render/files/atomic_write.cpp"/>
+        <source>opening its folder to write</source>
+        <translation>das Öffnen ihres Ordners zum Schreiben</translation>
+    </message>
+    <message>
         <location filename="ui/viewport/viewport.cpp"/>
         <source>Opening the hall …</source>
         <translation>Die Halle wird geöffnet …</translation>
@@ -26234,14 +26239,8 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/kit/part_folder.cpp"/>
-        <location filename="app/tour_command.cpp"/>
         <source>{1}: the folder cannot be made ({2}); choose another with --out.</source>
         <translation>{=1}: Der Ordner lässt sich nicht anlegen ({=2}); wählen Sie mit --out einen anderen.</translation>
-    </message>
-    <message>
-        <location filename="exhibits/recording/record.cpp"/>
-        <source>{1}: the folder cannot be made ({2}); choose another.</source>
-        <translation>{=1}: Der Ordner lässt sich nicht anlegen ({2}); wählen Sie einen anderen.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/kit/part_folder.cpp"/>
