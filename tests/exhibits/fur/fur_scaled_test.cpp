@@ -2,6 +2,7 @@
 // an axis is scaled like the axis. Normals use the inverse transpose.
 
 #include "exhibits/fur/bounce.h"
+#include "tests/exhibits/fur/fur_shot.h"
 #include "tests/exhibits/sdf_morph/truth.h"
 #include "tests/support/gallery.h"
 

@@ -3,6 +3,8 @@
 #include "render/image/image_io.h"
 #include "render/image/srgb.h"
 
+#include <glm/gtc/matrix_inverse.hpp>
+
 #include <cmath>
 
 namespace vitrine::test {

@@ -4,6 +4,7 @@
 #include "exhibits/pixel_art/method_table.h"
 #include "exhibits/pixel_art/pixel_passes.h"
 #include "render/text/joined.h"
+#include "tests/exhibits/pixel_art/pixel_art_pictures.h"
 #include "tests/support/gallery.h"
 
 #include <gtest/gtest.h>

@@ -3,6 +3,7 @@
 #include "exhibits/pixel_art/normals_cpu.h"
 #include "exhibits/pixel_art/pixel_passes.h"
 #include "render/image/srgb.h"
+#include "tests/exhibits/pixel_art/pixel_art_pictures.h"
 #include "tests/support/gallery.h"
 
 #include <gtest/gtest.h>
@@ -23,12 +24,6 @@ using namespace test;
 using glm::dvec3;
 using glm::ivec2;
 using render::Image;
-
-const PixelArtTable& table()
-{
-    static const PixelArtTable t;
-    return t;
-}
 
 /// Images of a small picture.
 struct Small {
@@ -75,11 +70,6 @@ struct SmallShot {
         return made;
     }
 };
-
-dvec3 at(const Image& image, int x, int y)
-{
-    return {image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)};
-}
 
 class PixelPictures : public GlTest {};
 
