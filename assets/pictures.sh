@@ -62,7 +62,8 @@ documents()
     picture paper-lanterns paper_lanterns --size 960x540
     presets paper_lanterns 480x300 paper-lanterns- reference dusk full-moon festival storm fog
     picture scenes sdf_scenes --size 960x540
-    presets sdf_scenes 480x300 scenes- dahlia rotunda still-life reference-primitives primitives
+    presets sdf_scenes 480x300 scenes- dahlia rotunda still-life reference-primitives
+    picture scenes-primitives sdf_scenes --alone --set scene=primitives.json --set look="physically based" --size 480x300
     picture pixel-art pixel_art --size 960x540
     samples=1
     presets pixel_art 480x270 pixel-art- reference handheld-of-1989 console-of-1983 low-sun

@@ -1,5 +1,5 @@
-// Measured tables in tests/bench/results: each belongs to a command that results.sh lists, and names a commit of the
-// history.
+// Results of scripts. Measured tables in tests/bench/results: each belongs to a command that results.sh lists, and
+// names a commit of the history. Pictures of the documents: assets/pictures.sh names presets that exist.
 
 #include "render/files/read_file.h"
 #include "tests/source/source_files.h"
@@ -11,7 +11,9 @@
 #include <filesystem>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <string>
+#include <vector>
 
 namespace vitrine {
 namespace {
@@ -47,6 +49,35 @@ TEST(Results, AreOfCommandsThatCanBeRunAgain)
         EXPECT_TRUE(file.ends_with(".md")) << file << ": results are Markdown";
         EXPECT_TRUE(names.contains(file.substr(0, file.find_first_of("-.")))) << "results.sh makes no " << file;
     }
+}
+
+/// Returns the presets that a script of pictures names, as paths.
+std::vector<std::string> presetsNamedIn(const std::string& script)
+{
+    std::vector<std::string> paths;
+    for (const std::string& line : test::lines(script)) {
+        std::istringstream words(line);
+        std::string word, exhibit, size, prefix;
+        words >> word >> exhibit >> size >> prefix;
+        if (word == "presets")
+            while (words >> word) paths.push_back("assets/presets/" + exhibit + '/' + word + ".json");
+        static const std::regex path(R"(--preset (assets/presets/[\w/-]+\.json))");
+        std::smatch found;
+        if (std::regex_search(line, found, path)) paths.push_back(found[1]);
+    }
+    return paths;
+}
+
+TEST(PicturesOfDocuments, AreOfPresetsThatExist)
+{
+    const fs::path source = VITRINE_SOURCE_DIR;
+    const std::vector<std::string> named =
+        presetsNamedIn(render::readFile(source / "assets/pictures.sh", std::size_t{1} << 20U));
+    EXPECT_GT(named.size(), 20U);
+    for (const std::string& path : named) EXPECT_TRUE(fs::exists(source / path)) << path;
+    EXPECT_EQ(presetsNamedIn("presets noise 1x1 n- storm wax\npicture a --preset assets/presets/hall/b-c.json --size"),
+              (std::vector<std::string>{"assets/presets/noise/storm.json", "assets/presets/noise/wax.json",
+                                        "assets/presets/hall/b-c.json"}));
 }
 
 TEST(Benchmarks, StayShort)
