@@ -43,8 +43,8 @@ struct RecordedScene {
 /// made with the same settings and the same program are kept.
 class Recording {
 public:
-    /// Museum and backend must outlive it. Throws Failure for what `whyNotRecordable` refuses, like render::VideoFile,
-    /// and if the frames' folder cannot be created.
+    /// Museum and backend must outlive it; the folder must exist. Throws Failure for what `whyNotRecordable` refuses,
+    /// and like render::VideoFile.
     Recording(const Museum&, render::RenderBackend&, RecordedScene, RecordingRequest, std::filesystem::path out,
               RecordingShare = {});
     ~Recording();

@@ -124,6 +124,7 @@ TEST_F(RecorderTest, FramesThatAreThereAreKeptWhenTheyAreTheSame)
     Film film;
     const test::TemporaryFolder folder;
     const auto pattern = folder / "frames/%04d.png";
+    std::filesystem::create_directory(folder / "frames");  // The job makes it.
     const auto keptOf = [&](double until) {
         Recording recording(gallery().museum, gallery().renderer, {film.shot.sceneState, film.shot.exhibit},
                             film.request, pattern);
