@@ -17,6 +17,9 @@ struct Museum::Present {
     std::string unlit;     ///< Reason why no sunlight reaches it, so that it casts no shadow; empty: it may.
     std::string noShadow;  ///< Reason why its shadow is not drawn: it casts none, or none that may be visible.
 
+    /// Reason of exhibits that the first pictures of a window leave out.
+    static constexpr const char* othersFirst = "the window is opening, and nearer exhibits are drawn first";
+
     /// Returns the exhibits of each picture that a visible one of `shown` shows (`ShowsPictures`).
     [[nodiscard]] static std::vector<std::vector<Present>>
     ofPictures(const Museum&, const Prepared&, const FrameRequest&, const std::vector<Present>& shown);
@@ -28,6 +31,12 @@ struct Museum::Present {
 
 /// Returns the box united with its shadow on the floor (at most 15 m of it, if the sun is low).
 [[nodiscard]] render::Box withShadow(const render::Box& box, const glm::dvec3& towardsSun);
+
+/// Returns whether the exhibit is a work behind an opening in a wall: its bounds are flat and face into the room.
+[[nodiscard]] bool isBehindOpening(const render::Box& bounds);
+
+/// Returns whether the exhibit's lamps change while it moves.
+[[nodiscard]] bool changesLamps(const Exhibit&, const ExhibitState&);
 
 /// Returns the view of the whole picture, whatever tile is requested.
 [[nodiscard]] render::View wholeView(const FrameRequest&);

@@ -1,11 +1,7 @@
 #include "exhibits/museum/shown_pictures.h"
 
-#include "exhibits/hall/hall_scene.h"
 #include "exhibits/museum/museum.h"
-#include "exhibits/museum/present.h"
 
-#include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace vitrine {
@@ -56,45 +52,6 @@ std::optional<FrameRequest> requestOfPicture(const Museum& museum, const SceneSt
     if (*of != hallIndex) wanted.alone = *of;
     wanted.camera = museum.subject(*of).bestView(sceneState.values[*of]);
     return wanted;
-}
-
-namespace {
-
-/// Calls `use` with the request of each picture that exhibit `by` shows within the picture of `request`.
-template <typename Use>
-void forEachPicture(const Museum& museum, const SceneState& sceneState, const FrameRequest& request, std::size_t by,
-                    const Use& use)
-{
-    const auto* shows = capability<ShowsPictures>(museum.subject(by));
-    if (!shows) return;
-    for (const std::string& source : shows->shownPictures(sceneState.values[by]))
-        if (const auto wanted = requestOfPicture(museum, sceneState, request, by, source)) use(*wanted);
-}
-
-}  // namespace
-
-std::vector<std::vector<Museum::Present>> Museum::Present::ofPictures(const Museum& museum, const Prepared& prepared,
-                                                                      const FrameRequest& request,
-                                                                      const std::vector<Present>& shown)
-{
-    std::vector<std::vector<Present>> all;
-    const auto add = [&](const FrameRequest& wanted) {
-        const hall::HallScene scene = museum.sceneOf(prepared, wanted.alone.has_value());
-        all.push_back(museum.presentIn(prepared, wanted, scene, wholeView(wanted)));
-    };
-    for (const Present& by : shown)
-        if (by.hidden.empty()) forEachPicture(museum, prepared.sceneState, request, by.index, add);
-    return all;
-}
-
-double Museum::Present::nextOfPictures(const Museum& museum, const Prepared& prepared, const FrameRequest& request,
-                                       const Present& by)
-{
-    double next = std::numeric_limits<double>::infinity();
-    forEachPicture(museum, prepared.sceneState, request, by.index, [&](const FrameRequest& wanted) {
-        next = std::min(next, nextChange(museum, prepared, wanted, true));
-    });
-    return next;
 }
 
 }  // namespace vitrine

@@ -1,17 +1,17 @@
-// Planning of a frame: exhibits in view, their prepared parts, and the passes of all.
+// Planning of one frame: the passes of the hall and of all exhibits in view.
 #include "exhibits/museum/museum.h"
 
 #include "exhibits/framework/scene/continues_state.h"
+#include "exhibits/framework/scene/shows_pictures.h"
 #include "exhibits/framework/table/derive.h"
 #include "exhibits/framework/time/animation.h"
 #include "exhibits/hall/hall.h"
-#include "exhibits/hall/hall_model.h"
+#include "exhibits/hall/hall_scene.h"
 #include "exhibits/hall/walk.h"
 #include "exhibits/kit/exhibit_pass.h"
 #include "exhibits/museum/lamps.h"
 #include "exhibits/museum/present.h"
 #include "exhibits/museum/shown_pictures.h"
-#include "render/failure.h"
 #include "render/hash.h"
 #include "render/plan/embedded_plan.h"
 #include "shaders/lib/bindings.glsl"
@@ -19,66 +19,23 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <set>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace vitrine {
 namespace {
 
-constexpr const char* othersFirst = "the window is opening, and nearer exhibits are drawn first";
-
-/// Returns whether the picture is one of the first of a window.
-bool isOpening(const FrameRequest& request)
-{
-    return request.mostExhibits < std::numeric_limits<int>::max();
-}
-
 constexpr double shadowReach = 30;  ///< Meters behind an exhibit within which its shadow may fall on something.
-
-/// Returns why no shadow is drawn; empty if the sun may reach the box and the shadow may be visible.
-std::string whyNoShadow(const hall::HallScene& scene, const render::Box& box, const render::View& view)
-{
-    if (std::string why = hall::whyUnlit(scene, box); !why.empty()) return why;
-    return view.mayContain(withShadow(box, hall::towardsSun(scene))) ? std::string()
-                                                                     : "neither it nor its shadow is in view";
-}
 
 /// Returns the reason for the frame report.
 std::string whyHiddenOf(const std::string& hidden, const ParameterValues& values)
 {
     return values.motions().empty() ? hidden : hidden + ": its animated parameters do not trigger new frames";
-}
-
-constexpr const char* noMirror = "no mirror in view is large enough to show them";
-
-/// Returns whether a mirror with these bounds is large enough to show works behind openings in the walls. At fewer
-/// pixels, each of them would be smaller than a few pixels.
-bool isLargeMirror(const render::Box& box, const render::View& view)
-{
-    constexpr double fewest = 128;  // Pixels of the picture's height.
-    const double radius = glm::length(box.halfSize());
-    const double away = std::max(glm::distance(box.center(), view.eye), radius);
-    return view.raster.size.y * radius > fewest * view.tanHalfFov.y * away;
-}
-
-/// Returns whether the exhibit is a work behind an opening in a wall: its bounds are flat and face into the room.
-bool isBehindOpening(const render::Box& bounds)
-{
-    const glm::dvec3 size = bounds.high - bounds.low;
-    return size.z == 0 && size.x > 0 && size.y > 0;
-}
-
-/// Returns a view that covers all samples and tiles of the picture, with a small margin.
-render::View widened(const render::View& view)
-{
-    constexpr double pixels = 4;
-    const glm::dvec2 share = 1.0 / (1.0 + pixels / glm::dvec2(glm::max(view.raster.size, glm::ivec2(1))));
-    render::View wide = view;
-    wide.clipFromView = glm::scale(glm::dmat4(1), glm::dvec3(share, 1)) * view.clipFromView;
-    wide.clipFromWorld = wide.clipFromView * wide.viewFromWorld;
-    return wide;
 }
 
 }  // namespace
@@ -125,145 +82,6 @@ struct Museum::Frame {
                                                           const render::PersistentState* kept,
                                                           render::FramePlan& into) const;
 };
-
-std::string Museum::whyHidden(const render::Box& box, const render::View& view, bool alone) const
-{
-    if (alone) return view.mayContain(box) ? std::string() : "out of view";  // No walls are drawn in this case.
-    return hall::whyHidden(*model_, box, view);
-}
-
-hall::HallScene Museum::sceneOf(const Prepared& prepared, bool alone) const
-{
-    hall::HallScene scene = hall_->scene(prepared.sceneState.hall(), alone, prepared.hall.get());
-    for (const auto& [i, exhibit] : exhibits_) {
-        const auto* turns = capability<TurnsHangings>(exhibit);
-        scene.poses.push_back(
-            {turns ? turns->turnOfHangings(prepared.sceneState.values[i], prepared.time) : 0, prepared.sincePress(i)});
-        if (alone || !isInHall(i)) continue;
-        if (const auto* stands = capability<StandsOnFloor>(exhibit))
-            for (const StandingShape& shape : stands->standingShapes(prepared.sceneState.values[i]))
-                scene.bodies.push_back(moved(shape, worldFromExhibit(i)));
-        if (const auto* seen = capability<SeenInReflections>(exhibit))
-            for (const StandingShape& shape : seen->reflectedShapes(prepared.sceneState.values[i]))
-                scene.besideFloor.push_back(moved(shape, worldFromExhibit(i)));
-    }
-    if (alone) return scene;
-    takeLamps(*hall_, {prepared.sceneState.hall(), prepared.time}, glm::dmat4(1), true, scene.steadyLamps);
-    for (const auto& [i, exhibit] : exhibits_)
-        if (isInHall(i)) takeLamps(exhibit, prepared.state(i), worldFromExhibit(i), true, scene.steadyLamps);
-    return scene;
-}
-
-std::vector<render::LocalLight> Museum::lampsOf(const Prepared& prepared, const std::vector<Present>& present,
-                                                bool alone) const
-{
-    std::vector<render::LocalLight> lamps;
-    if (!alone) takeLamps(*hall_, {prepared.sceneState.hall(), prepared.time}, glm::dmat4(1), false, lamps);
-    for (const Present& p : present) takeLamps(p.exhibit, prepared.state(p.index), p.worldFromExhibit, false, lamps);
-    return lamps;
-}
-
-void Museum::leaveToLater(std::vector<Present>& present, const FrameRequest& request)
-{
-    std::vector<std::pair<double, Present*>> seen;
-    for (Present& p : present)
-        if ((p.hidden.empty() || p.noShadow.empty()) && !capability<OverFrame>(p.exhibit))
-            seen.emplace_back(glm::distance(p.box.center(), request.camera.eye), &p);
-    if (seen.size() <= static_cast<std::size_t>(std::max(request.mostExhibits, 0))) return;
-    std::sort(seen.begin(), seen.end());
-    for (std::size_t i = static_cast<std::size_t>(std::max(request.mostExhibits, 0)); i < seen.size(); ++i) {
-        Present& later = *seen[i].second;
-        if (later.hidden.empty()) later.hidden = othersFirst;
-        if (later.exhibit.castsShadow()) later.noShadow = othersFirst;
-    }
-}
-
-std::vector<Museum::Present> Museum::presentIn(const Prepared& prepared, const FrameRequest& request,
-                                               const hall::HallScene& scene, const render::View& view) const
-{
-    std::vector<Present> present;
-    for (const auto& [i, exhibit] : exhibits_) {
-        if ((request.alone && i != *request.alone) || (request.cutOut && i != *request.cutOut)) continue;
-        if (!request.alone && !isInHall(i)) continue;
-        Present p{i, exhibit, scene.alone ? glm::dmat4(1) : worldFromExhibit(i), {}, {}, {}, {}};
-        if (request.subject == i || request.alone == i)
-            p.worldFromExhibit = p.worldFromExhibit * request.exhibitTransform;
-        p.box = boundsOf(prepared, exhibit, i).transformed(p.worldFromExhibit);
-        p.unlit = capability<OverFrame>(exhibit) ? "it is made of light"
-                  : exhibit.castsShadow()        ? hall::whyUnlit(scene, p.box)
-                                                 : "it throws no shadow";
-        const auto* around = request.alone == i ? capability<HasSurroundings>(exhibit) : nullptr;
-        const bool surrounds = around && around->surrounds(prepared.sceneState.values[i]);
-        p.hidden = request.runEverything || surrounds ? std::string() : whyHidden(p.box, view, scene.alone);
-        p.noShadow = !p.unlit.empty() || request.runEverything ? p.unlit : whyNoShadow(scene, p.box, view);
-        present.push_back(std::move(p));
-    }
-    leaveToLater(present, request);
-    return present;
-}
-
-std::string Museum::whyNoWorks(const Prepared& prepared, const FrameRequest& request, const hall::HallScene& scene,
-                               const render::View& view, const std::vector<Present>& present)
-{
-    if (scene.alone) return "there is no hall";
-    // While the window is opening, it is enough to draw what is in view.
-    if (isOpening(request)) return othersFirst;
-    const bool mirrored = std::any_of(present.begin(), present.end(), [&](const Present& p) {
-        const auto* mirror = p.hidden.empty() ? capability<MirrorsSurroundings>(p.exhibit) : nullptr;
-        return mirror && mirror->mirrors(prepared.sceneState.values[p.index]) && isLargeMirror(p.box, view);
-    });
-    const bool own = std::any_of(scene.objects.begin(), scene.objects.end(), [&](const hall::OwnObject& object) {
-        return hall::isMirror(object) && view.mayContain(object.box) && isLargeMirror(object.box, view);
-    });
-    return mirrored || own ? std::string() : noMirror;
-}
-
-Prepared Museum::prepare(const SceneState& sceneState, const FrameRequest& request) const
-{
-    Prepared made{atMoment(sceneState, request),
-                  request.time,
-                  request.sincePressed,
-                  {},
-                  std::vector<PreparedExhibit>(subjects_.size()),
-                  {}};
-    if (isOpening(request)) made.sceneState.hall() = hall_->whileOpening(made.sceneState.hall());
-    if (!request.alone) startReading();
-    render::AssetStore assets = request.nonBlocking ? assets_->nonBlocking() : *assets_;
-    const auto complainOf = [&](const PreparedPart* part) {
-        if (request.needsFiles && part && !part->unreadable.empty())
-            throw Failure(ErrorKind::file, part->unreadable.front().why);
-    };
-    made.hall = hall_->prepare(made.sceneState.hall(), assets);
-    complainOf(made.hall.get());
-    const hall::HallScene scene = sceneOf(made, request.alone.has_value());
-    const render::View view = wholeView(request);
-    const std::vector<Present> present = presentIn(made, request, scene, view);
-    // Exhibits that cast a lamp's shadow are drawn from the lamp, whether they are in view or not.
-    const auto mark = [&](const std::vector<Present>& all, bool alone) {
-        const bool seenByLamps = throwShadows(lampsOf(made, all, alone));
-        for (const Present& p : all) {
-            made.exhibits[p.index].seen |= p.hidden.empty() || seenByLamps;
-            made.exhibits[p.index].shadowSeen |= p.noShadow.empty();
-        }
-    };
-    mark(present, scene.alone);
-    mark(presentIn(made, request, scene, widened(view)), scene.alone);
-    if (whyNoWorks(made, request, scene, view, present).empty())
-        for (const auto& [i, exhibit] : exhibits_)
-            if (isInHall(i) && isBehindOpening(boundsOf(made, exhibit, i))) made.exhibits[i].seen = true;
-    const std::vector<std::vector<Present>> pictures = Present::ofPictures(*this, made, request, present);
-    for (const std::vector<Present>& shown : pictures) mark(shown, false);
-    for (const auto& [i, exhibit] : exhibits_) {
-        PreparedExhibit& part = made.exhibits[i];
-        if (!part.seen && !part.shadowSeen) continue;
-        part.part = exhibit.prepare({made.sceneState.values[i], made.time, made.sincePress(i), part.seen,
-                                     part.shadowSeen, request.idle, assets});
-        complainOf(part.part.get());
-    }
-    if (!scene.alone || !pictures.empty()) model_->surfaces().read();
-    made.pending = assets.pending();
-    return made;
-}
 
 render::FramePlan Museum::plan(const Prepared& prepared, const FrameRequest& request,
                                const render::PersistentState& kept) const
@@ -375,7 +193,7 @@ std::string Museum::Frame::whyNoShadow() const
     std::set<std::string> reasons;
     for (const Present& p : present)
         if (p.exhibit.castsShadow() && !capability<OverFrame>(p.exhibit)) reasons.insert(p.noShadow);
-    if (reasons.contains(othersFirst)) return othersFirst;
+    if (reasons.contains(Present::othersFirst)) return Present::othersFirst;
     if (reasons.size() > 1) return "no exhibit throws a shadow that may be seen";
     if (reasons.size() == 1) return *reasons.begin();
     return present.empty() ? "no exhibit stands here" : present.front().noShadow;
