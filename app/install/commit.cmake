@@ -3,8 +3,14 @@
 set(commit "")
 find_program(GIT git)
 if(GIT AND EXISTS ${ROOT}/.git)
-    execute_process(COMMAND ${GIT} -C ${ROOT} describe --always --dirty --exclude=*
+    execute_process(COMMAND ${GIT} -C ${ROOT} describe --always --exclude=*
                     OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+    # Results are what the program measured, and no part of it.
+    execute_process(COMMAND ${GIT} -C ${ROOT} status --porcelain --untracked-files=no -- . ":!tests/bench/results"
+                    OUTPUT_VARIABLE changes ERROR_QUIET)
+    if(changes)
+        string(APPEND commit "-dirty")
+    endif()
 endif()
 file(CONFIGURE OUTPUT ${OUT} CONTENT [==[
 #include "app/kit/commit.h"
