@@ -19,9 +19,9 @@ namespace vitrine::printing {
 /// Views that exceed its memory limit are in a scratch file, and are loaded by rows.
 class ViewSet {
 public:
-    /// Default memory limit. Decoding pictures and writing the largest prints take about 165 MB in addition, so the
+    /// Default memory limit. Decoding pictures and writing the largest prints take about 180 MB in addition, so the
     /// total stays below 300 MB. Views in the scratch file are interlaced three times more slowly.
-    static constexpr std::size_t usualMemory = 120U << 20U;
+    static constexpr std::size_t usualMemory = 104U << 20U;
 
     /// `memory` is the number of bytes of samples kept in memory.
     explicit ViewSet(std::size_t memory = usualMemory) : memory_(memory) {}
