@@ -64,7 +64,7 @@ function ours(file, number, inputPictures) {
     const vertex = file.replace(/\.fs$/, '.vs');
     if (fs.existsSync(vertex)) job.vertex = fs.readFileSync(vertex, 'latin1');
     try {
-        const parameters = JSON.parse(vitrine('list', 'your_shader', '--json', '--set', `your_shader.file=${file}`)).parameters;
+        const parameters = JSON.parse(vitrine('list', 'your_shader', '--json', '--set', `your_shader.file=${file}`)).exhibits[0].parameters;
         let head = {};
         try { head = JSON.parse(job.source.match(/\/\*([\s\S]*?)\*\//)[1]); } catch { /* The page says that the head is broken. */ }
         job.values = missingValues(head.INPUTS ?? [], parameters);
