@@ -1954,7 +1954,7 @@ Zeiten nach: %2.</translation>
         <translation>Ein Netz mit Zellen von {=1} m bräuchte etwa {=2} GB Speicher, mehr als {=3} GB; geben Sie --cell {=4}m oder mehr an, oder einen kleineren Teil.</translation>
     </message>
     <message>
-        <location filename="exhibits/museum/museum_plan.cpp"/>
+        <location filename="exhibits/museum/museum_frame.cpp"/>
         <source>a mirror shows it</source>
         <translation>ein Spiegel zeigt es</translation>
     </message>
@@ -2078,7 +2078,7 @@ Zeiten nach: %2.</translation>
         <translation>Ein Bild von </translation>
     </message>
     <message>
-        <location filename="exhibits/museum/museum_plan.cpp"/>
+        <location filename="exhibits/museum/museum_frame.cpp"/>
         <source>a picture on a screen does not show them</source>
         <translation>ein Bild auf einem Schirm zeigt sie nicht</translation>
     </message>
@@ -2206,12 +2206,12 @@ Zeiten nach: %2.</translation>
         <translation>eine Szene der Referenz braucht eine „camera“</translation>
     </message>
     <message>
-        <location filename="exhibits/museum/museum_plan.cpp"/>
+        <location filename="exhibits/museum/museum_frame.cpp"/>
         <source>a screen shows it</source>
         <translation>ein Bildschirm zeigt es</translation>
     </message>
     <message>
-        <location filename="exhibits/museum/museum_plan.cpp"/>
+        <location filename="exhibits/museum/museum_frame.cpp"/>
         <source>a screen shows its picture</source>
         <translation>ein Bildschirm zeigt sein Bild</translation>
     </message>
@@ -2418,7 +2418,7 @@ Zeiten nach: %2.</translation>
     <message>
         <location filename="exhibits/hall/hall_passes.cpp"/>
         <location filename="exhibits/hall/hall_tone_mapping.cpp"/>
-        <location filename="exhibits/museum/museum_plan.cpp"/>
+        <location filename="exhibits/museum/museum_frame.cpp"/>
         <source>a transparent background is requested</source>
         <translation>ein transparenter Hintergrund ist verlangt</translation>
     </message>
@@ -3003,7 +3003,7 @@ Zeiten nach: %2.</translation>
         <translation>eine Umgebung</translation>
     </message>
     <message>
-        <location filename="exhibits/museum/museum_plan.cpp"/>
+        <location filename="exhibits/museum/museum_frame.cpp"/>
         <source>an exhibit stands in the sun</source>
         <translation>ein Exponat steht in der Sonne</translation>
     </message>
@@ -5422,7 +5422,7 @@ Zeiten nach: %2.</translation>
         <translation>Leert die Liste der zuletzt geöffneten Dateien; die Dateien selbst bleiben.</translation>
     </message>
     <message>
-        <location filename="exhibits/museum/museum_plan.cpp"/>
+        <location filename="exhibits/museum/museum_frame.cpp"/>
         <source>clears the picture</source>
         <translation>leert das Bild am Anfang</translation>
     </message>
@@ -9061,7 +9061,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Glas zeigt, was hinter ihm liegt</translation>
     </message>
     <message>
-        <location filename="exhibits/museum/museum_plan.cpp"/>
+        <location filename="exhibits/museum/museum_frame.cpp"/>
         <source>glass stands in the sun</source>
         <translation>Glas steht in der Sonne</translation>
     </message>
@@ -10407,7 +10407,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>er ist länger als {1} s</translation>
     </message>
     <message>
-        <location filename="exhibits/museum/museum_plan.cpp"/>
+        <location filename="exhibits/museum/museum.cpp"/>
         <source>it is made of light</source>
         <translation>es besteht aus Licht</translation>
     </message>
@@ -10457,7 +10457,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>die Datei ist nicht von glTF-Version 2</translation>
     </message>
     <message>
-        <location filename="exhibits/museum/museum_plan.cpp"/>
+        <location filename="exhibits/museum/museum_frame.cpp"/>
         <source>it is not placed in the hall</source>
         <translation>es steht nicht in der Halle</translation>
     </message>
@@ -10542,7 +10542,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>es steht im Licht der Halle</translation>
     </message>
     <message>
-        <location filename="exhibits/museum/museum_plan.cpp"/>
+        <location filename="exhibits/museum/museum.cpp"/>
         <source>it throws no shadow</source>
         <translation>es wirft keinen Schatten</translation>
     </message>
@@ -10552,7 +10552,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>es wurde nicht vorbereitet</translation>
     </message>
     <message>
-        <location filename="exhibits/museum/museum_plan.cpp"/>
+        <location filename="exhibits/museum/museum_frame.cpp"/>
         <source>it was not prepared for this view</source>
         <translation>es wurde für diese Ansicht nicht vorbereitet</translation>
     </message>
@@ -12832,7 +12832,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>nächste der Palette</translation>
     </message>
     <message>
-        <location filename="exhibits/museum/museum_plan.cpp"/>
+        <location filename="exhibits/museum/museum.cpp"/>
         <source>neither it nor its shadow is in view</source>
         <translation>weder es noch sein Schatten ist im Blick</translation>
     </message>
@@ -12980,12 +12980,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Wirkt jetzt nicht, sondern nur wenn %1.</translation>
     </message>
     <message>
-        <location filename="exhibits/museum/museum_plan.cpp"/>
+        <location filename="exhibits/museum/museum_frame.cpp"/>
         <source>no exhibit stands here</source>
         <translation>hier steht kein Exponat</translation>
     </message>
     <message>
-        <location filename="exhibits/museum/museum_plan.cpp"/>
+        <location filename="exhibits/museum/museum_frame.cpp"/>
         <source>no exhibit throws a shadow that may be seen</source>
         <translation>kein Exponat wirft einen Schatten, der zu sehen sein könnte</translation>
     </message>
@@ -13060,7 +13060,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>kein Netz wurde erzeugt</translation>
     </message>
     <message>
-        <location filename="exhibits/museum/museum_plan.cpp"/>
+        <location filename="exhibits/museum/museum.cpp"/>
         <source>no mirror in view is large enough to show them</source>
         <translation>kein Spiegel im Bild ist groß genug, um sie zu zeigen</translation>
     </message>
@@ -13228,7 +13228,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Vom Lesezeichen „{=1}“ zu „{=2}“ fand sich kein Weg um Wände und Objekte herum; setzen Sie ein weiteres dazwischen.</translation>
     </message>
     <message>
-        <location filename="exhibits/museum/museum_plan.cpp"/>
+        <location filename="exhibits/museum/museum_frame.cpp"/>
         <source>no work hangs behind an opening</source>
         <translation>hinter keiner Öffnung hängt ein Werk</translation>
     </message>
@@ -14229,7 +14229,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>gezeigt wird nur die Tiefe</translation>
     </message>
     <message>
-        <location filename="exhibits/museum/museum_plan.cpp"/>
+        <location filename="exhibits/museum/museum_frame.cpp"/>
         <source>only one exhibit is requested, without its surroundings</source>
         <translation>nur ein Exponat ist verlangt, ohne seine Umgebung</translation>
     </message>
@@ -14512,7 +14512,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <location filename="exhibits/fur/fur_passes.cpp"/>
         <location filename="exhibits/hall/hall_light.cpp"/>
-        <location filename="exhibits/museum/museum_plan.cpp"/>
+        <location filename="exhibits/museum/museum.cpp"/>
         <source>out of view</source>
         <translation>außer Sicht</translation>
     </message>
@@ -20672,7 +20672,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>der Kanal der Auswertungen ist verlangt</translation>
     </message>
     <message>
-        <location filename="exhibits/museum/museum_plan.cpp"/>
+        <location filename="exhibits/museum/museum_frame.cpp"/>
         <source>the exhibit is shown alone</source>
         <translation>das Exponat wird allein gezeigt</translation>
     </message>
@@ -22119,7 +22119,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>die Breite</translation>
     </message>
     <message>
-        <location filename="exhibits/museum/museum_plan.cpp"/>
+        <location filename="exhibits/museum/present.h"/>
         <source>the window is opening, and nearer exhibits are drawn first</source>
         <translation>das Fenster öffnet sich, und nähere Exponate werden zuerst gezeichnet</translation>
     </message>
@@ -22384,7 +22384,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <location filename="exhibits/hall/bounced_light.cpp"/>
         <location filename="exhibits/hall/hall_light.cpp"/>
-        <location filename="exhibits/museum/museum_plan.cpp"/>
+        <location filename="exhibits/museum/museum.cpp"/>
         <source>there is no hall</source>
         <translation>es gibt keine Halle</translation>
     </message>
@@ -22470,7 +22470,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Vor Ihnen ist kein roter Knopf.</translation>
     </message>
     <message>
-        <location filename="exhibits/museum/museum_plan.cpp"/>
+        <location filename="exhibits/museum/museum_frame.cpp"/>
         <source>there is no reflection probe</source>
         <translation>es gibt keine Reflexionssonde</translation>
     </message>
@@ -26218,7 +26218,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1}: Das ist ein Preset von „{=2}“, das es in diesem Museum nicht gibt.</translation>
     </message>
     <message>
-        <location filename="exhibits/museum/museum_plan.cpp"/>
+        <location filename="exhibits/museum/museum_frame.cpp"/>
         <source>{1}: its animated parameters do not trigger new frames</source>
         <translation>{1}: Die animierten Parameter lösen keine neuen Frames aus</translation>
     </message>
