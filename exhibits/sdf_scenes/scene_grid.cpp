@@ -112,7 +112,7 @@ SceneWithoutPlanes::SceneWithoutPlanes(const SceneProgram& program, const SceneC
     const std::vector<ProgramNode>& nodes = program.nodes();
     std::vector<char> plain(nodes.size(), 0), gone(nodes.size(), 0);
     std::vector<std::uint32_t> left(nodes.size(), 0);
-    const ListRecords ways(program, words);
+    const ListRecords ways(program, words, nullptr);
     for (std::uint32_t i = 0; i < nodes.size(); ++i) {
         const bool inPlain = nodes[i].parent == noIndex || plain[nodes[i].parent] != 0;
         plain[i] = inPlain && isPlainUnion(program, words, nodes[i]);
@@ -205,7 +205,7 @@ public:
     GridMaker(const SceneProgram& program, const SceneConstants& words, const ListVocabulary& vocabulary, int across,
               const PruneBudget& budget)
         : program_(program), words_(words), budget_(budget),
-          rest_(program, words, across > 0 ? SceneGrid::mostPlanes : 0), records_(program, words),
+          rest_(program, words, across > 0 ? SceneGrid::mostPlanes : 0), records_(program, words, &vocabulary),
           writer_(program, words, vocabulary, &records_), near_(std::make_shared<SceneGrid>())
     {
         near_->planes = static_cast<std::uint32_t>(rest_.planes.size());

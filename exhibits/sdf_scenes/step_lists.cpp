@@ -84,8 +84,14 @@ ListVocabulary ListVocabulary::of(const SceneProgram& program, const SceneConsta
     return own;
 }
 
-ListRecords::ListRecords(const SceneProgram& program, const SceneConstants& words)
-    : program_(program), words_(words), nodes_(program.nodes().size()),
+std::uint32_t ListVocabulary::foldOf(const SceneProgram& program, const SceneConstants& words, std::uint32_t node) const
+{
+    const std::uint32_t k = indexOf(folds, &program.kind(program.nodes()[node]));
+    return k < folds.size() && isFolded(program, words, node) ? k + 1 : 0;
+}
+
+ListRecords::ListRecords(const SceneProgram& program, const SceneConstants& words, const ListVocabulary* vocabulary)
+    : program_(program), words_(words), vocabulary_(vocabulary), nodes_(program.nodes().size()),
       materials_(program.scene().materials.size(), noIndex), ways_(program.nodes().size())
 {
     for (std::uint32_t i = 0; i < nodes_.size(); ++i) addNode(i);
@@ -105,7 +111,7 @@ void ListRecords::addNode(std::uint32_t index)
     const NodeKind& kind = program_.kind(node);
     const double* w = words_.words.data();
     Way way;
-    const bool folded = node.parent != noIndex && isFolded(program_, words_, node.parent);
+    const bool folded = node.parent != noIndex && vocabulary_ && vocabulary_->foldOf(program_, words_, node.parent) > 0;
     if (node.parent != noIndex && (folded || !isSpace(program_.kind(program_.nodes()[node.parent]))))
         way = ways_[node.parent];
     if (node.translate != noIndex)
@@ -161,13 +167,6 @@ std::uint32_t ListWriter::spaceOf(const NodeKind& kind) const
 std::uint32_t ListWriter::jointOf(const ProgramNode& node) const
 {
     return 2 + indexOf(vocabulary_.joints, {&program_.kind(node), choiceOf(program_, node)});
-}
-
-/// Returns 1 + the index of the repeater if the node is folded into its shape; else 0.
-std::uint32_t ListWriter::foldOf(std::uint32_t node) const
-{
-    const std::uint32_t k = indexOf(vocabulary_.folds, &program_.kind(program_.nodes()[node]));
-    return k < vocabulary_.folds.size() && isFolded(program_, words_, node) ? k + 1 : 0;
 }
 
 void ListWriter::addShape(std::uint32_t index, std::uint32_t fold)
@@ -243,7 +242,7 @@ std::vector<ListStep> ListWriter::write(std::span<const Step> steps)
         }
         switch (step.type) {
         case Step::Type::enter:
-            if (const std::uint32_t fold = foldOf(step.node)) {
+            if (const std::uint32_t fold = vocabulary_.foldOf(program_, words_, step.node)) {
                 addShape(node.firstChild, fold);
                 folded = step.node;
             } else {

@@ -29,6 +29,9 @@ struct ListVocabulary {
     std::uint32_t results = 0;  ///< Largest number of pending results.
     std::uint32_t places = 0;   ///< Largest nesting depth of spaces.
 
+    /// Returns 1 + the index of the repeater in `folds` if the node is one and is folded; else 0.
+    [[nodiscard]] std::uint32_t foldOf(const SceneProgram&, const SceneConstants&, std::uint32_t node) const;
+
     /// With more registers than these, shaders spill them.
     static constexpr std::uint32_t mostResults = 6, mostPlaces = 4;
 
@@ -66,8 +69,8 @@ inline constexpr std::uint32_t moreSteps = 1U << 31U;
 /// that operations that change no space need no steps.
 class ListRecords {
 public:
-    /// Program and words must outlive it.
-    ListRecords(const SceneProgram&, const SceneConstants&);
+    /// Program and words must outlive it. Repeaters are folded as far as the vocabulary has folds; null: none are.
+    ListRecords(const SceneProgram&, const SceneConstants&, const ListVocabulary*);
 
     [[nodiscard]] const std::vector<glm::vec4>& records() const { return records_; }
     [[nodiscard]] std::uint32_t ofNode(std::uint32_t node) const { return nodes_[node]; }
@@ -86,6 +89,7 @@ private:
 
     const SceneProgram& program_;
     const SceneConstants& words_;
+    const ListVocabulary* vocabulary_;
     std::vector<glm::vec4> records_;
     std::vector<std::uint32_t> nodes_, materials_;
     std::vector<Way> ways_;
@@ -105,7 +109,6 @@ public:
 private:
     [[nodiscard]] std::uint32_t spaceOf(const NodeKind&) const;
     [[nodiscard]] std::uint32_t jointOf(const ProgramNode&) const;
-    [[nodiscard]] std::uint32_t foldOf(std::uint32_t node) const;
     void begin(const Step&);
     void end(const Step&);
     void addShape(std::uint32_t node, std::uint32_t fold);
