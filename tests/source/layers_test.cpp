@@ -1,6 +1,6 @@
 // Rules for includes: app > ui > exhibits > render > shaders/lib. A folder may include itself and folders to its right.
 // Rooms, which are folders, include one another in no circle, and neither do more than three files.
-// What a room of exhibits/ declares is in the namespace of the room.
+// A room of exhibits/ declares everything in its own namespace.
 
 #include "tests/source/source_files.h"
 
