@@ -8,6 +8,7 @@
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <thread>
 #include <unordered_map>
 
 namespace vitrine::scenes {
@@ -94,9 +95,27 @@ void Pruner::startWith(const Step& step)
     joints_[step.node].clear();
 }
 
-/// Joins a child and tests which operand can be removed. If the result is exactly one operand at the four extremes, it
-/// is so everywhere in between: b lies beyond a convex function of a (or a beyond one of b). The effect and the weights
-/// are also largest at one of the extremes.
+/// Determines how much the operands of a joint matter, if `a` and `b` each vary by up to `reach`: at the four extremes.
+/// If the result is exactly one operand there, it is so everywhere in between: b lies beyond a convex function of a (or
+/// a beyond one of b). The effect and the weights are also largest at one of the extremes.
+void Pruner::weigh(Joint& joint, const NodeKind& kind, const double* v, double a, double b, double reach)
+{
+    bool down = true, up = true, upOfFirst = true;
+    for (const double x : {a - reach, a + reach})
+        for (const double y : {b - reach, b + reach}) {
+            const double result = kind.combine.cpu(x, y, v);
+            joint.effect = std::max(joint.effect, std::abs(result - x));
+            joint.effectOfFormer = std::max(joint.effectOfFormer, std::abs(result - y));
+            joint.formerShare = std::max(joint.formerShare, 1 - kind.share.cpu(x, y, v));
+            down = down && result <= std::min(x, y);
+            up = up && result >= std::max(x, y);
+            upOfFirst = upOfFirst && result >= x;
+        }
+    if (std::isfinite(reach))
+        joint.moves = down ? Moves::down : up ? Moves::up : upOfFirst ? Moves::upOfFirst : Moves::neither;
+}
+
+/// Joins a child and tests which operand can be removed.
 void Pruner::combine(const Step& step)
 {
     const ProgramNode& node = program_.nodes()[step.node];
@@ -105,7 +124,9 @@ void Pruner::combine(const Step& step)
     const double a = walk_.state(step.node).distance;
     const double b = walk_.state(step.child).distance;
     const double reach = reach_[step.node];
-    if (kind.lesserFrom && std::abs(a - b) - 2 * reach > kind.lesserFrom(v) * (1 + 1e-12) + 1e-12) {
+    constexpr double never = std::numeric_limits<double>::infinity();
+    const double lesserFrom = kind.lesserFrom ? kind.lesserFrom(v) * (1 + 1e-12) + 1e-12 : never;
+    if (std::abs(a - b) - 2 * reach > lesserFrom) {
         walk_.setDistance(step.node, std::min(a, b));
         if (a < b)
             kept_.resize(entered_[step.child]);
@@ -114,26 +135,22 @@ void Pruner::combine(const Step& step)
         return;
     }
     Joint joint{entered_[step.child], kept_.size()};
-    bool down = true, up = true, upOfFirst = true;
-    for (const double x : {a - reach, a + reach})
-        for (const double y : {b - reach, b + reach}) {
-            const double result = kind.combine.cpu(x, y, v);
-            joint.effect = std::max(joint.effect, std::abs(result - x));
-            joint.effectOfFormer = std::max(joint.effectOfFormer, std::abs(result - y));
-            down = down && result <= std::min(x, y);
-            up = up && result >= std::max(x, y);
-            upOfFirst = upOfFirst && result >= x;
-        }
     const bool known = std::isfinite(reach);
+    if (known && 2 * reach - std::abs(a - b) > lesserFrom) {
+        // The usual case in large parts of a scene. Each operand is the result at one extreme, where it is the lesser
+        // one by more than any blend changes the result elsewhere.
+        joint.effect = 2 * reach + (a - b);
+        joint.effectOfFormer = 2 * reach - (a - b);
+        joint.formerShare = 1;
+        joint.moves = Moves::down;
+    } else {
+        weigh(joint, kind, v, a, b, reach);
+    }
     if (known && joint.effect == 0) {
         kept_.resize(joint.child);
     } else if (known && joint.effectOfFormer == 0) {
         startWith(step);
     } else {
-        if (known) joint.moves = down ? Moves::down : up ? Moves::up : upOfFirst ? Moves::upOfFirst : Moves::neither;
-        for (const double x : {a - reach, a + reach})
-            for (const double y : {b - reach, b + reach})
-                joint.formerShare = std::max(joint.formerShare, 1 - kind.share.cpu(x, y, v));
         kept_.push_back(step);
         joints_[step.node].push_back(joint);
     }
@@ -247,8 +264,10 @@ std::uint64_t hashOf(std::span<const Step> steps)
 {
     render::NumberHash hash(steps.size());
     for (const Step& step : steps) {
-        hash.add(std::uint64_t{step.node} << 32U | step.child);
-        hash.add(std::uint64_t{step.back} << 8U | static_cast<std::uint64_t>(step.type));
+        // Odd factors keep all bits of a number; their products are as good as two numbers, and mixed in half the time.
+        const std::uint64_t what = std::uint64_t{step.node} << 32U | step.child;
+        const std::uint64_t where = std::uint64_t{step.back} << 8U | static_cast<std::uint64_t>(step.type);
+        hash.add(what * 0xD6E8FEB86659FD93ULL + where * 0xA0761D6478BD642FULL);
     }
     return hash.value();
 }
@@ -299,6 +318,22 @@ template <typename Visit> void splitBlock(const glm::ivec3& low, const glm::ivec
     }
 }
 
+/// Part of a grid, with the steps that matter in it.
+struct BlockPart {
+    std::vector<Step> steps;
+    glm::ivec3 low, high;
+    std::size_t thread = 0;  ///< Prunes it.
+};
+
+constexpr std::size_t depthOfParts = 3;  ///< Up to 512 parts.
+
+template <typename Visit> void forCells(const glm::ivec3& low, const glm::ivec3& high, const Visit& visit)
+{
+    for (int z = low.z; z < high.z; ++z)
+        for (int y = low.y; y < high.y; ++y)
+            for (int x = low.x; x < high.x; ++x) visit(glm::ivec3(x, y, z));
+}
+
 /// Splits a block of cells until a part is one cell.
 class CellPruner {
 public:
@@ -317,8 +352,14 @@ public:
     {
     }
 
-    void prune(std::span<const Step> steps, const glm::ivec3& low, const glm::ivec3& high, std::size_t depth = 0)
+    /// Prunes a block and its parts. `later`: takes the parts at the depth `depthOfParts`, which are not pruned then.
+    void prune(std::span<const Step> steps, const glm::ivec3& low, const glm::ivec3& high,
+               std::vector<BlockPart>* later = nullptr, std::size_t depth = 0)
     {
+        if (later && depth == depthOfParts) {
+            later->push_back({{steps.begin(), steps.end()}, low, high});
+            return;
+        }
         while (left_.size() <= depth) left_.emplace_back();
         PrunedSteps& left = left_[depth];  // An element of a deque keeps its address.
         const glm::dvec3 half = 0.5 * size_ * glm::dvec3(high - low);
@@ -344,8 +385,9 @@ public:
             return;
         }
         if (longest >= leastKept && !remember(left.steps, keyOfBlock(low, high))) return;
-        splitBlock(low, high,
-                   [&](const glm::ivec3& from, const glm::ivec3& to) { prune(left.steps, from, to, depth + 1); });
+        splitBlock(low, high, [&](const glm::ivec3& from, const glm::ivec3& to) {
+            prune(left.steps, from, to, later, depth + 1);
+        });
     }
 
     [[nodiscard]] std::size_t lists() const { return lists_; }
@@ -353,8 +395,8 @@ public:
     /// Blocks that are no longer split.
     [[nodiscard]] const std::vector<std::uint64_t>& forgotten() const { return forgotten_; }
 
-    /// Takes over the results of another pruner for all cells from `from` on, which this one has not pruned.
-    void take(const CellPruner& other, const glm::ivec3& from)
+    /// Takes over all results of another pruner. `parts`: those of this thread are the cells that it has pruned.
+    void take(const CellPruner& other, std::span<const BlockPart> parts, std::size_t thread)
     {
         std::unordered_map<std::uint32_t, std::uint32_t> moved;
         for (const auto& [hash, list] : other.listAt_)
@@ -368,15 +410,14 @@ public:
                 changedCells_->emplace_back(index, cell);
             }
         } else {
-            for (int z = from.z; z < into_.count.z; ++z)
-                for (int y = from.y; y < into_.count.y; ++y)
-                    for (int x = from.x; x < into_.count.x; ++x) move((*cells_)[indexOf({x, y, z})]);
+            for (const BlockPart& part : parts)
+                if (part.thread == thread)
+                    forCells(part.low, part.high, [&](const glm::ivec3& at) { move((*cells_)[indexOf(at)]); });
         }
         into_.withSurface += other.into_.withSurface;
         into_.withSteps += other.into_.withSteps;
         into_.mostShapes = std::max(into_.mostShapes, other.into_.mostShapes);
         into_.meanShapes += other.into_.meanShapes;
-        into_.evaluations += other.evaluations();
         for (const auto& [key, hash] : other.into_.split) into_.split[key] = hash;
         forgotten_.insert(forgotten_.end(), other.forgotten_.begin(), other.forgotten_.end());
     }
@@ -431,13 +472,11 @@ private:
     /// Fills cells that are all farther from any surface than they are wide.
     void fill(double distance, const glm::dvec3& center, const glm::ivec3& low, const glm::ivec3& high)
     {
-        for (int z = low.z; z < high.z; ++z)
-            for (int y = low.y; y < high.y; ++y)
-                for (int x = low.x; x < high.x; ++x) {
-                    const glm::dvec3 at = into_.box.low + size_ * (glm::dvec3(x, y, z) + 0.5);
-                    const double sure = std::abs(distance) - glm::distance(at, center);
-                    put({x, y, z}, {.distance = static_cast<float>(std::copysign(sure, distance))});
-                }
+        forCells(low, high, [&](const glm::ivec3& at) {
+            const glm::dvec3 middle = into_.box.low + size_ * (glm::dvec3(at) + 0.5);
+            const double sure = std::abs(distance) - glm::distance(middle, center);
+            put(at, {.distance = static_cast<float>(std::copysign(sure, distance))});
+        });
     }
 
     [[nodiscard]] std::size_t indexOf(const glm::ivec3& at) const
@@ -507,12 +546,29 @@ int splitBox(const render::Box& box, render::Box& lower, render::Box& upper)
     return axis;
 }
 
+constexpr std::size_t fewSteps = 1'000;  ///< In parts of a box they take less time than a thread is worth.
+
+/// Includes what was found in another part.
+void include(OccupiedBox& found, const OccupiedBox& other)
+{
+    if (other.box.empty()) return;
+    for (int i = 0; i < 3; ++i) {
+        const auto low = static_cast<std::size_t>(2 * i);
+        if (found.box.empty() || other.box.low[i] < found.box.low[i]) found.touching[low] = other.touching[low];
+        if (found.box.empty() || other.box.high[i] > found.box.high[i])
+            found.touching[low + 1] = other.touching[low + 1];
+    }
+    found.box.include(other.box.low);
+    found.box.include(other.box.high);
+    for (const auto& [path, hash] : other.split) found.split[path] = hash;
+}
+
 /// Finds the parts of a box that contain a surface, by splitting it down to boxes of size `smallest`.
 class OccupiedFinder {
 public:
     /// `former`: only parts that it does not contain are searched; null: all.
     OccupiedFinder(const SceneProgram& program, const SceneConstants& words, double smallest, const FormerBox* former)
-        : pruner_(program, words), smallest_(smallest), former_(former)
+        : program_(program), words_(words), pruner_(program, words), smallest_(smallest), former_(former)
     {
     }
 
@@ -525,13 +581,9 @@ public:
         render::Box lower, upper;
         const int axis = splitBox(box, lower, upper);
         if (2 * box.halfSize()[axis] <= smallest_) {
-            for (int i = 0; i < 3; ++i) {
-                const auto low = static_cast<std::size_t>(2 * i);
-                if (found.box.empty() || box.low[i] < found.box.low[i]) found.touching[low] = box;
-                if (found.box.empty() || box.high[i] > found.box.high[i]) found.touching[low + 1] = box;
-            }
-            found.box.include(box.low);
-            found.box.include(box.high);
+            OccupiedBox part{.box = box};
+            part.touching.fill(box);
+            scenes::include(found, part);
             return;
         }
         if (path < leastForgottenPath_) {
@@ -539,8 +591,18 @@ public:
             if (isUnchanged(left.steps, hash, path)) return;
             found.split[path] = hash;
         }
-        include(left.steps, lower, found, 2 * path);
-        include(left.steps, upper, found, 2 * path + 1);
+        if (path >= leastPathOfOneThread_ || left.steps.size() < fewSteps) {
+            include(left.steps, lower, found, 2 * path);
+            include(left.steps, upper, found, 2 * path + 1);
+            return;
+        }
+        OccupiedFinder other(program_, words_, smallest_, former_);
+        OccupiedBox others{.box = found.box, .touching = found.touching};
+        render::onThreads(2, [&](std::size_t thread) {
+            thread == 0 ? include(left.steps, lower, found, 2 * path)
+                        : other.include(left.steps, upper, others, 2 * path + 1);
+        });
+        scenes::include(found, others);
     }
 
     /// Returns whether `include` would find this part of a box.
@@ -560,6 +622,7 @@ public:
 
 private:
     static constexpr std::uint64_t leastForgottenPath_ = 1U << 15U;
+    static constexpr std::uint64_t leastPathOfOneThread_ = 4;  ///< Up to four threads.
 
     /// Returns whether a part contains the same surfaces as before, which the former box contains.
     [[nodiscard]] bool isUnchanged(std::span<const Step> steps, std::uint64_t hash, std::uint64_t path) const
@@ -575,10 +638,26 @@ private:
         return left.distance > glm::length(box.halfSize()) * (1 + 2e-6) + 1e-9;
     }
 
+    const SceneProgram& program_;
+    const SceneConstants& words_;
     Pruner pruner_;
     double smallest_;
     const FormerBox* former_;
 };
+
+/// Returns whether all of these parts of a box contain a surface.
+bool isTouched(const SceneProgram& program, const SceneConstants& words, std::span<const Step> steps,
+               const render::Box& box, double smallest, std::span<const render::Box> parts)
+{
+    const std::size_t threads = steps.size() < fewSteps ? 1 : 2;
+    std::atomic<bool> all = true;
+    render::onThreads(threads, [&](std::size_t thread) {
+        OccupiedFinder finder(program, words, smallest, nullptr);
+        for (std::size_t i = thread; i < parts.size() && all; i += threads)
+            if (!finder.finds(parts[i], box, steps)) all = false;
+    });
+    return all;
+}
 
 }  // namespace
 
@@ -591,12 +670,9 @@ OccupiedBox occupiedBox(const SceneProgram& program, const SceneConstants& words
     const double smallest = std::max({size.x, size.y, size.z}) / 64;
     if (former) {
         // If each side is still touched, nothing inside can be new.
-        OccupiedFinder finder(program, words, smallest, former);
-        const auto& touching = former->found.touching;
-        const auto isTouched = [&](const render::Box& part) { return finder.finds(part, box, steps); };
-        if (!former->found.box.empty() && std::all_of(touching.begin(), touching.end(), isTouched)) {
+        if (!former->found.box.empty() && isTouched(program, words, steps, box, smallest, former->found.touching)) {
             found = former->found;
-            finder.include(steps, box, found);
+            OccupiedFinder(program, words, smallest, former).include(steps, box, found);
             return found;
         }
     }
@@ -625,20 +701,6 @@ double GridCells::clearance(std::size_t cell, const glm::dvec3& p) const
 
 namespace {
 
-/// Splits the work of two pruners over the two halves of a grid, if it is large. The first one has all results then.
-void pruneInHalves(CellPruner& pruner, CellPruner& other, std::span<const Step> steps, const GridCells& cells,
-                   const BudgetLeft& left)
-{
-    const glm::ivec3 count = cells.count;
-    const int axis = count.x >= count.y && count.x >= count.z ? 0 : count.y >= count.z ? 1 : 2;
-    glm::ivec3 middle = count, from(0);
-    middle[axis] = from[axis] = count[axis] / 2;
-    render::onThreads(2, [&](std::size_t thread) {
-        thread == 0 ? pruner.prune(steps, glm::ivec3(0), middle) : other.prune(steps, from, count);
-    });
-    if (!left.isOver()) pruner.take(other, from);
-}
-
 GridCells emptyCells(const CellGrid& grid)
 {
     GridCells cells;
@@ -653,52 +715,70 @@ std::size_t cellsIn(const CellGrid& grid)
            static_cast<std::size_t>(grid.count.z);
 }
 
+/// Number of threads that prune a grid. Few cells take less time than a thread is worth.
+std::size_t threadsFor(const CellGrid& grid)
+{
+    return cellsIn(grid) < fewCells ? 1 : std::clamp(std::thread::hardware_concurrency(), 1U, 4U);
+}
+
+/// Prunes a grid with one thread for each pruner. The first one has all results then.
+void pruneWithThreads(std::deque<CellPruner>& pruners, std::span<const Step> steps, const CellGrid& grid,
+                      const BudgetLeft& left)
+{
+    CellPruner& first = pruners.front();
+    if (pruners.size() == 1) return first.prune(steps, glm::ivec3(0), grid.count);
+    std::vector<BlockPart> parts;
+    first.prune(steps, glm::ivec3(0), grid.count, &parts);
+    // A change is often in one place: neighbors belong to different threads.
+    for (std::size_t i = 0; i < parts.size(); ++i) parts[i].thread = i % pruners.size();
+    render::onThreads(pruners.size(), [&](std::size_t thread) {
+        for (const BlockPart& part : parts)
+            if (part.thread == thread) pruners[thread].prune(part.steps, part.low, part.high);
+    });
+    if (left.isOver()) return;
+    for (std::size_t i = 1; i < pruners.size(); ++i) first.take(pruners[i], parts, i);
+}
+
 }  // namespace
 
 GridCells pruneCells(const SceneProgram& program, const SceneConstants& words, std::span<const Step> steps,
                      const CellGrid& grid, double tolerance, const PruneBudget& budget)
 {
     BudgetLeft left(budget);
-    GridCells cells = emptyCells(grid);
-    cells.cells.resize(cellsIn(grid));
-    CellPruner pruner(program, words, tolerance, cells, cells.cells, left);
-    if (cells.cells.size() < fewCells) {
-        pruner.prune(steps, glm::ivec3(0), grid.count);
-    } else {
-        GridCells others = emptyCells(grid);
-        CellPruner other(program, words, tolerance, others, cells.cells, left);
-        pruneInHalves(pruner, other, steps, cells, left);
-        cells.looks += others.looks;
-        if (left.isOver()) cells.evaluations += other.evaluations();
-    }
-    cells.whole = !left.isOver();
-    cells.lists = pruner.lists();
-    cells.evaluations += pruner.evaluations();
-    if (cells.withSteps > 0) cells.meanShapes /= static_cast<double>(cells.withSteps);
-    if (std::max({grid.count.x, grid.count.y, grid.count.z}) > mostCellsAcross) cells.split.clear();
-    return cells;
+    std::vector<SceneCell> cells(cellsIn(grid));
+    std::vector<GridCells> made(threadsFor(grid), emptyCells(grid));
+    std::deque<CellPruner> pruners;
+    for (GridCells& into : made) pruners.emplace_back(program, words, tolerance, into, cells, left);
+    pruneWithThreads(pruners, steps, grid, left);
+    GridCells& all = made.front();
+    all.cells = std::move(cells);
+    all.whole = !left.isOver();
+    all.lists = pruners.front().lists();
+    for (const CellPruner& pruner : pruners) all.evaluations += pruner.evaluations();
+    for (std::size_t i = 1; i < made.size(); ++i) all.looks += made[i].looks;
+    if (all.withSteps > 0) all.meanShapes /= static_cast<double>(all.withSteps);
+    if (std::max({grid.count.x, grid.count.y, grid.count.z}) > mostCellsAcross) all.split.clear();
+    return std::move(all);
 }
 
 ChangedCells pruneChangedCells(const SceneProgram& program, const ChangedNumbers& numbers, std::span<const Step> steps,
                                const CellGrid& grid, double tolerance, const PruneBudget& budget)
 {
     BudgetLeft left(budget);
-    GridCells made = emptyCells(grid), others = made;
+    std::vector<GridCells> made(threadsFor(grid), emptyCells(grid));
+    std::vector<std::vector<std::pair<std::uint32_t, SceneCell>>> cells(made.size());
+    std::deque<CellPruner> pruners;
+    for (std::size_t i = 0; i < made.size(); ++i)
+        pruners.emplace_back(program, numbers, tolerance, made[i], cells[i], left);
+    pruneWithThreads(pruners, steps, grid, left);
     ChangedCells changed;
-    std::vector<std::pair<std::uint32_t, SceneCell>> otherCells;
-    CellPruner pruner(program, numbers, tolerance, made, changed.cells, left);
-    if (cellsIn(grid) < fewCells) {
-        pruner.prune(steps, glm::ivec3(0), grid.count);
-    } else {
-        CellPruner other(program, numbers, tolerance, others, otherCells, left);
-        pruneInHalves(pruner, other, steps, made, left);
-    }
     changed.whole = !left.isOver();
-    changed.evaluations = made.evaluations + pruner.evaluations();
-    changed.steps = std::move(made.steps);
+    for (const CellPruner& pruner : pruners) changed.evaluations += pruner.evaluations();
+    changed.cells = std::move(cells.front());
+    changed.steps = std::move(made.front().steps);
     changed.split = numbers.split;
-    for (const std::uint64_t key : pruner.forgotten()) changed.split.erase(key);
-    for (const auto& [key, hash] : made.split) changed.split[key] = hash;
+    for (const std::uint64_t key : pruners.front().forgotten()) changed.split.erase(key);
+    for (const auto& [key, hash] : made.front().split) changed.split[key] = hash;
     return changed;
 }
 

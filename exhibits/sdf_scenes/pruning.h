@@ -61,6 +61,7 @@ private:
     [[nodiscard]] double reachInside(std::uint32_t node, double outside) const;
     void copyRepeated(std::span<const Step> steps, std::size_t& i, const glm::dvec3& center);
     [[nodiscard]] bool operand(std::span<const Step> steps, const glm::dvec3& center);
+    static void weigh(Joint&, const NodeKind&, const double* v, double a, double b, double reach);
     void combine(const Step&);
     void startWith(const Step&);
     void leave(std::uint32_t node);
