@@ -201,7 +201,7 @@ void Noise::plan(const PlanContext& context, render::FramePlan& plan) const
     const NoiseLight light = lightOf(t, context);
     NoiseBlock block = noiseBlock(t, values, noiseTime(t, values, context.time), light.towards, plan.sample);
     const std::shared_ptr<const SkyView> sky = noiseSky(t, values, light);
-    lightBy(*sky, light, block);
+    lightBy(*sky, light, values[t.brightness], block);
     pass.blocks[BLOCK_EXHIBIT] = render::std140Bytes(block);
     pass.inputs.push_back({UNIT_ENVIRONMENT, sky->radiance});
     addPermutation(t, values, pass);

@@ -259,7 +259,7 @@ std::shared_ptr<const SkyView> noiseSky(const NoiseTable& t, const ParameterValu
                     .night = glm::dvec3(0.12, 0.2, 0.42) * light.moon});
 }
 
-void lightBy(const SkyView& sky, const NoiseLight& light, NoiseBlock& block)
+void lightBy(const SkyView& sky, const NoiseLight& light, double brightness, NoiseBlock& block)
 {
     constexpr double initial = 5;        // Exposure of a day on which the level ground sends `day`.
     constexpr double day = 0.12;         // Radiance, for sunlight of 1 above the air.
@@ -268,7 +268,7 @@ void lightBy(const SkyView& sky, const NoiseLight& light, NoiseBlock& block)
     const double up = std::max(static_cast<double>(block.sunDirection.y), 0.0);
     const glm::dvec3 sun = sky.sun + light.moon;
     const double level = glm::dot(luminance, sky.above + sun * (up / std::numbers::pi));
-    const double exposure = initial * std::pow(day / std::max(level, 1e-6), adaptation);
+    const double exposure = brightness * initial * std::pow(day / std::max(level, 1e-6), adaptation);
     block.skyScale = static_cast<float>(exposure);
     block.sunLight = glm::vec3(sun * exposure);
     block.sunOnClouds = glm::vec3((sky.sunOnClouds + light.moon) * exposure);

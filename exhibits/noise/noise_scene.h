@@ -43,7 +43,7 @@ struct NoiseLight {
 /// Returns the clear sky of the works under a light.
 [[nodiscard]] std::shared_ptr<const SkyView> noiseSky(const NoiseTable&, const ParameterValues&, const NoiseLight&);
 /// Sets the light of the block. It is exposed as a photographer would: longer at a low sun, so that dusk is darker than
-/// day, but not black.
-void lightBy(const SkyView&, const NoiseLight&, NoiseBlock&);
+/// day, but not black. `brightness`: a factor.
+void lightBy(const SkyView&, const NoiseLight&, double brightness, NoiseBlock&);
 
 }  // namespace vitrine::noise

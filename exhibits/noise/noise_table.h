@@ -87,6 +87,8 @@ struct NoiseTable final : Parameters {
              physical and ownAngles);
     Real haze =
         real("haze", 0.35, none, {0, 1}, "Density of the haze: 0 is clear to the horizon, 1 hides it.", physical);
+    Real brightness = real("brightness", 1, none, Range{0.01, 100, logarithmic}.soft(0.1, 10),
+                           "Brightness of the whole picture, as a factor: 1 leaves it as it is.", physical);
     Color albedo =
         color("albedo", {0.62, 0.56, 0.48}, "Albedo (diffuse color) of the solid field.", inField and physical);
 
