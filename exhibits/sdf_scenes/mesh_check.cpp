@@ -75,6 +75,21 @@ std::size_t brokenVertices(const std::vector<std::uint32_t>& corners, std::size_
     return broken;
 }
 
+/// Returns the number of triangles whose corners are those of another one.
+std::size_t foldedTriangles(const std::vector<std::uint32_t>& corners)
+{
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    triangles.reserve(corners.size() / 3);
+    for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
+        triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
+        std::sort(triangles.back().begin(), triangles.back().end());
+    }
+    std::sort(triangles.begin(), triangles.end());
+    std::size_t folded = 0;
+    for (std::size_t i = 1; i < triangles.size(); ++i) folded += triangles[i] == triangles[i - 1];
+    return folded;
+}
+
 }  // namespace
 
 MeshCheck checkMesh(const SceneMesh& mesh)
@@ -93,6 +108,7 @@ MeshCheck checkMesh(const SceneMesh& mesh)
     }
     found.openEdges = openEdges(corners);
     found.brokenVertices = brokenVertices(corners, mesh.vertices.size());
+    found.foldedTriangles = foldedTriangles(corners);
     return found;
 }
 

@@ -81,14 +81,18 @@ private:
 
 /// Topology check of a mesh, from positions alone, as a reader sees it that merges vertices of equal position.
 struct MeshCheck {
-    std::size_t openEdges = 0;       ///< Edges without exactly one triangle on each side.
-    std::size_t brokenVertices = 0;  ///< Vertices with more than one fan of triangles.
-    std::size_t emptyTriangles = 0;  ///< Triangles with two corners of equal position.
-    std::size_t joinedVertices = 0;  ///< Positions shared by several vertices.
-    double volume = 0, area = 0;     ///< Cubic and square meters.
+    std::size_t openEdges = 0;        ///< Edges without exactly one triangle on each side.
+    std::size_t brokenVertices = 0;   ///< Vertices with more than one fan of triangles.
+    std::size_t emptyTriangles = 0;   ///< Triangles with two corners of equal position.
+    std::size_t foldedTriangles = 0;  ///< Triangles with the same corners as another one: nothing is between them.
+    std::size_t joinedVertices = 0;   ///< Positions shared by several vertices.
+    double volume = 0, area = 0;      ///< Cubic and square meters.
 
     /// Returns true for a closed 2-manifold.
-    [[nodiscard]] bool good() const { return openEdges + brokenVertices + emptyTriangles + joinedVertices == 0; }
+    [[nodiscard]] bool good() const
+    {
+        return openEdges + brokenVertices + emptyTriangles + foldedTriangles + joinedVertices == 0;
+    }
 };
 [[nodiscard]] MeshCheck checkMesh(const SceneMesh&);
 

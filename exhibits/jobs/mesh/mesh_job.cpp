@@ -212,7 +212,7 @@ scenes::MeshCheck checked(const scenes::SceneMesh& mesh, bool isPart)
     if (!check.good())
         throw Failure(ErrorKind::check, "The mesh is not closed or no manifold (" + std::to_string(check.openEdges) +
                                             " edges, " + std::to_string(check.brokenVertices) + " vertices, " +
-                                            std::to_string(check.emptyTriangles) +
+                                            std::to_string(check.emptyTriangles + check.foldedTriangles) +
                                             " triangles); nothing was written. Give a slightly different --cell.");
     return check;
 }

@@ -30,6 +30,7 @@ void expectGood(const scenes::MeshCheck& check)
     EXPECT_EQ(check.openEdges, 0U);
     EXPECT_EQ(check.brokenVertices, 0U);
     EXPECT_EQ(check.emptyTriangles, 0U);
+    EXPECT_EQ(check.foldedTriangles, 0U);
     EXPECT_EQ(check.joinedVertices, 0U);
 }
 
@@ -414,6 +415,20 @@ TEST(MeshCheckControl, HolesAndPinchesAreFound)
     const scenes::MeshCheck check = scenes::checkMesh(pinched);
     EXPECT_EQ(check.openEdges, 0U);
     EXPECT_EQ(check.brokenVertices, 1U);
+}
+
+/// A simplification may end with two triangles, back to back: all edges are closed, and nothing is inside.
+TEST(MeshCheckControl, TrianglesBackToBackAreNoBody)
+{
+    scenes::SceneMesh flat;
+    flat.vertices.resize(3);
+    flat.vertices[1].position = {1, 0, 0};
+    flat.vertices[2].position = {0, 1, 0};
+    flat.indices = {0, 1, 2, 0, 2, 1};
+    const scenes::MeshCheck check = scenes::checkMesh(flat);
+    EXPECT_EQ(check.openEdges + check.brokenVertices + check.emptyTriangles + check.joinedVertices, 0U);
+    EXPECT_EQ(check.foldedTriangles, 1U);
+    EXPECT_FALSE(check.good());
 }
 
 }  // namespace
