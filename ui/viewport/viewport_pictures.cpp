@@ -87,7 +87,7 @@ void ViewportPictures::cameraChanged(bool cut)
 
 void ViewportPictures::resume()
 {
-    if (!orders_.isUnderway() && !timer_.isActive()) timer_.start(0);
+    if (!orders_.isUnderway() && (!timer_.isActive() || timer_.interval() == hiddenWait)) timer_.start(0);
 }
 
 void ViewportPictures::tickSoon()

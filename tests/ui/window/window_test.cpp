@@ -2,6 +2,7 @@
 #include "tests/ui/ui_main.h"
 
 #include "exhibits/jobs/picture/picture_table.h"
+#include "render/measure/clock.h"
 #include "ui/jobs/export_again.h"
 #include "ui/kit/message_strip.h"
 #include "ui/kit/preferences.h"
@@ -16,6 +17,8 @@
 #include <QDir>
 #include <QDockWidget>
 
+#include <algorithm>
+#include <limits>
 #include <set>
 
 using namespace vitrine;
@@ -53,6 +56,38 @@ private slots:
         action("Undo Change roughness")->trigger();
         QCOMPARE(roughness(), 0.25);
         QTRY_COMPARE(red(), before);
+    }
+
+    /// A viewport that cannot be seen is looked at again after 250 ms. When it is painted, it can be seen.
+    void aWindowThatIsShownAgainIsDrawnAtOnce()
+    {
+        struct Painted final : QObject {
+            double at = 0;
+            bool eventFilter(QObject*, QEvent* event) override
+            {
+                if (event->type() == QEvent::Paint && at == 0) at = render::wallSeconds();
+                return false;
+            }
+        };
+        double least = std::numeric_limits<double>::infinity();
+        for (int i = 0; i < 3; ++i) {
+            window_->hide();
+            QTest::qWait(20);
+            window_->viewport().scene().change();  // Looks at once, and again 250 ms later.
+            QTest::qWait(20);
+            Painted painted;
+            double ordered = 0;
+            window_->viewport().installEventFilter(&painted);
+            const auto connection =
+                connect(&window_->viewport().pictures(), &ViewportPictures::arrived, this, [&](const DrawnPicture& p) {
+                    if (ordered == 0) ordered = render::wallSeconds() - p.seconds;
+                });
+            window_->show();
+            QTRY_VERIFY(ordered > 0);
+            disconnect(connection);
+            least = std::min(least, ordered - painted.at);
+        }
+        QVERIFY2(least < 0.1, qPrintable(QString::number(least)));
     }
 
     void aDragTellsMarksAndBarsOncePerTurnOfTheEventLoop()
