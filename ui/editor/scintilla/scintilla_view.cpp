@@ -129,7 +129,7 @@ public:
             view_->clearIndicatorRange(0, 0, view_->lines(), 0, underline);
         for (const CodeNote& note : notes) {
             const int line = std::clamp(note.line - 1, 0, view_->lines() - 1);
-            const QString before = view_->annotation(line);
+            const QString before = annotation(line);
             view_->annotate(line,
                             (before.isEmpty() ? QString() : before + QLatin1Char('\n')) + wrapped(note.text, columns()),
                             note.isError ? errorStyle : remarkStyle);
@@ -137,7 +137,7 @@ public:
             underline(line, note.column, note.isError ? errorUnderline : remarkUnderline);
         }
     }
-    [[nodiscard]] QString noteAt(int line) const override { return view_->annotation(line - 1); }
+    [[nodiscard]] QString noteAt(int line) const override { return annotation(line - 1); }
 
     void setAppearance(const CodeColors& colors, const QFont& font) override
     {
@@ -232,6 +232,17 @@ public:
     }
 
 private:
+    /// Returns the note below a line, counted from 0. QsciScintilla::annotation of QScintilla 2.14.1 returns other
+    /// bytes.
+    [[nodiscard]] QString annotation(int line) const
+    {
+        const auto at = static_cast<unsigned long>(line);
+        const long size =
+            view_->SendScintilla(QsciScintillaBase::SCI_ANNOTATIONGETTEXT, at, static_cast<void*>(nullptr));
+        QByteArray text(static_cast<qsizetype>(size), '\0');
+        view_->SendScintilla(QsciScintillaBase::SCI_ANNOTATIONGETTEXT, at, static_cast<void*>(text.data()));
+        return QString::fromUtf8(text);
+    }
     /// Removes keys of Scintilla that the window uses: Ctrl+L would delete a line where a lesson is expected.
     void leaveKeysToTheWindow()
     {
