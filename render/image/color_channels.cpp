@@ -64,13 +64,11 @@ std::vector<Layer> layersOf(const std::vector<std::string>& names)
     return layers;
 }
 
-std::string whyNoColor(const std::vector<Layer>& layers, const std::vector<std::string>& names)
+std::string whyNoColor(bool isLuminanceChroma, const std::vector<std::string>& names)
 {
-    for (const Layer& layer : layers) {
-        if (layer.isLuminanceChroma())
-            return "its colors are stored as luminance and chroma (Y, RY, BY), which is not read; save it with the "
-                   "channels R, G and B";
-    }
+    if (isLuminanceChroma)
+        return "its colors are stored as luminance and chroma (Y, RY, BY), which is not read; save it with the "
+               "channels R, G and B";
     constexpr std::size_t mostNamed = 8;
     std::string list;
     for (std::size_t i = 0; i < std::min(names.size(), mostNamed); ++i) list += (i == 0 ? "" : ", ") + names[i];
@@ -100,7 +98,9 @@ ColorChannels colorChannels(const std::vector<std::string>& names)
     for (const Layer& layer : layers)
         if ((layer.hasColors() || layer.hasGray()) && (!best || isBetter(layer, *best))) best = &layer;
     if (!best) {
-        chosen.problem = whyNoColor(layers, names);
+        chosen.isLuminanceChroma =
+            std::any_of(layers.begin(), layers.end(), [](const Layer& layer) { return layer.isLuminanceChroma(); });
+        chosen.problem = whyNoColor(chosen.isLuminanceChroma, names);
         return chosen;
     }
     for (const Layer& layer : layers)

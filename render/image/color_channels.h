@@ -12,6 +12,7 @@ struct ColorChannels {
     int alpha = -1;
     std::string layer{};                     ///< Name of the layer or view that was chosen; empty for the main one.
     std::vector<std::string> otherLayers{};  ///< Further layers that have color.
+    bool isLuminanceChroma = false;          ///< None is color, and a layer has Y, RY and BY.
     std::string problem{};  ///< Half sentence that names the channels found, if none of them is color; else empty.
 
     /// Returns the indices in the order gray, red, green, blue, alpha, without missing ones.

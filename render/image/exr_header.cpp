@@ -194,8 +194,10 @@ std::string whyPartRefused(const ExrPart& part, std::size_t fileBytes, const Ima
                                     ? parts(part.width, part.tileWidth) * parts(part.height, part.tileHeight)
                                     : parts(part.height, part.rowsPerChunk);
     if (static_cast<std::uint64_t>(chunks) * 8 > fileBytes) return cutShort;
-    if (!part.subsampled) return {};
+    // OpenImageIO 2.5 fails to read chroma, even at the full resolution.
     const ColorChannels colors = colorChannels(part.names);
+    if (colors.isLuminanceChroma) return colors.problem;
+    if (!part.subsampled) return {};
     if (!colors.problem.empty()) return colors.problem;
     return "some of its channels are stored at a lower resolution, which is not read; save all at the full one";
 }
