@@ -58,8 +58,8 @@ private slots:
         QTRY_COMPARE(red(), before);
     }
 
-    /// A viewport that cannot be seen is looked at again after 250 ms. When it is painted, it can be seen.
-    void aWindowThatIsShownAgainIsDrawnAtOnce()
+    /// A viewport that cannot be seen yet is looked at again after 250 ms. When it is painted, it can be seen.
+    void theFirstPictureIsOrderedWhenTheWindowIsPainted()
     {
         struct Painted final : QObject {
             double at = 0;
@@ -71,23 +71,22 @@ private slots:
         };
         double least = std::numeric_limits<double>::infinity();
         for (int i = 0; i < 3; ++i) {
-            window_->hide();
-            QTest::qWait(20);
-            window_->viewport().scene().change();  // Looks at once, and again 250 ms later.
-            QTest::qWait(20);
+            closeWindow();
+            gallery_ = std::make_unique<test::PaintedGallery>(kept_);
+            window_ = std::make_unique<MainWindow>(gallery_->museum(), *gallery_, makeWindowActions);
             Painted painted;
             double ordered = 0;
             window_->viewport().installEventFilter(&painted);
-            const auto connection =
-                connect(&window_->viewport().pictures(), &ViewportPictures::arrived, this, [&](const DrawnPicture& p) {
-                    if (ordered == 0) ordered = render::wallSeconds() - p.seconds;
-                });
+            connect(&window_->viewport().pictures(), &ViewportPictures::arrived, this, [&](const DrawnPicture& p) {
+                if (ordered == 0) ordered = render::wallSeconds() - p.seconds;
+            });
             window_->show();
             QTRY_VERIFY(ordered > 0);
-            disconnect(connection);
             least = std::min(least, ordered - painted.at);
+            closeWindow();
+            openWindow();
         }
-        QVERIFY2(least < 0.1, qPrintable(QString::number(least)));
+        QVERIFY2(least < 0.15, qPrintable(QString::number(least)));
     }
 
     void aDragTellsMarksAndBarsOncePerTurnOfTheEventLoop()
