@@ -8,7 +8,6 @@
 #include <cmath>
 #include <deque>
 #include <limits>
-#include <thread>
 #include <unordered_map>
 
 namespace vitrine::scenes {
@@ -715,10 +714,11 @@ std::size_t cellsIn(const CellGrid& grid)
            static_cast<std::size_t>(grid.count.z);
 }
 
-/// Number of threads that prune a grid. Few cells take less time than a thread is worth.
+/// Number of threads that prune a grid: the same on every machine, because each counts its own lists for a budget. Few
+/// cells take less time than a thread is worth.
 std::size_t threadsFor(const CellGrid& grid)
 {
-    return cellsIn(grid) < fewCells ? 1 : std::clamp(std::thread::hardware_concurrency(), 1U, 4U);
+    return cellsIn(grid) < fewCells ? 1 : 2;
 }
 
 /// Prunes a grid with one thread for each pruner. The first one has all results then.

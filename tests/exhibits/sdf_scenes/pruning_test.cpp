@@ -198,7 +198,7 @@ void compareCells(const glm::ivec3& count)
 TEST(PruningCells, SayWhatIsNearAndHowFarAnEmptyCellIsFromASurface)
 {
     compareCells({512, 8, 8});
-    compareCells({512, 16, 16});  // With several threads.
+    compareCells({512, 16, 16});  // With two threads.
 }
 
 /// Costs of finding a scene's cells, for each cell with shapes.
