@@ -55,14 +55,11 @@ std::map<std::string, HallMaterial> textured(std::map<std::string, HallMaterial>
 HallLightmaps readLightmaps(const std::string& skyFile)
 {
     try {
-        // It has the hall's largest picture, which would otherwise be the last to be ready.
-        std::future<SunTransfer> sun =
-            std::async(std::launch::async, [] { return SunTransfer(readTable("models/hall_bounce.json")); });
         auto sky =
             std::make_shared<render::Texture>(*render::loadTexture(render::asset("models/" + skyFile), false, false));
         sky->mipmaps = false;
-        LampLight lamps(readTable("models/hall_lamps.json"));
-        return {std::move(sky), sun.get(), std::move(lamps)};
+        return {std::move(sky), SunTransfer(readTable("models/hall_bounce.json")),
+                LampLight(readTable("models/hall_lamps.json"))};
     } catch (const Json::exception& error) {
         throw Failure(ErrorKind::file,
                       "assets/models/hall_bounce.json or hall_lamps.json: " + std::string(error.what()) +
@@ -99,8 +96,8 @@ HallSurfaces::HallSurfaces()
 void HallSurfaces::startReading() const
 {
     std::call_once(started_, [this] {
-        readingLightmaps_ = std::async(std::launch::async, [lightmaps = lightmaps_] { lightmaps.wait(); });
         readingTextures_ = std::async(std::launch::async, [textures = textured_] { textures.wait(); });
+        readingLightmaps_ = std::async(std::launch::async, [lightmaps = lightmaps_] { lightmaps.wait(); });
     });
 }
 
