@@ -321,7 +321,6 @@ template <typename Visit> void splitBlock(const glm::ivec3& low, const glm::ivec
 struct BlockPart {
     std::vector<Step> steps;
     glm::ivec3 low, high;
-    std::size_t thread = 0;  ///< Prunes it.
 };
 
 constexpr std::size_t depthOfParts = 3;  ///< Up to 512 parts.
@@ -394,8 +393,8 @@ public:
     /// Blocks that are no longer split.
     [[nodiscard]] const std::vector<std::uint64_t>& forgotten() const { return forgotten_; }
 
-    /// Takes over all results of another pruner. `parts`: those of this thread are the cells that it has pruned.
-    void take(const CellPruner& other, std::span<const BlockPart> parts, std::size_t thread)
+    /// Takes over all results of another pruner, which has pruned these parts.
+    void take(const CellPruner& other, std::span<const BlockPart> parts)
     {
         std::unordered_map<std::uint32_t, std::uint32_t> moved;
         for (const auto& [hash, list] : other.listAt_)
@@ -410,8 +409,7 @@ public:
             }
         } else {
             for (const BlockPart& part : parts)
-                if (part.thread == thread)
-                    forCells(part.low, part.high, [&](const glm::ivec3& at) { move((*cells_)[indexOf(at)]); });
+                forCells(part.low, part.high, [&](const glm::ivec3& at) { move((*cells_)[indexOf(at)]); });
         }
         into_.withSurface += other.into_.withSurface;
         into_.withSteps += other.into_.withSteps;
@@ -730,13 +728,13 @@ void pruneWithThreads(std::deque<CellPruner>& pruners, std::span<const Step> ste
     std::vector<BlockPart> parts;
     first.prune(steps, glm::ivec3(0), grid.count, &parts);
     // A change is often in one place: neighbors belong to different threads.
-    for (std::size_t i = 0; i < parts.size(); ++i) parts[i].thread = i % pruners.size();
+    std::vector<std::vector<BlockPart>> ofThread(pruners.size());
+    for (std::size_t i = 0; i < parts.size(); ++i) ofThread[i % pruners.size()].push_back(std::move(parts[i]));
     render::onThreads(pruners.size(), [&](std::size_t thread) {
-        for (const BlockPart& part : parts)
-            if (part.thread == thread) pruners[thread].prune(part.steps, part.low, part.high);
+        for (const BlockPart& part : ofThread[thread]) pruners[thread].prune(part.steps, part.low, part.high);
     });
     if (left.isOver()) return;
-    for (std::size_t i = 1; i < pruners.size(); ++i) first.take(pruners[i], parts, i);
+    for (std::size_t i = 1; i < pruners.size(); ++i) first.take(pruners[i], ofThread[i]);
 }
 
 }  // namespace
