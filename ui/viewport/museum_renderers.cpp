@@ -56,6 +56,14 @@ void MuseumRenderers::open()
     renderer_->buildInBackground(context_->shared());
     renderer_->stopUnboundedAfter(longestStrangersFrame);
     renderer_->timeSteps(timeSteps_);
+    computeAhead();
+}
+
+void MuseumRenderers::computeAhead() const
+{
+    FrameRequest request;
+    request.nonBlocking = true;
+    (void)museum_.plan(museum_.prepare(museum_.initialSceneState(), request), request);
 }
 
 void MuseumRenderers::close()

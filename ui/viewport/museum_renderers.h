@@ -40,6 +40,10 @@ public:
     [[nodiscard]] std::vector<render::gl::Stored> stored() const;
 
 private:
+    /// Plans a frame of the initial scene state. What planning computes once, such as the light of the clear sky, is
+    /// then ready for the first picture, which is not ordered before the window is laid out.
+    void computeAhead() const;
+
     const Museum& museum_;
     std::unique_ptr<render::gl::HeadlessContext> context_;
     std::unique_ptr<render::gl::DebugLog> debugLog_;  ///< Log of OpenGL messages; in debug builds only.
