@@ -73,7 +73,7 @@ main() {
         done
     done >"$part/chosen"
     [ -s "$part/chosen" ] || { echo "results.sh: there is no $*; --list tells the names." >&2; exit 2; }
-    cmake --build build/release --target benchmarks vitrine vitrine_oiio stability_sdf stability_cases stability_scan >&2
+    cmake --build build/release --target benchmarks vitrine vitrine_oiio stability_sdf stability_noise stability_cases stability_scan >&2
     while read -r name kind command <&3; do
         measure "$name" "$kind" "$command" || left="$left $name"
     done 3<"$part/chosen"
