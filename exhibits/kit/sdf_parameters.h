@@ -9,6 +9,7 @@ namespace vitrine {
 
 enum class SdfMaterial : int { opaque, glass };
 enum class SdfRelaxation : int { none, fixed, automatic };
+enum class SdfDrawnOver : int { box, picture };
 enum class SdfNormal : int { forward, tetrahedron, central };
 enum class SdfShadow : int { none, hard, classic, improved, signedDistance, area };
 enum class SdfShown : int { field, mesh };
@@ -112,6 +113,11 @@ public:
     Real boxSize = real("boxSize", 1.0, none, Range{0.05, 10}.soft(0.5, 1.5),
                         "Size of the bounding mesh in which rays march, relative to the smallest that holds the "
                         "object: below 1 clips it.");
+    Choice<SdfDrawnOver> drawnOver =
+        choice("drawnOver", SdfDrawnOver::box, {"box", "picture"},
+               "Triangles from whose pixels rays start: those of the bounding mesh, or one over the whole picture, as "
+               "in demos of distance fields. The picture is the same.",
+               exactAt(SdfDrawnOver::box), whenMarched());
     Toggle showBox =
         toggle("showBox", false,
                "Whether the edges of the bounding mesh are drawn: amber if it holds the object, red if it clips it.");
@@ -137,6 +143,8 @@ private:
         *this,
         {{.name = "hitTolerance", .lifted = {"stepLimit"}},
          {.name = "stepLimit", .settles = "Rays end before they have taken this many steps."},
+         {.name = "drawnOver",
+          .same = "Rays that pass the bounding mesh meet nothing, so that the picture is the same."},
          {.name = "normalStep", .settles = "A quarter of a pixel is wider, and is used instead."},
          {.name = "bounces", .settles = "No ray meets the object this many times."}}};
 

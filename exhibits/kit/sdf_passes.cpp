@@ -129,10 +129,15 @@ struct SdfPlanner {
         made.blocks[BLOCK_PARAMETERS] = derive::uniformBytes(needed);
     }
 
+    [[nodiscard]] bool everywhere() const { return values[table.drawnOver] == SdfDrawnOver::picture; }
+    /// Back faces of the box exist even if the camera is inside it.
+    [[nodiscard]] render::Cull culled() const { return everywhere() ? render::Cull::none : render::Cull::front; }
+
     [[nodiscard]] Pass marchPass(const char* step, std::string reason) const
     {
-        Pass made = pass(step, std::move(reason), "kit/sdf/box.vert", "kit/sdf/march.frag");
-        made.draws = {draw(boxMesh())};
+        Pass made = pass(step, std::move(reason), everywhere() ? "lib/fullscreen.vert" : "kit/sdf/box.vert",
+                         "kit/sdf/march.frag");
+        made.draws = {draw(everywhere() ? nullptr : boxMesh())};
         if (values[table.conePrepass]) {
             made.shader.defines.push_back(coneDefine());
             made.inputs.push_back({UNIT_EXHIBIT_A, coneImage()});
@@ -158,8 +163,7 @@ struct SdfPlanner {
         Pass made = marchPass("march", "in view");
         made.variant = scene.body.variant;
         drawSurface(made, scene.context.channels.withoutCounts());
-        // Back faces exist even if the camera is inside the box.
-        made.state.cull = render::Cull::front;
+        made.state.cull = culled();
         made.state.depthClamp = true;
         made.depthOnly = {made.shader};
         made.depthOnly->shader.defines.emplace_back("DEPTH_ONLY");
@@ -181,7 +185,7 @@ struct SdfPlanner {
         made.phase = render::PassPhase::resolve;
         made.shader.defines.emplace_back("COUNT");
         made.colors = {Attachment::whole(evaluationsImage)};
-        made.state = {.cull = render::Cull::front, .blend = render::Blend::add, .depthClamp = true};
+        made.state = {.cull = culled(), .blend = render::Blend::add, .depthClamp = true};
         plan.add(std::move(made));
     }
 

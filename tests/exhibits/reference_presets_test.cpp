@@ -225,6 +225,7 @@ TEST(ReferencePreset, OfTheIceCreamHasItsPlacesAndMaterials)
 {
     const ice_cream::IceCreamTable t;
     const ParameterValues v = preset("ice_cream", "reference", t);
+    EXPECT_EQ(v[t.drawnOver], SdfDrawnOver::picture);  // Two triangles that cover the picture.
     const glm::dvec3 red(0.9451, 0.1324, 0.1216), green(0.1397, 0.9288, 0.0943), blue(0.1307, 0.3043, 0.9451),
         yellow(0.9670, 0.9451, 0.0642), pink(0.8431, 0.3485, 0.5084);
     const std::pair<glm::dvec3, glm::dvec3> candies[]{

@@ -227,7 +227,7 @@ TEST_F(ActingParameters, EveryParameterOfTheHallActs)
 
 TEST_F(ActingParameters, EveryParameterOfTheTorusMugActs)
 {
-    expectEveryParameterActs("sdf_morph");
+    expectEveryParameterActs("sdf_morph", {"drawnOver"});
 }
 
 TEST_F(ActingParameters, EveryParameterOfTheLenticularCardActs)
@@ -254,7 +254,7 @@ TEST_F(ActingParameters, EveryParameterOfThePaperLanternsActs)
 
 TEST_F(ActingParameters, EveryParameterOfTheIceCreamActs)
 {
-    expectEveryParameterActs("ice_cream");
+    expectEveryParameterActs("ice_cream", {"drawnOver"});
 }
 
 TEST_F(ActingParameters, EveryParameterOfTheScenesActs)

@@ -2,6 +2,7 @@
 
 #include "tests/exhibits/sdf_morph/truth.h"
 #include "tests/support/gallery.h"
+#include "tests/support/planned.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -355,6 +356,25 @@ TEST_F(Shape, GrazingRaysLeaveNoHolesWithFewSteps)
     // Control: the limit does end rays.
     shot.values().set(sdfTable().stepLimit, 1024);
     EXPECT_GT(test::largestDifference(shot.take().image, picture.image), 0);
+}
+
+TEST_F(Shape, IsTheSameFromATriangleOverTheWholePicture)
+{
+    for (const bool inHall : {false, true}) {
+        Shot box;
+        if (inHall) box.inHall();
+        Shot picture = box;
+        picture.values().set(sdfTable().drawnOver, SdfDrawnOver::picture);
+        const Picture ofBox = box.take();
+        const Picture ofPicture = picture.take();
+        EXPECT_EQ(ofPicture.image.pixels, ofBox.image.pixels);
+        const auto marched = [](const Shot& shot) {
+            const render::FramePlan plan = test::planned(gallery().museum, shot.sceneState, shot.request.frame);
+            return plan.find("sdf_morph/march")->draws.at(0).mesh;
+        };
+        EXPECT_EQ(marched(picture), nullptr);  // One triangle without vertices.
+        EXPECT_NE(marched(box), nullptr);
+    }
 }
 
 TEST_F(Shape, ABoxTooSmallClipsVisibly)
