@@ -4020,6 +4020,11 @@ Zeiten nach: %2.</translation>
         <translation>Schalenrand</translation>
     </message>
     <message>
+        <source>box</source>
+        <extracomment>tables</extracomment>
+        <translation>Quader</translation>
+    </message>
+    <message>
         <source>Box size</source>
         <extracomment>tables</extracomment>
         <translation>Quadergröße</translation>
@@ -4030,6 +4035,7 @@ Zeiten nach: %2.</translation>
         <translation>Klammern sind mehr als {1}-fach geschachtelt; vereinfachen Sie die Formel</translation>
     </message>
     <message>
+        <location filename="exhibits/noise/noise_table.h"/>
         <location filename="exhibits/sdf_scenes/record_kinds.cpp"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
         <source>Brightness</source>
@@ -4060,6 +4066,7 @@ Zeiten nach: %2.</translation>
         <translation>Helligkeit der Sterne: 0 zeigt keine.</translation>
     </message>
     <message>
+        <location filename="exhibits/noise/noise_table.h"/>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.h"/>
         <source>Brightness of the whole picture, as a factor: 1 leaves it as it is.</source>
         <extracomment>tables</extracomment>
@@ -7443,6 +7450,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Schritte zeichnen</translation>
     </message>
     <message>
+        <source>Drawn over</source>
+        <extracomment>tables</extracomment>
+        <translation>Gezeichnet über</translation>
+    </message>
+    <message>
         <location filename="render/gl/program_cache.cpp"/>
         <source>drawn with the last good program {1}</source>
         <translation>mit dem letzten guten Programm gezeichnet, {1}</translation>
@@ -9051,14 +9063,14 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Glasfarbe</translation>
     </message>
     <message>
+        <location filename="exhibits/kit/backdrop.cpp"/>
+        <source>glass or the floor shows what is drawn</source>
+        <translation>Glas oder der Boden zeigt, was gezeichnet ist</translation>
+    </message>
+    <message>
         <location filename="exhibits/kit/sdf_passes.cpp"/>
         <source>glass scatters nothing of the room's light</source>
         <translation>Glas streut nichts vom Licht des Raums</translation>
-    </message>
-    <message>
-        <location filename="exhibits/kit/backdrop.cpp"/>
-        <source>glass shows what is behind it</source>
-        <translation>Glas zeigt, was hinter ihm liegt</translation>
     </message>
     <message>
         <location filename="exhibits/museum/museum_frame.cpp"/>
@@ -16265,6 +16277,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Strahlen eines kleinen Bildes treffen das Wasser, bevor sie so viele Reihen durchquert haben.</translation>
     </message>
     <message>
+        <location filename="exhibits/kit/sdf_parameters.h"/>
+        <source>Rays that pass the bounding mesh meet nothing, so that the picture is the same.</source>
+        <translation>Strahlen, die am Hüllnetz vorbeigehen, treffen nichts, so dass das Bild dasselbe ist.</translation>
+    </message>
+    <message>
         <location filename="exhibits/noise/noise.cpp"/>
         <source>rays use baked noise in empty space</source>
         <translation>Strahlen verwenden im leeren Raum gebackenes Rauschen</translation>
@@ -16584,9 +16601,9 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <location filename="exhibits/hall/hall_table.h"/>
-        <source>Reflections of the polished floor: the soft reflection probe alone, or with ray-traced shapes of the window, its bars and everything on the floor.</source>
+        <source>Reflections of the polished floor: the soft reflection probe alone, or with ray-traced shapes of the window, its bars and everything on the floor; screen: with everything that the picture shows, found in screen space, and with those shapes where the picture does not show it.</source>
         <extracomment>tables</extracomment>
-        <translation>Spiegelungen des polierten Bodens: nur die weiche Reflexionssonde oder dazu, mit Strahlen gefunden, die Formen des Fensters, seiner Sprossen und alles auf dem Boden.</translation>
+        <translation>Spiegelungen des polierten Bodens: nur die weiche Reflexionssonde oder dazu, mit Strahlen gefunden, die Formen des Fensters, seiner Sprossen und alles auf dem Boden; Bildraum: mit allem, was das Bild zeigt, im Bildraum gefunden, und mit diesen Formen, wo das Bild es nicht zeigt.</translation>
     </message>
     <message>
         <location filename="exhibits/ice_cream/ice_cream_table.h"/>
@@ -17816,6 +17833,12 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <location filename="exhibits/sdf_scenes/sdf_scenes_table.cpp"/>
         <source>Scene parameters</source>
         <translation>Parameter der Szene</translation>
+    </message>
+    <message>
+        <location filename="exhibits/hall/hall_table.h"/>
+        <source>screen</source>
+        <extracomment>tables</extracomment>
+        <translation>Bildraum</translation>
     </message>
     <message>
         <location filename="exhibits/crepuscular_rays/crepuscular_rays_table.h"/>
@@ -20798,6 +20821,17 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>der Boden ist außer Sicht</translation>
     </message>
     <message>
+        <location filename="exhibits/hall/hall_floor.cpp"/>
+        <source>the floor mirrors nothing in screen space</source>
+        <translation>der Boden spiegelt nichts im Bildraum</translation>
+    </message>
+    <message>
+        <location filename="exhibits/hall/hall_floor.cpp"/>
+        <location filename="exhibits/kit/backdrop.cpp"/>
+        <source>the floor mirrors what the picture shows</source>
+        <translation>der Boden spiegelt, was das Bild zeigt</translation>
+    </message>
+    <message>
         <location filename="exhibits/paper_lanterns/paper_lanterns.cpp"/>
         <source>the fog is too thin to show the light of the lanterns</source>
         <translation>der Nebel ist zu dünn, um das Licht der Laternen zu zeigen</translation>
@@ -21270,6 +21304,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>das Bild wird in Kacheln gezeichnet, und Lichthöfe reichen über sie hinaus</translation>
     </message>
     <message>
+        <location filename="exhibits/hall/hall_floor.cpp"/>
+        <source>the picture is drawn in tiles, and reflections reach beyond them</source>
+        <translation>das Bild wird in Kacheln gezeichnet, und Spiegelungen reichen über sie hinaus</translation>
+    </message>
+    <message>
         <location filename="render/image/image_write.cpp"/>
         <source>the picture is empty</source>
         <translation>das Bild ist leer</translation>
@@ -21505,6 +21544,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Die Referenz wurde {1}-mal doppelt so genau gemacht, was sie zuletzt um {2} änderte</translation>
     </message>
     <message>
+        <location filename="exhibits/hall/hall_floor.cpp"/>
         <location filename="exhibits/hall/hall_probe.cpp"/>
         <source>the reflection probe is switched off</source>
         <translation>die Reflexionssonde ist ausgeschaltet</translation>
@@ -23732,6 +23772,12 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <location filename="exhibits/jobs/mesh/mesh_job.cpp"/>
         <source>Triangles at most</source>
         <translation>Dreiecke höchstens</translation>
+    </message>
+    <message>
+        <location filename="exhibits/kit/sdf_parameters.h"/>
+        <source>Triangles from whose pixels rays start: those of the bounding mesh, or one over the whole picture, as in demos of distance fields. The picture is the same.</source>
+        <extracomment>tables</extracomment>
+        <translation>Dreiecke, von deren Pixeln Strahlen ausgehen: die des Hüllnetzes oder eines über das ganze Bild, wie in Demos von Distanzfeldern. Das Bild ist dasselbe.</translation>
     </message>
     <message>
         <location filename="ui/window/shortcut_sheet.cpp"/>

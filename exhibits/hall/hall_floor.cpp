@@ -1,5 +1,6 @@
 // The floor: contact shadows, and reflections of the objects on it and of the window.
 #include "exhibits/hall/hall_scene.h"
+#include "exhibits/kit/backdrop.h"
 #include "exhibits/kit/exhibit_pass.h"
 #include "exhibits/kit/surface_draw.h"
 #include "render/glsl/cpu.h"
@@ -141,6 +142,24 @@ FloorMirrorBlock floorMirror(const HallScene& scene, const render::View& view, b
     return block;
 }
 
+constexpr const char* screenMirrorPass = "hall/floor/mirror";
+
+/// Plans the floor once more, over itself, when everything opaque is drawn: with reflections of the picture.
+void planScreenMirror(const HallScene& scene, Pass floor, render::FramePlan& plan)
+{
+    if (scene.values[scene.table.floorMirror] != FloorMirror::screen)
+        return plan.skip(screenMirrorPass, "the floor mirrors nothing in screen space");
+    if (!scene.values[scene.table.reflectionProbe])
+        return plan.skip(screenMirrorPass, "the reflection probe is switched off");
+    if (plan.view.raster.drawn() != plan.view.raster.size)
+        return plan.skip(screenMirrorPass, "the picture is drawn in tiles, and reflections reach beyond them");
+    floor.name = screenMirrorPass;
+    floor.reason = "the floor mirrors what the picture shows";
+    floor.state.depthTest = render::DepthTest::nearerOrEqual;
+    mirrorPicture(floor, plan);
+    plan.add(std::move(floor));
+}
+
 }  // namespace
 
 bool isFloor(const render::MeshInstance& part)
@@ -191,18 +210,20 @@ void planFloor(const HallScene& scene, const SceneLighting& light, const Channel
         floor.draws.push_back(partDraw(scene, part));
     }
     if (floor.draws.empty()) {
-        plan.skip(floor.name, "the floor is out of view");
+        for (const std::string& name : {floor.name, std::string(screenMirrorPass)})
+            plan.skip(name, "the floor is out of view");
         return;
     }
     if (scene.values[scene.table.bakedLight]) bindLightmaps(scene, light, floor);
-    const bool mirrors = light.light.hasProbe && scene.values[scene.table.floorMirror] == FloorMirror::shapes;
+    const bool mirrors = light.light.hasProbe && scene.values[scene.table.floorMirror] != FloorMirror::probe;
     if (scene.values[scene.table.contactShadows]) {
         floor.shader.defines.emplace_back("CONTACT_SHADOWS");
         floor.inputs.push_back({UNIT_EXHIBIT_A, std::string(contactImage)});
     }
     if (mirrors) floor.shader.defines.emplace_back("MIRROR_SHAPES");
     floor.blocks[BLOCK_EXHIBIT] = render::std140Bytes(floorMirror(scene, plan.view, mirrors));
-    plan.add(std::move(floor));
+    plan.add(floor);
+    planScreenMirror(scene, std::move(floor), plan);
 }
 
 }  // namespace vitrine::hall

@@ -11,7 +11,7 @@ namespace vitrine::hall {
 
 enum class SunBy : int { angles, hour };
 enum class ShadowFilter : int { hard, tent3, tent5, disk };
-enum class FloorMirror : int { probe, shapes };
+enum class FloorMirror : int { probe, shapes, screen };
 enum class LampsLit : int { automatic, on, off };
 enum class ToneCurve : int { vitrine, agx, aces, neutral, none };
 enum class HallHeatMap : int { none, overdraw };
@@ -174,9 +174,10 @@ struct HallTable final : Parameters {
         quality(1024), when(reflectionProbe));
 
     Choice<FloorMirror> floorMirror =
-        choice("floorMirror", FloorMirror::shapes, {"probe", "shapes"},
+        choice("floorMirror", FloorMirror::shapes, {"probe", "shapes", "screen"},
                "Reflections of the polished floor: the soft reflection probe alone, or with ray-traced shapes of the "
-               "window, its bars and everything on the floor.",
+               "window, its bars and everything on the floor; screen: with everything that the picture shows, found in "
+               "screen space, and with those shapes where the picture does not show it.",
                quality(FloorMirror::shapes), when(reflectionProbe), essential());
 
     // Penumbrae are visible on the floor.

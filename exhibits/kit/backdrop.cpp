@@ -15,6 +15,9 @@ constexpr int blurLevels = 7;  ///< The last level blurs over 64 pixels.
 
 constexpr const char* sharpPass = "kit/backdrop";
 constexpr const char* blurredPass = "kit/backdrop/blurred";
+constexpr const char* mirroredPass = "kit/backdrop/mirrored";
+constexpr const char* mirroredImage = "backdrop.mirrored";
+constexpr const char* mirroredWay = "backdrop.mirrored.way";
 constexpr const char* sharpImage = "backdrop.radiance";
 constexpr const char* blurredImage = "backdrop.blurred";
 constexpr const char* backdropDepth = "backdrop.depth";
@@ -49,7 +52,7 @@ void planSharp(render::FramePlan& plan)
     if (plan.find(sharpPass)) return;
     plan.image(pictureImage(plan, sharpImage, 1));
     plan.image({.name = backdropDepth, .format = render::Format::r32f, .nearest = true});
-    render::Pass copy = copyPass(sharpPass, "glass shows what is behind it");
+    render::Pass copy = copyPass(sharpPass, "glass or the floor shows what is drawn");
     copy.shader = {.vertex = "lib/fullscreen.vert", .fragment = "kit/backdrop.frag"};
     copy.inputs = {{UNIT_BACKDROP, std::string(radianceImage)}, {UNIT_BACKDROP_DEPTH, std::string(depthImage)}};
     copy.colors = {Attachment::whole(sharpImage), Attachment::whole(backdropDepth)};
@@ -79,6 +82,25 @@ void seeThrough(render::Pass& pass, render::FramePlan& plan, bool blurred)
     pass.shader.defines.emplace_back("BACKDROP");
     pass.inputs.push_back({UNIT_BACKDROP, std::string(blurred ? blurredImage : sharpImage)});
     pass.inputs.push_back({UNIT_BACKDROP_DEPTH, std::string(backdropDepth)});
+}
+
+void mirrorPicture(render::Pass& pass, render::FramePlan& plan)
+{
+    planSharp(plan);
+    render::ImageInfo way = pictureImage(plan, mirroredWay, blurLevels);
+    way.format = render::Format::r32f;
+    plan.image(pictureImage(plan, mirroredImage, blurLevels));
+    plan.image(way);
+    render::Pass find = copyPass(mirroredPass, "the floor mirrors what the picture shows");
+    find.shader = {.vertex = "lib/fullscreen.vert", .fragment = "kit/mirrored.frag"};
+    find.inputs = {{UNIT_BACKDROP, std::string(sharpImage)}, {UNIT_BACKDROP_DEPTH, std::string(backdropDepth)}};
+    find.colors = {Attachment::whole(mirroredImage), Attachment::whole(mirroredWay)};
+    find.mipmaps = {mirroredImage, mirroredWay};
+    plan.add(std::move(find));
+    pass.phase = render::PassPhase::transparent;
+    pass.shader.defines.emplace_back("MIRROR_PICTURE");
+    pass.inputs.push_back({UNIT_BACKDROP, mirroredImage});
+    pass.inputs.push_back({UNIT_BACKDROP_DEPTH, mirroredWay});
 }
 
 std::string depthBehindGlass(const render::FramePlan& plan)

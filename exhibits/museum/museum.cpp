@@ -405,7 +405,9 @@ std::optional<PictureRegion> Museum::movingRegion(const Prepared& prepared, cons
         high = glm::max(high, shown->second);
     }
     if (shadowMoves && lightInTheAir) return std::nullopt;
-    if (glassSeen && low.x <= high.x) return std::nullopt;  // Glass may show anything that moves, or move itself.
+    // Glass may show anything that moves, or move itself; a floor that mirrors the picture may show it, too.
+    const bool mirrored = !alone && scene.values[scene.table.floorMirror] == hall::FloorMirror::screen;
+    if ((glassSeen || mirrored) && low.x <= high.x) return std::nullopt;
     const glm::dvec2 size(request.raster.size);
     const glm::ivec2 first = glm::ivec2(glm::floor(glm::clamp(low - edge, glm::dvec2(0), size) / 2.0)) * 2;
     const glm::ivec2 end =

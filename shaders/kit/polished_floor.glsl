@@ -1,9 +1,15 @@
 // A polished floor at y = 0 with objects on it: POLISHED_FLOOR of kit/surface.frag. Permutations: CONTACT_SHADOWS,
-// MIRROR_SHAPES.
+// MIRROR_SHAPES, MIRROR_PICTURE (with MIRROR_SHAPES: of what the picture shows, too).
 #include "lib/floor_reflection.glsl"
 #include "kit/floor_block.glsl"
 #ifdef MIRROR_SHAPES
 #include "lib/sky.glsl"
+#endif
+#ifdef MIRROR_PICTURE
+#include "kit/blur_level.glsl"
+
+layout(binding = UNIT_BACKDROP) uniform sampler2D mirroredPicture;
+layout(binding = UNIT_BACKDROP_DEPTH) uniform sampler2D mirroredWay;
 #endif
 
 layout(std140, binding = BLOCK_EXHIBIT) uniform FloorMirror {
@@ -102,6 +108,20 @@ vec3 floorMirrored(Surface s, vec3 toEye, vec3 roomAmbient)
 }
 #endif
 
+#ifdef MIRROR_PICTURE
+// Radiance that the floor reflects of what the picture shows (kit/mirrored.frag), blurred as far as the lobe spreads;
+// `otherwise` where the picture shows nothing.
+vec3 floorMirroredPicture(Surface s, vec3 otherwise)
+{
+    const float wide = 4.0;  // Mip level at which the way is read: its mean varies smoothly.
+    vec2 at = gl_FragCoord.xy / vec2(textureSize(mirroredPicture, 0));
+    float coverage = textureLod(mirroredPicture, at, wide).a;
+    float way = textureLod(mirroredWay, at, wide).r / max(coverage, 1e-4);
+    vec4 shown = textureLod(mirroredPicture, at, blurLevel(way, 2.0 * s.roughness * s.roughness));
+    return otherwise * (1.0 - shown.a) + shown.rgb;
+}
+#endif
+
 // Radiance towards the eye. `roomAmbient`: irradiance over pi of the probe for the floor's normal. Distant, dim light
 // is reflected as by polish. The sun's highlight uses a higher roughness, because it would otherwise saturate.
 vec3 shadeFloor(Surface s, vec3 toEye, vec3 roomAmbient)
@@ -110,6 +130,9 @@ vec3 shadeFloor(Surface s, vec3 toEye, vec3 roomAmbient)
     worn.roughness = max(s.roughness, 0.45);
 #ifdef MIRROR_SHAPES
     vec3 mirrored = floorMirrored(s, toEye, roomAmbient);
+#ifdef MIRROR_PICTURE
+    mirrored = floorMirroredPicture(s, mirrored);
+#endif
 #else
     vec3 mirrored = probeRadiance(s.position, reflect(-toEye, s.normal), s.roughness) * s.occlusion;
 #endif

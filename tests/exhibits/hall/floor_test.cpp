@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <vector>
 
 namespace vitrine::hall {
@@ -189,6 +190,71 @@ TEST_F(Floor, MirrorsAPlinthWhereRaysFindIt)
     EXPECT_NEAR(static_cast<double>(steepest), reach, 1.5);
     // Control: the probe does not contain the plinth, which changes the floor in front of it.
     EXPECT_GT(std::abs(change.back() - change.front()), 0.03);
+}
+
+/// Returns Pearson's correlation.
+double correlation(const std::vector<double>& a, const std::vector<double>& b)
+{
+    const auto n = static_cast<double>(a.size());
+    const double meanA = std::accumulate(a.begin(), a.end(), 0.0) / n;
+    const double meanB = std::accumulate(b.begin(), b.end(), 0.0) / n;
+    double ab = 0, aa = 0, bb = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        ab += (a[i] - meanA) * (b[i] - meanB);
+        aa += (a[i] - meanA) * (a[i] - meanA);
+        bb += (b[i] - meanB) * (b[i] - meanB);
+    }
+    return ab / std::sqrt(aa * bb);
+}
+
+TEST_F(Floor, MirrorsThePictureInScreenSpace)
+{
+    const glm::dvec3 eye(-2, 0.6, -2);
+    Shot shot = hallShot(eye, {-6.5, 0.9, -6}, 0.9);
+    shot.size(320, 180);
+    shot.hall().set(hallTable().probeSize, 128);
+    const Picture shapes = shot.take();
+    shot.hall().set(hallTable().floorMirror, FloorMirror::screen);
+    const Picture screen = shot.take();
+    const double wall = building().room().low.x;
+    // Mean light of parts of the wall, `aside` meters beside those whose mirror images are in the floor, and how the
+    // floor has changed there. Parts are as wide as the floor's lobe.
+    const auto alike = [&](double aside) {
+        constexpr int points = 5;  // Along each side of a part.
+        constexpr double part = 0.4;
+        std::vector<double> seen, changed;
+        for (double low = 0.1; low < 1.6; low += part)
+            for (double left = -7.5; left < -3.5; left += part) {
+                double light = 0, change = 0;
+                int count = 0;
+                for (int i = 0; i < points * points; ++i) {
+                    const double y = low + part * (i / points + 0.5) / points;
+                    const double z = left + part * (i % points + 0.5) / points;
+                    const double way = eye.y / (eye.y + y);
+                    const glm::dvec3 place(glm::mix(eye.x, wall, way), 0, glm::mix(eye.z, z, way));
+                    const glm::dvec2 at = pixelOf(screen, place);
+                    if (at.x < 1 || at.y < 1 || at.x > screen.width() - 1 || at.y > screen.height() - 1) continue;
+                    light += luminanceAt(screen, {wall, y, z + aside});
+                    change += luminanceAt(screen, place) - luminanceAt(shapes, place);
+                    ++count;
+                }
+                if (count < points * points) continue;
+                seen.push_back(light / count);
+                changed.push_back(change / count);
+            }
+        EXPECT_GT(seen.size(), 20U);
+        return correlation(seen, changed);
+    };
+    EXPECT_GT(alike(0), 0.5);
+    // Control: not with what stands beside.
+    EXPECT_GT(alike(0), alike(-1.5) + 0.2);
+    EXPECT_GT(alike(0), alike(1.5) + 0.2);
+    // In tiles, which do not show each other, the floor keeps to the shapes.
+    shot.size(96, 54);
+    shot.request.largestTile = 32;
+    const Picture tiled = shot.take();
+    shot.hall().set(hallTable().floorMirror, FloorMirror::shapes);
+    EXPECT_EQ(tiled.image.pixels, shot.take().image.pixels);
 }
 
 TEST_F(Floor, IsTheSameInTiles)

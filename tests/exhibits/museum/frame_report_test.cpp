@@ -103,10 +103,14 @@ TEST_F(LongFrameReports, AnEffectThatIsOffHasNoPassNoProgramAndNoTexture)
                      clouds = static_cast<double>(noise::NoiseWork::clouds);
     constexpr double finished = static_cast<double>(PixelView::finished),
                      depthView = static_cast<double>(PixelView::depth);
+    constexpr double shapes = static_cast<double>(hall::FloorMirror::shapes),
+                     onScreen = static_cast<double>(hall::FloorMirror::screen);
     // The mesh replaces two passes with their two programs and an image, and needs two passes with one program for the
     // shadow on it. With the mask and the running sum, screen-space rays are three passes and two images; the air is
     // two and one. Shadows of the hall are the map of static objects, its copy, and two passes for hanging and turning
     // objects. Without them there are no shadows of exhibits: clearing their map, and the two that the sun reaches.
+    // For a floor that mirrors the picture, the picture is copied with its depth, and what the floor shows of it is
+    // found.
     const Switch switches[] = {
         {"sdf_morph", "conePrepass", 1.0, 0.0, true, "sdf_morph/cone", "sdf_morph.cone", 1, 1, 1},
         {"sdf_morph", "shownAs", mesh, field, true, "sdf_morph/mesh", "", 1, 0, -1, 0},
@@ -124,6 +128,7 @@ TEST_F(LongFrameReports, AnEffectThatIsOffHasNoPassNoProgramAndNoTexture)
         {"pixel_art", "view", finished, depthView, true, "pixel_art/normals", "pixel_art.surface", 1, 1, 2, 1},
         {"sdf_scenes", "split", 1.0, 0.0, true, "sdf_scenes/right", "", 1, 0, 0},
         {"hall", "heatMap", 1.0, 0.0, false, "hall/overdraw", "hall.overdraw", 2, 2, 2},
+        {"hall", "floorMirror", onScreen, shapes, false, "hall/floor/mirror", "backdrop.", 1, 3, 4, 2},
         {"hall", "reflectionProbe", 1.0, 0.0, true, "probe/", "probe", 11, 3, 3},
         {"hall", "sunShadows", 1.0, 0.0, false, "hall/shadow", "shadow.", 4, 2, 3, 3},
     };
