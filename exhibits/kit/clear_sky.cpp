@@ -70,10 +70,13 @@ public:
         return glm::mix(glm::mix(cells_[index], cells_[index + 1], column - c),
                         glm::mix(cells_[index + below], cells_[index + below + 1], column - c), row - r);
     }
-    template <typename Value> void fill(const Value& value)
+    /// Calls `valuesAt(height)` for each row, and the function of the cosine that it returns for each cell.
+    template <typename ValuesAt> void fill(const ValuesAt& valuesAt)
     {
-        for (int row = 0; row < heights_; ++row)
-            for (int column = 0; column < cosines_; ++column) cell(row, column) = value(height(row), cosine(column));
+        for (int row = 0; row < heights_; ++row) {
+            const auto valueAt = valuesAt(height(row));
+            for (int column = 0; column < cosines_; ++column) cell(row, column) = valueAt(cosine(column));
+        }
     }
 
 private:
@@ -138,44 +141,73 @@ glm::dvec3 towards(double cosine)
     return {std::sqrt(std::max(1 - cosine * cosine, 0.0)), cosine, 0};
 }
 
-/// Returns multiply scattered light as isotropic radiance: Hillaire 2020, section 5.5.
-glm::dvec3 manyTimesScattered(double height, double cosine, const HeightAndSun& sunlight, const Haze& haze)
-{
-    constexpr int directions = 48, steps = 12;
-    constexpr double isotropic = 1 / (4 * std::numbers::pi);
-    const glm::dvec3 groundAlbedo(0.3);
-    const glm::dvec3 from{0, groundRadius + height, 0};
-    const glm::dvec3 sun = towards(cosine);
-    glm::dvec3 twice(0), again(0);
-    for (int i = 0; i < directions; ++i) {
-        // The golden angle distributes the directions evenly over the sphere.
-        const double up = 1 - (2 * i + 1.0) / directions;
-        const double turn = i * 2.39996322972865332;
-        const double flat = std::sqrt(1 - up * up);
-        const glm::dvec3 direction{flat * std::cos(turn), up, flat * std::sin(turn)};
-        const double ground = distanceToSphere(from.y, up, groundRadius);
-        const bool down = up < 0 && ground > 0;
-        const double step = (down ? ground : distanceToSphere(from.y, up, airRadius)) / steps;
-        glm::dvec3 through(1);
-        for (int k = 0; k < steps; ++k) {
-            const glm::dvec3 place = from + direction * ((k + 0.5) * step);
-            const double radius = glm::length(place);
-            const AirDensity air = airDensity(std::max(radius - groundRadius, 0.0));
-            const glm::dvec3 scattering = rayleighScattering * air.molecules + glm::dvec3(haze.scattering * air.haze);
-            const glm::dvec3 lost = extinction(air, haze);
-            const glm::dvec3 kept = glm::exp(-lost * step);
-            const glm::dvec3 here = through * scattering * (1.0 - kept) / glm::max(lost, glm::dvec3(1e-12));
-            twice += here * sunlight.at(radius - groundRadius, glm::dot(place, sun) / radius) * isotropic;
-            again += here;
-            through *= kept;
+/// Paths through the air in all directions from one height, for the multiply scattered light there as isotropic
+/// radiance: Hillaire 2020, section 5.5. They are the same for every sun.
+class AirPaths {
+public:
+    AirPaths(double height, const Haze& haze) : from_(0, groundRadius + height, 0)
+    {
+        constexpr int steps = 12;
+        for (int i = 0; i < directions; ++i) {
+            // The golden angle distributes the directions evenly over the sphere.
+            const double up = 1 - (2 * i + 1.0) / directions;
+            const double turn = i * 2.39996322972865332;
+            const double flat = std::sqrt(1 - up * up);
+            const glm::dvec3 direction{flat * std::cos(turn), up, flat * std::sin(turn)};
+            const double ground = distanceToSphere(from_.y, up, groundRadius);
+            const bool down = up < 0 && ground > 0;
+            const double step = (down ? ground : distanceToSphere(from_.y, up, airRadius)) / steps;
+            glm::dvec3 through(1);
+            for (int k = 0; k < steps; ++k) {
+                const glm::dvec3 place = from_ + direction * ((k + 0.5) * step);
+                const double radius = glm::length(place);
+                const AirDensity air = airDensity(std::max(radius - groundRadius, 0.0));
+                const glm::dvec3 scattering =
+                    rayleighScattering * air.molecules + glm::dvec3(haze.scattering * air.haze);
+                const glm::dvec3 lost = extinction(air, haze);
+                const glm::dvec3 kept = glm::exp(-lost * step);
+                const glm::dvec3 here = through * scattering * (1.0 - kept) / glm::max(lost, glm::dvec3(1e-12));
+                lit_.push_back({place, radius, here});
+                again_ += here;
+                through *= kept;
+            }
+            if (down) grounds_.push_back({glm::normalize(from_ + direction * ground), through});
         }
-        if (!down) continue;
-        const glm::dvec3 at = glm::normalize(from + direction * ground);
-        const double lit = std::max(glm::dot(at, sun), 0.0);
-        twice += through * groundAlbedo * sunlight.at(0, lit) * (lit / std::numbers::pi);
     }
-    return twice / (directions * 1.0) / (1.0 - again / (directions * 1.0));
-}
+
+    [[nodiscard]] glm::dvec3 scattered(double cosine, const HeightAndSun& sunlight) const
+    {
+        constexpr double isotropic = 1 / (4 * std::numbers::pi);
+        const glm::dvec3 groundAlbedo(0.3);
+        const glm::dvec3 sun = towards(cosine);
+        glm::dvec3 twice(0);
+        for (const Lit& at : lit_)
+            twice += at.share * sunlight.at(at.radius - groundRadius, glm::dot(at.place, sun) / at.radius) * isotropic;
+        for (const Ground& at : grounds_) {
+            const double up = std::max(glm::dot(at.normal, sun), 0.0);
+            twice += at.through * groundAlbedo * sunlight.at(0, up) * (up / std::numbers::pi);
+        }
+        return twice / (directions * 1.0) / (1.0 - again_ / (directions * 1.0));
+    }
+
+private:
+    static constexpr int directions = 48;
+    /// Part of a path, and the share of the light there that comes from it.
+    struct Lit {
+        glm::dvec3 place;
+        double radius;
+        glm::dvec3 share;
+    };
+    /// Where a path meets the ground, and the share of the light that comes from there.
+    struct Ground {
+        glm::dvec3 normal, through;
+    };
+
+    glm::dvec3 from_;
+    std::vector<Lit> lit_;
+    std::vector<Ground> grounds_;
+    glm::dvec3 again_{0};  ///< Share of the light around that the air scatters once more.
+};
 
 /// Returns the light in air with this haze. The last few are kept. Thread-safe.
 std::shared_ptr<const LitAir> litAir(double haze)
@@ -198,10 +230,14 @@ std::shared_ptr<const LitAir> litAir(double haze)
 
 LitAir::LitAir(double amount) : haze(amount)
 {
-    sunlight.fill([&](double height, double cosine) {
-        return sunTransmittance({0, groundRadius + height, 0}, towards(cosine), haze);
+    sunlight.fill([&](double height) {
+        return [this, height](double cosine) {
+            return sunTransmittance({0, groundRadius + height, 0}, towards(cosine), haze);
+        };
     });
-    skylight.fill([&](double height, double cosine) { return manyTimesScattered(height, cosine, sunlight, haze); });
+    skylight.fill([&](double height) {
+        return [this, paths = AirPaths(height, haze)](double cosine) { return paths.scattered(cosine, sunlight); };
+    });
 }
 
 }  // namespace clear_sky
