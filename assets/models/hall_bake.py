@@ -3,9 +3,7 @@
 import json
 import math
 import os
-import struct
 import time
-import zlib
 
 import bpy
 import hall_filter
@@ -14,6 +12,7 @@ import numpy as np
 from hall_materials import MATERIALS
 from mathutils import Vector
 from mathutils.bvhtree import BVHTree
+from png_file import save_png
 
 SIZE = 1024
 
@@ -200,24 +199,5 @@ def encode(light, inside, path):
     rng = np.random.default_rng(1)
     gray = np.sqrt(np.clip(light / scale, 0, 1)) * 255
     gray = np.clip(np.floor(gray + 0.2 + 0.6 * rng.random(gray.shape[:2])[..., None]), 0, 255).astype(np.uint8)
-    png(path, gray)
+    save_png(path, gray)
     return {"file": os.path.basename(path), "scale": round(scale, 6)}
-
-
-def png(path, rgb):
-    h, w, _ = rgb.shape
-    rows = rgb.astype(np.int16).reshape(h, w * 3)
-    left = np.zeros_like(rows)
-    left[:, 3:] = rows[:, :-3]
-    up = np.zeros_like(rows)
-    up[1:] = rows[:-1]
-    data = bytearray()
-    average = ((rows - (left + up) // 2) & 255).astype(np.uint8)      # filter 3
-    for y in range(h):
-        data += b"\x03" + average[y].tobytes()
-
-    def chunk(kind, body):
-        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
-    with open(path, "wb") as f:
-        f.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", w, h, 8, 2, 0, 0, 0))
-                + chunk(b"IDAT", zlib.compress(bytes(data), 9)) + chunk(b"IEND", b""))

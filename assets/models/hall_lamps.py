@@ -17,6 +17,7 @@ from hall_rays import Atlas, Rays, Triangles, around
 from hall_transfer import (AXES, HERE, SIZE, Patches, after_bounces, air_gather, air_points, fill_air, form_factors,
                            is_inside, on_texels, rounded, write)
 from PIL import Image
+from png_file import save_png
 
 TESTS = os.path.join(HERE, "..", "..", "tests", "exhibits", "hall")
 SAMPLES, AIR_SAMPLES, PATHS, BOUNCES = 32, 12, 24576, 12
@@ -157,7 +158,7 @@ def main():
     code = np.sqrt(np.clip(whole / scale, 0, 1)) * 255
     code = np.floor(code + 0.2 + 0.6 * rng.random(code.shape))
     sky.putalpha(Image.fromarray(np.clip(code, 0, 255).astype(np.uint8)))
-    sky.save(path, optimize=True)
+    save_png(path, np.asarray(sky))
     write("hall_lamps_air.png", air[None], np.array([[air.max()]]))
     with open(os.path.join(HERE, "hall_lamps.json"), "w") as f:
         json.dump({"surfaces": rounded([scale])[0], "air": {"file": "hall_lamps_air.png", "scale": rounded([air.max()])[0]}},

@@ -17,6 +17,7 @@ import numpy as np
 import scipy.sparse as sparse
 from hall_rays import Atlas, Rays, Triangles, around, over_sphere
 from PIL import Image
+from png_file import save_png
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 SIZE = 512
@@ -288,7 +289,7 @@ def write(name, rows, scales):
     code = np.sqrt(np.clip(rows / np.maximum(scales, 1e-12), 0, 1)) * 255
     dither = 0.2 + 0.6 * np.random.default_rng(1).random(code.shape)
     code = np.where(rows > 0, np.clip(np.floor(code + dither), 0, 255), 0).astype(np.uint8)
-    Image.fromarray(code).save(os.path.join(HERE, name), optimize=True)
+    save_png(os.path.join(HERE, name), code)
 
 
 def rounded(values):

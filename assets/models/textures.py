@@ -14,6 +14,7 @@ from scipy.spatial import cKDTree
 
 sys.dont_write_bytecode = True
 from hall_materials import MATERIALS  # noqa: E402
+from png_file import save_png  # noqa: E402
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 
@@ -70,7 +71,7 @@ def save(name, color, height, occlusion, roughness, size=None, tile=None):
         if size and size.get(kind, image.size[0]) != image.size[0]:
             image = image.resize((size[kind],) * 2, Image.BOX)
         path = os.path.join(folder, f"{name}_{kind}.png")
-        image.save(path, optimize=True)
+        save_png(path, np.asarray(image))
         print(f"{path}: {image.size[0]} px, {os.path.getsize(path) // 1024} KiB")
 
 
