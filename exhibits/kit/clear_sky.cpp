@@ -198,7 +198,7 @@ private:
         double radius;
         glm::dvec3 share;
     };
-    /// Where a path meets the ground, and the share of the light that comes from there.
+    /// End of a path on the ground, and the share of the light that comes from there.
     struct Ground {
         glm::dvec3 normal, through;
     };
