@@ -145,17 +145,17 @@ FloorMirrorBlock floorMirror(const HallScene& scene, const render::View& view, b
 constexpr const char* screenMirrorPass = "hall/floor/mirror";
 
 /// Plans the floor once more, over itself, when everything opaque is drawn: with reflections of the picture.
-void planScreenMirror(const HallScene& scene, Pass floor, render::FramePlan& plan)
+void planScreenMirror(const HallScene& scene, bool hasProbe, Pass floor, render::FramePlan& plan)
 {
     if (scene.values[scene.table.floorMirror] != FloorMirror::screen)
         return plan.skip(screenMirrorPass, "the floor mirrors nothing in screen space");
-    if (!scene.values[scene.table.reflectionProbe])
-        return plan.skip(screenMirrorPass, "the reflection probe is switched off");
+    if (!hasProbe) return plan.skip(screenMirrorPass, "there is no reflection probe");
     if (plan.view.raster.drawn() != plan.view.raster.size)
         return plan.skip(screenMirrorPass, "the picture is drawn in tiles, and reflections reach beyond them");
     floor.name = screenMirrorPass;
     floor.reason = "the floor mirrors what the picture shows";
     floor.state.depthTest = render::DepthTest::nearerOrEqual;
+    floor.state.depthWrite = false;
     mirrorPicture(floor, plan);
     plan.add(std::move(floor));
 }
@@ -223,7 +223,7 @@ void planFloor(const HallScene& scene, const SceneLighting& light, const Channel
     if (mirrors) floor.shader.defines.emplace_back("MIRROR_SHAPES");
     floor.blocks[BLOCK_EXHIBIT] = render::std140Bytes(floorMirror(scene, plan.view, mirrors));
     plan.add(floor);
-    planScreenMirror(scene, std::move(floor), plan);
+    planScreenMirror(scene, light.light.hasProbe, std::move(floor), plan);
 }
 
 }  // namespace vitrine::hall
