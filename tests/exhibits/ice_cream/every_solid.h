@@ -114,8 +114,10 @@ public:
     /// Returns the distance to the bowl: the nearest of its two disks and the ball between them.
     [[nodiscard]] double bowl(const glm::dvec2& p) const
     {
-        const double radius = s_.bowl.x, low = s_.bowl.z - s_.bowl.y, high = s_.bowl.w - s_.bowl.y;
-        const glm::dvec2 q(p.x, p.y - s_.bowl.y);
+        // Differences of two floats would be rounded to floats.
+        const double radius = s_.bowl.x, middle = s_.bowl.y;
+        const double low = s_.bowl.z - middle, high = s_.bowl.w - middle;
+        const glm::dvec2 q(p.x, p.y - middle);
         const auto edge = [&](double y) { return glm::dvec2(std::sqrt(std::max(radius * radius - y * y, 0.0)), y); };
         double d = std::min(segment(q, {0, low}, edge(low)), segment(q, {0, high}, edge(high)));
         const glm::dvec2 onBall = glm::length(q) > 0 ? q * (radius / glm::length(q)) : glm::dvec2(radius, 0);
