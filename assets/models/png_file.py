@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Writes the PNG files that the program reads when it starts, so that they cost little to decode.
 
 python3 assets/models/png_file.py FILE...          writes the files anew, with the same pixels
