@@ -145,21 +145,22 @@ glm::dvec3 towards(double cosine)
 /// radiance: Hillaire 2020, section 5.5. They are the same for every sun.
 class AirPaths {
 public:
-    AirPaths(double height, const Haze& haze) : from_(0, groundRadius + height, 0)
+    AirPaths(double height, const Haze& haze)
     {
         constexpr int steps = 12;
+        const glm::dvec3 from{0, groundRadius + height, 0};
         for (int i = 0; i < directions; ++i) {
             // The golden angle distributes the directions evenly over the sphere.
             const double up = 1 - (2 * i + 1.0) / directions;
             const double turn = i * 2.39996322972865332;
             const double flat = std::sqrt(1 - up * up);
             const glm::dvec3 direction{flat * std::cos(turn), up, flat * std::sin(turn)};
-            const double ground = distanceToSphere(from_.y, up, groundRadius);
+            const double ground = distanceToSphere(from.y, up, groundRadius);
             const bool down = up < 0 && ground > 0;
-            const double step = (down ? ground : distanceToSphere(from_.y, up, airRadius)) / steps;
+            const double step = (down ? ground : distanceToSphere(from.y, up, airRadius)) / steps;
             glm::dvec3 through(1);
             for (int k = 0; k < steps; ++k) {
-                const glm::dvec3 place = from_ + direction * ((k + 0.5) * step);
+                const glm::dvec3 place = from + direction * ((k + 0.5) * step);
                 const double radius = glm::length(place);
                 const AirDensity air = airDensity(std::max(radius - groundRadius, 0.0));
                 const glm::dvec3 scattering =
@@ -171,7 +172,7 @@ public:
                 again_ += here;
                 through *= kept;
             }
-            if (down) grounds_.push_back({glm::normalize(from_ + direction * ground), through});
+            if (down) grounds_.push_back({glm::normalize(from + direction * ground), through});
         }
     }
 
@@ -203,7 +204,6 @@ private:
         glm::dvec3 normal, through;
     };
 
-    glm::dvec3 from_;
     std::vector<Lit> lit_;
     std::vector<Ground> grounds_;
     glm::dvec3 again_{0};  ///< Share of the light around that the air scatters once more.
