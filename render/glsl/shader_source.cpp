@@ -1,11 +1,11 @@
 #include "render/glsl/shader_source.h"
 
 #include "render/failure.h"
+#include "render/files/read_file.h"
 #include "render/glsl/embedded.h"
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -18,6 +18,8 @@ namespace fs = std::filesystem;
 /// Mesa (22.3) reports errors inside an expression with source number 0, whatever `#line` said (its YYLLOC_DEFAULT
 /// drops the source). So the line number encodes the file, too: line n of file i is i * linesPerFile + n.
 constexpr int linesPerFile = 100000;
+
+constexpr std::uint64_t mostBytes = 1U << 20U;  // of one file
 
 /// Replaces includes depth-first, each file once. Writes `#line` directives, so that messages name the right file and
 /// line.
@@ -106,9 +108,11 @@ std::optional<std::string> ShaderSource::read(std::string_view file) const
         if (found == all.end()) return std::nullopt;
         return std::string(found->text);
     }
-    std::ifstream stream(*folder_ / file, std::ios::binary);
-    if (!stream) return std::nullopt;
-    return std::string(std::istreambuf_iterator<char>(stream), {});
+    std::error_code error;
+    if (!whyRefused(file).empty() || fs::path(file).lexically_normal() != file ||
+        !fs::is_regular_file(*folder_ / file, error))
+        return std::nullopt;
+    return readFileBeneath(*folder_, file, mostBytes);
 }
 
 ShaderText ShaderSource::load(std::string_view file, const std::vector<std::string>& defines, std::string_view prelude,

@@ -24,7 +24,8 @@ public:
     /// Reads every file from this folder.
     explicit ShaderSource(std::filesystem::path folder);
 
-    /// Returns the text of one file, or nothing if it does not exist.
+    /// Returns the text of one file, named as `list` does, or nothing if there is none: a folder is no file, and no
+    /// name leads out of shaders/. Throws Failure as `readFileBeneath` does.
     [[nodiscard]] std::optional<std::string> read(std::string_view file) const;
 
     /// Returns the complete text of a shader: `#version 450 core`, one `#define` per entry of `defines`, the prelude,
