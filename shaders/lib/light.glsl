@@ -160,10 +160,22 @@ float filteredShadow(sampler2DShadow map, mat4 shadowFromWorld, vec3 world, vec3
 #endif
 }
 
-// Returns whether sunlight can reach a point. Inside a room it enters only through the passages.
+// Returns whether sunlight that reaches a point has crossed the room. That is decided by the ray towards the sun: points
+// of the walls lie on the room's boundary, or in niches outside it.
+bool isBehindRoom(vec3 world)
+{
+    vec3 direction = mix(light.sunDirection, vec3(1e-6), lessThan(abs(light.sunDirection), vec3(1e-6)));
+    vec3 toLow = (light.roomLow - world) / direction;
+    vec3 toHigh = (light.roomHigh - world) / direction;
+    vec3 enters = min(toLow, toHigh);
+    vec3 exits = max(toLow, toHigh);
+    return min(exits.x, min(exits.y, exits.z)) > max(max(enters.x, enters.y), max(enters.z, 0.0));
+}
+
+// Returns whether sunlight can reach a point. It enters the room only through the passages.
 bool mayBeSunlit(vec3 world)
 {
-    bool may = any(lessThan(world, light.roomLow)) || any(greaterThan(world, light.roomHigh));
+    bool may = !isBehindRoom(world);
     vec2 at = shadowPosition(light.hallShadowFromWorld, world).xy;
     for (int i = 0; i < MOST_SUN_PASSAGES; ++i)
         may = may || (all(greaterThan(at, light.sunPassages[i].xy)) && all(lessThan(at, light.sunPassages[i].zw)));

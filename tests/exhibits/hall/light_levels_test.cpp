@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -72,7 +73,8 @@ TEST_F(LightLevels, TheMapOfBouncedLightIsThatOfFloat64)
 
 /// Returns the walls alone, scene-linear, under a sky that does not depend on the sun. `change` may change the block of
 /// their light.
-render::Image wallsWith(const ParameterValues& values, const std::function<void(LightBlock&)>& change = {})
+render::Image wallsWith(const ParameterValues& values, const std::function<void(LightBlock&)>& change = {},
+                        const std::optional<render::Camera>& camera = {})
 {
     const HallScene scene = hall().scene(values, false, nullptr);
     SceneLighting light = sceneLighting(scene);
@@ -83,7 +85,7 @@ render::Image wallsWith(const ParameterValues& values, const std::function<void(
     render::FramePlan plan;
     render::Raster raster;
     raster.size = {96, 54};
-    plan.view = render::makeView(hall().bestView(values), raster);
+    plan.view = render::makeView(camera.value_or(hall().bestView(values)), raster);
     plan.image({.name = radianceImage, .format = render::Format::rgba32f});
     plan.image({.name = depthImage, .format = render::Format::depth32f, .nearest = true});
     planHallShadow(scene, light, plan);
@@ -122,6 +124,35 @@ TEST_F(LongLightLevels, WithTheShadowMapAskedEverywhereAreTheSame)
         shot.hall().set(hallTable().sunElevation, 19 * degree);
         EXPECT_GT(test::largestDifference(wallsWith(shot.hall()), wallsWith(shot.hall(), nowhere)), 0.1);
     }
+}
+
+// The door stands in a recess behind the room's wall, and walls lie on its boundary. They are looked up nowhere, so a
+// map that answers "lit" everywhere changes nothing.
+TEST_F(LightLevels, LookUpNoSunlightThatCrossesTheRoomBesideTheOpenings)
+{
+    Shot shot;
+    shot.hall().set(hallTable().reflectionProbe, false);
+    shot.hall().set(hallTable().sunAzimuth, -3 * degree);
+    shot.hall().set(hallTable().sunElevation, 19 * degree);
+    const auto closed = [](LightBlock& light) {
+        for (glm::vec4& passage : light.sunPassages) passage = glm::vec4(0);
+    };
+    const auto lit = [](LightBlock& light) {
+        for (int column = 0; column < 3; ++column) light.hallShadowFromWorld[column][2] = 0;
+        light.hallShadowFromWorld[3][2] = 1;
+    };
+    const auto closedAndLit = [&](LightBlock& light) {
+        closed(light);
+        lit(light);
+    };
+    const render::Camera door{{0.5, 1.65, 9}, {0.5, 1.2, 12}, 0.959931};
+    const render::Image dark = wallsWith(shot.hall(), closed, door);
+    EXPECT_EQ(test::largestDifference(dark, wallsWith(shot.hall(), closedAndLit, door)), 0);
+    const auto openAndLit = [&](LightBlock& light) {
+        light.roomLow = light.roomHigh = glm::vec3(0);
+        lit(light);
+    };
+    EXPECT_GT(test::largestDifference(dark, wallsWith(shot.hall(), openAndLit, door)), 0.1);
 }
 
 /// Returns irradiance over pi in the probe for both directions along x, with these shapes in the hall.
