@@ -163,7 +163,7 @@ struct Planner {
         // strand are shaded.
         made.depth = Attachment::whole(depthImage);
         made.state = {.depthTest = render::DepthTest::farther, .cull = render::Cull::front, .depthClamp = true};
-        scene.context.lighting.bindLighting(made);
+        scene.context.bindLighting(made);
         made.inputs.push_back({UNIT_EXHIBIT_A, found});
         for (int i = 0; i < furBodyCount; ++i) {
             if (!inView[i]) continue;
@@ -199,7 +199,7 @@ struct Planner {
         made.depth = Attachment::whole(depthImage);
         made.state = {.depthTest = render::DepthTest::nearer, .blend = render::Blend::premultiplied};
         made.reads = {statesName};
-        scene.context.lighting.bindLighting(made);
+        scene.context.bindLighting(made);
         made.draws = {render::Draw{}};
         made.draws[0].mesh = diskMesh();
         made.draws[0].object = render::std140Bytes(all);

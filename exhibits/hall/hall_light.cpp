@@ -236,6 +236,7 @@ SceneLighting sceneLighting(const HallScene& scene, bool runEverything)
     if (!scene.alone) {
         result.openings = scene.model.openings();
         result.room = scene.model.room();
+        result.building = scene.model.bounds();
     }
     result.sunShadow = shadowBound(source);
     const double bounced = scene.alone ? 0 : scene.model.surfaces().lightmaps().sun.most(bounceOf(scene));

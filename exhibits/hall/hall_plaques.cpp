@@ -78,6 +78,7 @@ void planLetters(const HallScene& scene, const SceneLighting& light, const Chann
         return;
     }
     light.bindLighting(pass);
+    pass.shaded.inView = true;
     plan.add(std::move(pass));
 }
 

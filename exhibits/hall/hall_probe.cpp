@@ -163,7 +163,7 @@ void planFace(const HallScene& scene, const SceneLighting& hallLight, const Surr
     sky.colors = {Attachment::slice("probe.captured", face)};
     sky.draws = {render::Draw{}};
     sky.bound = hallLight.probeLight;
-    hallLight.bindLighting(sky);
+    hallLight.bindSunlight(sky);
     if (scene.alone && face == 5) sky.mipmaps = {"probe.captured"};
     plan.add(std::move(sky));
     if (scene.alone) return;
@@ -182,9 +182,11 @@ void planFace(const HallScene& scene, const SceneLighting& hallLight, const Surr
     walls.draws = around.walls;
     bindLightmaps(scene, hallLight, walls);
     hallLight.bindLighting(walls);
+    walls.shaded.inView = true;
     plan.add(std::move(walls));
     things.draws = around.things;
     hallLight.bindLighting(things);
+    things.shaded.inView = true;
     if (face == 5) things.mipmaps = {"probe.captured"};
     plan.add(std::move(things));
 }

@@ -131,6 +131,7 @@ void planOwnObject(const HallScene& scene, const OwnObject& object, const SceneL
         onFreePlinth ? "an object stands on the free plinth" : "an object of the visitor's stands here", light,
         channels,
         {"BASE_COLOR_MAP", "VERTEX_COLOR", "NORMAL_MAP", "ORM_MAP", "OCCLUSION_MAP", "EMISSIVE_MAP", "ALPHA_MASK"});
+    pass.shaded.within = object.box;
     pass.state.cull = render::Cull::none;
     if (isMirror(object)) light.mirrorWorks(pass);
     for (const MeshInstance& part : object.model->parts)

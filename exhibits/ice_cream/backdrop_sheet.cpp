@@ -84,7 +84,7 @@ void planBackdrop(const IceCreamTable& table, const PlanContext& context, const 
     render::Pass pass = exhibitPass(name, "a lamp behind the ice cream lights a sheet", context.values,
                                     "ice_cream/backdrop.vert", "ice_cream/backdrop.frag");
     drawSurface(pass, context.channels.withoutCounts());
-    context.lighting.bindLighting(pass);
+    context.bindLighting(pass);
     IceCreamBackdrop block;
     block.worldFromExhibit = glm::mat4(context.worldFromExhibit);
     block.foot = glm::vec3(foot);

@@ -227,7 +227,7 @@ void IceCream::planBeside(const SdfScene& scene, render::FramePlan& plan) const
         render::Pass pass = sdfPass(scene, "ground", "it is shown alone in the light of the reference",
                                     "lib/fullscreen.vert", "ice_cream/ground.frag");
         drawSurface(pass, scene.context.channels.withoutCounts());
-        scene.context.lighting.bindLighting(pass);
+        scene.context.bindLighting(pass);
         pass.shader.defines.push_back(shadowDefine(scene));
         pass.state.cull = render::Cull::none;
         pass.draws = {sdfDraw(scene, nullptr)};

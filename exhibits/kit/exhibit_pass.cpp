@@ -58,6 +58,7 @@ render::Pass surfacePass(std::string name, std::string reason, const SceneLighti
     pass.shader = {.vertex = "kit/surface.vert", .fragment = "kit/surface.frag", .defines = std::move(defines)};
     drawSurface(pass, channels, load);
     light.bindLighting(pass);
+    pass.shaded.inView = true;
     pass.depthOnly = meshDepth();
     return pass;
 }

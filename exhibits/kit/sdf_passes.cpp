@@ -146,7 +146,7 @@ struct SdfPlanner {
         if (values[table.bounces] > 0) made.shader.defines.emplace_back("BOUNCES");
         if (scene.glass) made.shader.defines.emplace_back("GLASS");
         if (values[table.heatMap] != SdfHeatMap::none) made.shader.defines.emplace_back("HEAT_MAP");
-        scene.context.lighting.bindLighting(made);
+        scene.context.bindLighting(made);
         if (scene.mirrors) scene.context.lighting.mirrorWorks(made);
         // The body shades itself by rays. The exhibits' shadow map contains the shadows of others.
         if (scene.context.alone)
@@ -202,7 +202,7 @@ struct SdfPlanner {
         }
         Pass made = pass("mesh", "shown instead of the field", "kit/sdf/mesh.vert", "kit/sdf/mesh.frag");
         drawSurface(made, scene.context.channels.withoutCounts());
-        scene.context.lighting.bindLighting(made);
+        scene.context.bindLighting(made);
         if (scene.mirrors) scene.context.lighting.mirrorWorks(made);
         made.draws = {draw(found->value)};
         made.depthOnly = {made.shader};

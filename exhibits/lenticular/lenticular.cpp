@@ -140,7 +140,7 @@ Pass cardPass(const Scene& s, const CardPose& pose, const PreparedCard& prepared
     if (values[s.table.eyes] == CardEyes::anaglyph) pass.shader.defines.emplace_back("ANAGLYPH");
     pass.draws = {s.draw()};
     pass.draws[0].object = render::std140Bytes(object);
-    s.context.lighting.bindLighting(pass);
+    s.context.bindLighting(pass);
     return pass;
 }
 

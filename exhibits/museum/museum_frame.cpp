@@ -305,7 +305,8 @@ void Museum::Frame::makeContexts()
                             .alone = alone,
                             .onNothing = request.transparent || request.cutOut.has_value(),
                             .sinceOwnPress = state.sinceOwnPress,
-                            .prepared = state.prepared});
+                            .prepared = state.prepared,
+                            .worldBox = p.box});
     }
 }
 

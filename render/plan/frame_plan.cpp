@@ -1,5 +1,7 @@
 #include "render/plan/frame_plan.h"
 
+#include "shaders/lib/bindings.glsl"
+
 #include <algorithm>
 #include <cassert>
 #include <iterator>
@@ -140,6 +142,13 @@ void FramePlan::add(Pass pass)
     if (pass.sliceCount > 1) {
         assert(pass.contentHash && "work for several frames needs a key");
         for (std::string& name : outputsOf(pass)) slicedImages_.insert(std::move(name));
+    }
+    if (pass.localLights) {
+        const LocalLightsBlock lights = runEverything
+                                            ? *pass.localLights
+                                            : reachingLights(*pass.localLights, pass.shaded, pass.view.value_or(view));
+        pass.blocks[BLOCK_LOCAL_LIGHTS] = std140Bytes(lights);
+        if (lights.count > 0) pass.counts["localLights"] = lights.count;
     }
     passes_.push_back(std::move(pass));
 }

@@ -4,6 +4,7 @@
 #include "render/plan/contribution_bound.h"
 #include "render/plan/history.h"
 #include "render/plan/image_info.h"
+#include "render/plan/local_lights.h"
 #include "render/scene/camera.h"
 #include "render/scene/mesh.h"
 
@@ -134,7 +135,11 @@ struct Pass {
     std::vector<std::string> reads;   ///< Simulation states read, besides the images of `inputs`.
     std::vector<std::string> writes;  ///< Simulation states written, besides the attachments.
     std::map<int, Bytes> blocks;      ///< std140 blocks by BLOCK_ binding; FRAME is the renderer's.
-    std::optional<View> view;         ///< Replaces the plan's view: a light's, or that of a face of a probe.
+    /// Local lights of the frame. `FramePlan::add` makes the block of those that may reach a place in `shaded`, and
+    /// counts them as "localLights".
+    std::shared_ptr<const LocalLightsBlock> localLights;
+    ShadedSpace shaded;
+    std::optional<View> view;  ///< Replaces the plan's view: a light's, or that of a face of a probe.
     /// Raster: draws only the pixels of the columns from `x` to before `y`. Clearing covers the whole image. Unset: all
     /// columns.
     std::optional<glm::ivec2> columns;

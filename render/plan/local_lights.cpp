@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <limits>
 
 namespace vitrine::render {
 namespace {
@@ -19,6 +19,96 @@ bool reaches(const LocalLight& light, const glm::dvec3& center, double radius)
     const double distance = glm::distance(light.position, center);
     return std::isfinite(distance) && strengthAt(light, center) > 0 &&
            (light.range <= 0 || distance - radius < light.range);
+}
+
+/// Accounts for rounding in shaders, meters.
+constexpr double slack = 1e-3;
+
+Box intersection(const Box& a, const Box& b)
+{
+    return {glm::max(a.low, b.low), glm::min(a.high, b.high)};
+}
+
+/// Distance from a place to the farthest corner of a box.
+double farthestCorner(const Box& box, const glm::dvec3& place)
+{
+    return glm::length(glm::max(glm::abs(box.low - place), glm::abs(box.high - place)));
+}
+
+/// Box around the part of `within` that a view may show. Parallel projections show all of it.
+Box seenPart(const View& view, const Box& within)
+{
+    if (view.clipFromView[2][3] == 0) return within;
+    Box seen{view.eye, view.eye};
+    for (const glm::dvec2 corner : {glm::dvec2(-1, -1), glm::dvec2(1, -1), glm::dvec2(-1, 1), glm::dvec2(1, 1)}) {
+        // Slightly outside, because a sample may lie anywhere in its pixel.
+        const glm::dvec3 far = view.eye + farthestCorner(within, view.eye) * view.direction(1.02 * corner);
+        seen = {glm::min(seen.low, far), glm::max(seen.high, far)};
+    }
+    return intersection(seen, within);
+}
+
+/// The cone and the range of a light.
+class LitPart {
+public:
+    explicit LitPart(const LocalLightEntry& light)
+        : position_(light.position), axis_(light.axis), hasCone_(light.coneScale > 0),
+          range_(light.range > 0 ? light.range + slack : std::numeric_limits<double>::infinity())
+    {
+        if (hasCone_) cosine_ = std::clamp(static_cast<double>(light.coneCosine) - 1.0 / light.coneScale, -1.0, 1.0);
+        sine_ = std::sqrt(1 - cosine_ * cosine_);
+    }
+
+    [[nodiscard]] bool mayReach(const Box& box) const
+    {
+        if (glm::distance(position_, glm::clamp(position_, box.low, box.high)) > range_) return false;
+        if (!hasCone_) return true;
+        const double radius = glm::length(box.halfSize()) + slack;
+        const glm::dvec3 away = box.center() - position_;
+        const double along = glm::dot(away, axis_);
+        const double across = std::sqrt(std::max(glm::dot(away, away) - along * along, 0.0));
+        // The distance from a line on the cone's surface, and from the plane through its tip.
+        return cosine_ * across - sine_ * along <= radius && (cosine_ < 0 || -along <= radius);
+    }
+
+    /// Returns whether a place within `reach` meters of the light may lie on the side of the plane where `plane` is
+    /// positive: a unit normal, and the distance from the origin.
+    [[nodiscard]] bool mayReach(const glm::dvec4& plane, double reach) const
+    {
+        const glm::dvec3 normal(plane);
+        const double tip = glm::dot(normal, position_) + plane.w;
+        if (tip + reach < -slack) return false;
+        if (!hasCone_ || cosine_ < 0.1) return true;
+        // The cone up to its base, a disk `reach` meters away.
+        const double cosine = glm::dot(normal, axis_);
+        const double rim = sine_ / cosine_ * std::sqrt(std::max(1 - cosine * cosine, 0.0));
+        return std::max(tip, tip + reach * (cosine + rim)) >= -slack;
+    }
+
+    [[nodiscard]] double range() const { return range_; }
+    [[nodiscard]] const glm::dvec3& position() const { return position_; }
+
+private:
+    glm::dvec3 position_;
+    glm::dvec3 axis_;
+    bool hasCone_;
+    double range_;
+    double cosine_ = 1;  ///< Cosine of the half angle at which its light ends.
+    double sine_ = 0;
+};
+
+bool mayReach(const LitPart& lit, const ShadedSpace& space, const std::optional<Box>& part, const View& view)
+{
+    if (part && !lit.mayReach(*part)) return false;
+    if (!space.inView) return true;
+    const double reach = part ? std::min(lit.range(), farthestCorner(*part, lit.position())) : lit.range();
+    if (!std::isfinite(reach)) return true;
+    const glm::dmat4 rows = glm::transpose(view.clipFromWorld);
+    for (const glm::dvec4& plane :
+         {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1], rows[3]})
+        if (const double length = glm::length(glm::dvec3(plane)); length > 0 && !lit.mayReach(plane / length, reach))
+            return false;
+    return true;
 }
 
 }  // namespace
@@ -52,6 +142,21 @@ LocalLighting localLighting(std::span<const LocalLight> lights, const glm::dvec3
         entry.firstLayer = static_cast<int>(6 * result.shadowed.size());
         entry.nearPlane = static_cast<float>(localShadowNear);
         result.shadowed.push_back(result.chosen[i]);
+    }
+    return result;
+}
+
+LocalLightsBlock reachingLights(const LocalLightsBlock& all, const ShadedSpace& space, const View& view)
+{
+    std::optional<Box> part = space.within;
+    if (part && space.inView) part = seenPart(view, *part);
+    LocalLightsBlock result;
+    if (part && part->empty()) return result;
+    for (int i = 0; i < all.count; ++i) {
+        const LocalLightEntry& light = all.lights[static_cast<std::size_t>(i)];
+        if (!mayReach(LitPart(light), space, part, view)) continue;
+        result.lights[static_cast<std::size_t>(result.count)] = light;
+        ++result.count;
     }
     return result;
 }

@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -46,5 +47,15 @@ struct LocalLighting {
 /// with `castsShadow` get shadow maps. Lights without intensity are left out, and lights whose range ends before the
 /// sphere of `radius` meters around `center`.
 [[nodiscard]] LocalLighting localLighting(std::span<const LocalLight>, const glm::dvec3& center, double radius);
+
+/// Places that a pass shades.
+struct ShadedSpace {
+    std::optional<Box> within = {};  ///< World space, meters; unset: anywhere.
+    bool inView = false;             ///< Only places that the view of the pass may show.
+};
+
+/// Returns the lights that may reach a place in `space`, in their order. It is conservative: a light that is left out
+/// adds exactly nothing there. `view` is that of the pass.
+[[nodiscard]] LocalLightsBlock reachingLights(const LocalLightsBlock&, const ShadedSpace& space, const View& view);
 
 }  // namespace vitrine::render

@@ -14,6 +14,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -59,6 +60,14 @@ struct PlanContext {
     /// Plans the hall and all exhibits for another view of the same frame: without shadows, without passes over the
     /// whole frame, and unpruned. Only for OverFrame::planOverFrame.
     std::function<render::FramePlan(const render::View&)> planOfView = {};
+    std::optional<render::Box> worldBox = {};  ///< Contains all that the exhibit draws.
+
+    /// As `lighting.bindLighting`, for a pass that shades only places in `worldBox`.
+    void bindLighting(render::Pass& pass) const
+    {
+        lighting.bindLighting(pass);
+        pass.shaded.within = worldBox;
+    }
 };
 
 /// A rendering technique in the museum: a parameter table and the passes that draw it. Optional features are the

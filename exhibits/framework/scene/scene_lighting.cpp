@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
 
 namespace vitrine {
@@ -17,15 +18,21 @@ void SceneLighting::mirrorWorks(render::Pass& pass) const
         if (input.unit == UNIT_PROBE) input.source = std::string(mirroredWorksImage);
 }
 
-void SceneLighting::bindLighting(render::Pass& pass) const
+void SceneLighting::bindSunlight(render::Pass& pass) const
 {
     pass.blocks[BLOCK_LIGHT] = render::std140Bytes(light);
     pass.inputs.insert(pass.inputs.end(), inputs.begin(), inputs.end());
     pass.shader.defines.push_back("SHADOW_FILTER " + std::to_string(shadowFilter));
     pass.shader.defines.push_back("BACKGROUND " + std::to_string(background));
     if (glassCastsShadow) pass.shader.defines.emplace_back("GLASS_SHADOWS");
+}
+
+void SceneLighting::bindLighting(render::Pass& pass) const
+{
+    bindSunlight(pass);
     if (!localLights) return;
-    pass.blocks[BLOCK_LOCAL_LIGHTS] = render::std140Bytes(localLights->block);
+    pass.localLights = std::make_shared<render::LocalLightsBlock>(localLights->block);
+    pass.shaded.within = building;
     pass.shader.defines.emplace_back("LOCAL_LIGHTS");
     if (localLights->shadowed.empty()) return;
     pass.shader.defines.emplace_back("LOCAL_SHADOWS");

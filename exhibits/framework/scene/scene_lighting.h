@@ -47,7 +47,8 @@ struct SceneLighting {
     /// Openings through which the sun shines into the hall and the sky is visible: each flat along one axis. World
     /// space; none without a hall.
     std::vector<render::Box> openings;
-    render::Box room;  ///< Air between walls, floor and vault; empty without a hall.
+    render::Box room;                     ///< Air between walls, floor and vault; empty without a hall.
+    std::optional<render::Box> building;  ///< Contains all surfaces of the hall; unset without a hall.
 
     /// Bounds on the effect of the sun's shadows on a surface, and of the probe's light in reflections.
     render::ContributionBound sunShadow, probeLight;
@@ -78,6 +79,9 @@ struct SceneLighting {
     bool hasMirroredWorks = false;
 
     /// Gives a pass the light block and all textures that shaders/lib/light.glsl samples.
+    void bindSunlight(render::Pass&) const;
+    /// The same, and the local lights. The pass shades places within the building; one that shades others, or knows
+    /// more closely which, sets `Pass::shaded`.
     void bindLighting(render::Pass&) const;
     /// Makes a pass with `bindLighting`, which draws a mirror, reflect the works behind openings in the walls, if there
     /// are any in this frame.

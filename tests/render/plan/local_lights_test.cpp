@@ -1,15 +1,20 @@
 // Local lights: radiation in closed form, positions in shadow maps, and the choice of lights.
 
 #include "render/glsl/cpu.h"
+#include "render/plan/frame_plan.h"
 #include "render/plan/local_lights.h"
 #include "render/scene/cube_views.h"
+#include "shaders/lib/bindings.glsl"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <numbers>
 #include <random>
+#include <vector>
 
 namespace vitrine {
 namespace {
@@ -168,6 +173,106 @@ TEST(LocalLights, AreTheStrongestWhereOneLooks)
     const render::LocalLighting high = localLighting(lights, {0, 25, 0}, 2);
     EXPECT_EQ(high.chosen.front(), 101U) << "within its range it is the strongest by far";
     EXPECT_TRUE(localLighting({}, {0, 0, 0}, 2).chosen.empty());
+}
+
+/// Returns random lights in a room of 12 m by 8 m by 24 m: some have no range, some a cone, up to nearly a sphere.
+render::LocalLighting randomLights(std::mt19937& random)
+{
+    std::uniform_real_distribution<double> share;
+    std::normal_distribution<double> number;
+    std::vector<render::LocalLight> lights(render::mostLocalLights);
+    for (render::LocalLight& light : lights) {
+        light.position = glm::dvec3(12 * share(random) - 6, 8 * share(random), 24 * share(random) - 12);
+        light.range = share(random) < 0.3 ? 0 : 6 * share(random);
+        if (share(random) < 0.3) continue;
+        light.axis = glm::normalize(glm::dvec3(number(random), number(random), number(random)));
+        light.coneInner = 1.5 * share(random);
+        light.coneOuter = light.coneInner + 0.02 + (pi - 0.05 - light.coneInner) * std::pow(share(random), 3);
+    }
+    return localLighting(lights, {0, 4, 0}, 100);
+}
+
+glsl::LocalLightEntry entryOf(const render::LocalLightEntry& light)
+{
+    glsl::LocalLightEntry entry = lightAt(light.position, 0, light.range);
+    entry.axis = light.axis;
+    entry.coneCosine = light.coneCosine;
+    entry.coneScale = light.coneScale;
+    return entry;
+}
+
+// The lights that are left out reach no place that the pass may shade, in a box, in view, or both.
+TEST(LocalLights, ThatAreLeftOutReachNoPlace)
+{
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> share;
+    const auto placeIn = [&](const render::Box& box) {
+        return box.low + (box.high - box.low) * glm::dvec3(share(random), share(random), share(random));
+    };
+    const render::Box room{{-6, 0, -12}, {6, 8, 12}};
+    int left = 0, kept = 0, needed = 0;
+    for (int round = 0; round < 300; ++round) {
+        const render::LocalLighting all = randomLights(random);
+        const render::View view =
+            render::makeView({placeIn(room), placeIn(room), 0.3 + share(random)}, {.size = {160, 90}});
+        const glm::dvec3 a = placeIn(room), b = placeIn(room);
+        const bool isSmall = round % 3 == 0;
+        const render::Box box = isSmall ? render::Box{glm::min(a, b), glm::max(a, b)} : room;
+        const render::LocalLightsBlock some = render::reachingLights(all.block, {box, round % 3 != 0}, view);
+        std::vector<glm::dvec3> places;
+        while (places.size() < 400) {
+            const glm::dvec3 place = placeIn(box);
+            const glm::dvec4 clip = view.clipFromWorld * glm::dvec4(place, 1);
+            const bool isSeen = clip.w > 0 && std::max(std::abs(clip.x), std::abs(clip.y)) <= clip.w;
+            if (isSmall || isSeen) places.push_back(place);
+            if (clip.w <= 0 && share(random) < 1e-3) break;
+        }
+        int next = 0;
+        for (int i = 0; i < all.block.count; ++i) {
+            const render::LocalLightEntry& light = all.block.lights[static_cast<std::size_t>(i)];
+            const bool isKept =
+                next < some.count && some.lights[static_cast<std::size_t>(next)].position == light.position;
+            next += isKept;
+            (isKept ? kept : left) += 1;
+            bool reaches = false;
+            for (const glm::dvec3& place : places) reaches = reaches || glsl::localReaches(entryOf(light), place);
+            needed += reaches;
+            ASSERT_TRUE(isKept || !reaches) << round << ": light " << i;
+        }
+        EXPECT_EQ(next, some.count) << "in their order";
+    }
+    // Few of those that are kept reach no place.
+    EXPECT_GT(left, kept / 2);
+    EXPECT_GT(needed, 3 * kept / 4);
+}
+
+TEST(LocalLights, AreAllKeptWhereAPassMayShadeAnything)
+{
+    std::mt19937 random(8);
+    const render::LocalLighting all = randomLights(random);
+    EXPECT_EQ(render::reachingLights(all.block, {}, {}).count, all.block.count);
+    EXPECT_EQ(render::reachingLights(all.block, {render::Box{}, false}, {}).count, 0) << "an empty box";
+}
+
+TEST(LocalLights, OfAPassAreThoseThatReachItUnlessEverythingRuns)
+{
+    const std::vector<render::LocalLight> lights{{.position = {0, 1, 0}, .range = 2},
+                                                 {.position = {9, 1, 0}, .range = 2}};
+    for (const bool everything : {false, true}) {
+        render::FramePlan plan;
+        plan.runEverything = everything;
+        render::Pass pass;
+        pass.name = "lit";
+        pass.localLights = std::make_shared<render::LocalLightsBlock>(localLighting(lights, {0, 0, 0}, 20).block);
+        pass.shaded.within = render::Box{glm::dvec3(-1), glm::dvec3(1)};
+        plan.add(pass);
+        EXPECT_EQ(plan.passes().front().counts.at("localLights"), everything ? 2 : 1);
+        pass.localLights =
+            std::make_shared<render::LocalLightsBlock>(localLighting({lights.data(), 1}, {0, 0, 0}, 20).block);
+        if (!everything) {
+            EXPECT_EQ(plan.passes().front().blocks.at(BLOCK_LOCAL_LIGHTS), render::std140Bytes(*pass.localLights));
+        }
+    }
 }
 
 }  // namespace
