@@ -48,23 +48,61 @@ ivec4 noiseWrap(ivec4 cell, ivec4 period)
                  noiseWrap(cell.w, period.w));
 }
 
-// Random bits of a lattice point: the same on every machine for the same point, period and seed.
-uint noiseBits(ivec2 cell, ivec2 period, uint seed)
+// The same for the next cell, given the wrapped one. Integer division is slow, and on a CPU one lane at a time: a cell's
+// corners are found by two of these per axis, not by one division each.
+int noiseNext(int wrapped, int period)
 {
-    ivec2 c = noiseWrap(cell, period);
-    return hashCell(ivec3(c.x, c.y, 0), seed).x;
+    return period > 0 && wrapped + 1 >= period ? 0 : wrapped + 1;
 }
 
-uint noiseBits(ivec3 cell, ivec3 period, uint seed)
+ivec2 noiseNext(ivec2 wrapped, ivec2 period)
 {
-    return hashCell(noiseWrap(cell, period), seed).x;
+    return ivec2(noiseNext(wrapped.x, period.x), noiseNext(wrapped.y, period.y));
 }
 
-uint noiseBits(ivec4 cell, ivec4 period, uint seed)
+ivec3 noiseNext(ivec3 wrapped, ivec3 period)
 {
-    ivec4 c = noiseWrap(cell, period);
+    return ivec3(noiseNext(wrapped.x, period.x), noiseNext(wrapped.y, period.y), noiseNext(wrapped.z, period.z));
+}
+
+ivec4 noiseNext(ivec4 wrapped, ivec4 period)
+{
+    return ivec4(noiseNext(wrapped.x, period.x), noiseNext(wrapped.y, period.y), noiseNext(wrapped.z, period.z),
+                 noiseNext(wrapped.w, period.w));
+}
+
+// The corner of a cell: `high` on the axes where `corner` is 1, else `low`.
+ivec2 noiseCorner(ivec2 low, ivec2 high, ivec2 corner)
+{
+    return ivec2(corner.x == 1 ? high.x : low.x, corner.y == 1 ? high.y : low.y);
+}
+
+ivec3 noiseCorner(ivec3 low, ivec3 high, ivec3 corner)
+{
+    return ivec3(corner.x == 1 ? high.x : low.x, corner.y == 1 ? high.y : low.y, corner.z == 1 ? high.z : low.z);
+}
+
+ivec4 noiseCorner(ivec4 low, ivec4 high, ivec4 corner)
+{
+    return ivec4(corner.x == 1 ? high.x : low.x, corner.y == 1 ? high.y : low.y, corner.z == 1 ? high.z : low.z,
+                 corner.w == 1 ? high.w : low.w);
+}
+
+// Random bits of a lattice point, given by its wrapped cell: the same on every machine for the same point and seed.
+uint noiseBits(ivec2 wrapped, uint seed)
+{
+    return hashCell(ivec3(wrapped.x, wrapped.y, 0), seed).x;
+}
+
+uint noiseBits(ivec3 wrapped, uint seed)
+{
+    return hashCell(wrapped, seed).x;
+}
+
+uint noiseBits(ivec4 wrapped, uint seed)
+{
     uvec4 s = uvec4(seed, pcg(seed), pcg(seed ^ 2654435769u), pcg(seed ^ 1640531527u));
-    return pcg4d(uvec4(uint(c.x), uint(c.y), uint(c.z), uint(c.w)) ^ s).x;
+    return pcg4d(uvec4(uint(wrapped.x), uint(wrapped.y), uint(wrapped.z), uint(wrapped.w)) ^ s).x;
 }
 
 // Fade curve from 0 to 1: first and second derivative are 0 at both ends. noiseFadeSlope is its derivative. Perlin
@@ -125,27 +163,29 @@ vec4 noiseDirection4(uint bits)
 
 // ---- Value noise: a random number at every lattice point, smooth between them.
 
-float valueAt(ivec2 cell, ivec2 period, uint seed)
+float valueAt(ivec2 wrapped, uint seed)
 {
-    return noiseSigned(noiseBits(cell, period, seed));
+    return noiseSigned(noiseBits(wrapped, seed));
 }
 
-float valueAt(ivec3 cell, ivec3 period, uint seed)
+float valueAt(ivec3 wrapped, uint seed)
 {
-    return noiseSigned(noiseBits(cell, period, seed));
+    return noiseSigned(noiseBits(wrapped, seed));
 }
 
-float valueAt(ivec4 cell, ivec4 period, uint seed)
+float valueAt(ivec4 wrapped, uint seed)
 {
-    return noiseSigned(noiseBits(cell, period, seed));
+    return noiseSigned(noiseBits(wrapped, seed));
 }
 
 Noise2 valueNoise(ivec2 cell, vec2 place, ivec2 period, uint seed)
 {
-    float a = valueAt(cell, period, seed);
-    float b = valueAt(cell + ivec2(1, 0), period, seed);
-    float c = valueAt(cell + ivec2(0, 1), period, seed);
-    float d = valueAt(cell + ivec2(1, 1), period, seed);
+    ivec2 low = noiseWrap(cell, period);
+    ivec2 high = noiseNext(low, period);
+    float a = valueAt(low, seed);
+    float b = valueAt(ivec2(high.x, low.y), seed);
+    float c = valueAt(ivec2(low.x, high.y), seed);
+    float d = valueAt(high, seed);
     float u = noiseFade(place.x);
     float v = noiseFade(place.y);
     Noise2 n;
@@ -157,13 +197,15 @@ Noise2 valueNoise(ivec2 cell, vec2 place, ivec2 period, uint seed)
 
 Noise3 valueNoise(ivec3 cell, vec3 place, ivec3 period, uint seed)
 {
+    ivec3 low = noiseWrap(cell, period);
+    ivec3 high = noiseNext(low, period);
     vec3 u = vec3(noiseFade(place.x), noiseFade(place.y), noiseFade(place.z));
     Noise3 n;
     n.value = 0.0;
     n.slope = vec3(0.0);
     for (int i = 0; i < 8; ++i) {
         ivec3 corner = ivec3(i & 1, (i >> 1) & 1, i >> 2);
-        float value = valueAt(cell + corner, period, seed);
+        float value = valueAt(noiseCorner(low, high, corner), seed);
         float x = corner.x == 1 ? u.x : 1.0 - u.x;
         float y = corner.y == 1 ? u.y : 1.0 - u.y;
         float z = corner.z == 1 ? u.z : 1.0 - u.z;
@@ -177,13 +219,15 @@ Noise3 valueNoise(ivec3 cell, vec3 place, ivec3 period, uint seed)
 
 Noise4 valueNoise(ivec4 cell, vec4 place, ivec4 period, uint seed)
 {
+    ivec4 low = noiseWrap(cell, period);
+    ivec4 high = noiseNext(low, period);
     vec4 u = vec4(noiseFade(place.x), noiseFade(place.y), noiseFade(place.z), noiseFade(place.w));
     Noise4 n;
     n.value = 0.0;
     n.slope = vec4(0.0);
     for (int i = 0; i < 16; ++i) {
         ivec4 corner = ivec4(i & 1, (i >> 1) & 1, (i >> 2) & 1, i >> 3);
-        float value = valueAt(cell + corner, period, seed);
+        float value = valueAt(noiseCorner(low, high, corner), seed);
         float x = corner.x == 1 ? u.x : 1.0 - u.x;
         float y = corner.y == 1 ? u.y : 1.0 - u.y;
         float z = corner.z == 1 ? u.z : 1.0 - u.z;
@@ -207,6 +251,8 @@ const float GRADIENT_SCALE_4 = 0.6507;
 // Sum over the corners of the cell: weights, and their derivatives, are products over the axes.
 Noise2 gradientNoise(ivec2 cell, vec2 place, ivec2 period, uint seed)
 {
+    ivec2 low = noiseWrap(cell, period);
+    ivec2 high = noiseNext(low, period);
     vec2 u = vec2(noiseFade(place.x), noiseFade(place.y));
     vec2 du = vec2(noiseFadeSlope(place.x), noiseFadeSlope(place.y));
     Noise2 n;
@@ -214,7 +260,7 @@ Noise2 gradientNoise(ivec2 cell, vec2 place, ivec2 period, uint seed)
     n.slope = vec2(0.0);
     for (int i = 0; i < 4; ++i) {
         ivec2 corner = ivec2(i & 1, i >> 1);
-        vec2 g = noiseDirection2(noiseBits(cell + corner, period, seed) >> 29u);
+        vec2 g = noiseDirection2(noiseBits(noiseCorner(low, high, corner), seed) >> 29u);
         float ramp = dot(g, place - vec2(corner));
         float x = corner.x == 1 ? u.x : 1.0 - u.x;
         float y = corner.y == 1 ? u.y : 1.0 - u.y;
@@ -229,6 +275,8 @@ Noise2 gradientNoise(ivec2 cell, vec2 place, ivec2 period, uint seed)
 
 Noise3 gradientNoise(ivec3 cell, vec3 place, ivec3 period, uint seed)
 {
+    ivec3 low = noiseWrap(cell, period);
+    ivec3 high = noiseNext(low, period);
     vec3 u = vec3(noiseFade(place.x), noiseFade(place.y), noiseFade(place.z));
     vec3 du = vec3(noiseFadeSlope(place.x), noiseFadeSlope(place.y), noiseFadeSlope(place.z));
     Noise3 n;
@@ -236,7 +284,7 @@ Noise3 gradientNoise(ivec3 cell, vec3 place, ivec3 period, uint seed)
     n.slope = vec3(0.0);
     for (int i = 0; i < 8; ++i) {
         ivec3 corner = ivec3(i & 1, (i >> 1) & 1, i >> 2);
-        vec3 g = noiseDirection3(noiseBits(cell + corner, period, seed));
+        vec3 g = noiseDirection3(noiseBits(noiseCorner(low, high, corner), seed));
         float ramp = dot(g, place - vec3(corner));
         float x = corner.x == 1 ? u.x : 1.0 - u.x;
         float y = corner.y == 1 ? u.y : 1.0 - u.y;
@@ -254,6 +302,8 @@ Noise3 gradientNoise(ivec3 cell, vec3 place, ivec3 period, uint seed)
 
 Noise4 gradientNoise(ivec4 cell, vec4 place, ivec4 period, uint seed)
 {
+    ivec4 low = noiseWrap(cell, period);
+    ivec4 high = noiseNext(low, period);
     vec4 u = vec4(noiseFade(place.x), noiseFade(place.y), noiseFade(place.z), noiseFade(place.w));
     vec4 du = vec4(noiseFadeSlope(place.x), noiseFadeSlope(place.y), noiseFadeSlope(place.z), noiseFadeSlope(place.w));
     Noise4 n;
@@ -261,7 +311,7 @@ Noise4 gradientNoise(ivec4 cell, vec4 place, ivec4 period, uint seed)
     n.slope = vec4(0.0);
     for (int i = 0; i < 16; ++i) {
         ivec4 corner = ivec4(i & 1, (i >> 1) & 1, (i >> 2) & 1, i >> 3);
-        vec4 g = noiseDirection4(noiseBits(cell + corner, period, seed));
+        vec4 g = noiseDirection4(noiseBits(noiseCorner(low, high, corner), seed));
         float ramp = dot(g, place - vec4(corner));
         float x = corner.x == 1 ? u.x : 1.0 - u.x;
         float y = corner.y == 1 ? u.y : 1.0 - u.y;

@@ -71,7 +71,7 @@ Noise2 simplexNoise(ivec2 cell, vec2 place, ivec2 period, uint seed)
         // Offset of the simplex corner from the corner of the cell.
         vec2 corner = vec2(s.x - 0.5 * (s.y + float(odd)), s.y);
         ivec2 halves = ivec2(2 * cell.x + int(floor(2.0 * corner.x + 0.5)), cell.y + int(s.y));
-        uint bits = noiseBits(halves, ivec2(2 * period.x, period.y), seed);
+        uint bits = noiseBits(noiseWrap(halves, ivec2(2 * period.x, period.y)), seed);
         Noise2 part = simplexPart(noiseDirection2(bits >> 29u), place - corner);
         n.value += part.value;
         n.slope += part.slope;
@@ -97,7 +97,7 @@ Noise3 simplexNoise(ivec3 cell, vec3 place, ivec3 period, uint seed)
         vec3 s = base + vec3(float(order.x >= last), float(order.y >= last), float(order.z >= last));
         vec3 twice = vec3(s.y + s.z - s.x, s.x + s.z - s.y, s.x + s.y - s.z);
         ivec3 halves = 2 * cell + ivec3(int(twice.x), int(twice.y), int(twice.z));
-        uint bits = noiseBits(halves, 2 * period, seed);
+        uint bits = noiseBits(noiseWrap(halves, 2 * period), seed);
         Noise3 part = simplexPart(noiseDirection3(bits), place - 0.5 * twice);
         n.value += part.value;
         n.slope += part.slope;
@@ -125,7 +125,7 @@ Noise4 simplexNoise(ivec4 cell, vec4 place, ivec4 period, uint seed)
                              float(order.w >= last));
         vec4 thrice = vec4(s.x + s.y + s.z + s.w) - 3.0 * s;
         ivec4 thirds = 3 * cell + ivec4(int(thrice.x), int(thrice.y), int(thrice.z), int(thrice.w));
-        uint bits = noiseBits(thirds, 3 * period, seed);
+        uint bits = noiseBits(noiseWrap(thirds, 3 * period), seed);
         Noise4 part = simplexPart(noiseDirection4(bits), place - thrice * 0.33333333333333331);
         n.value += part.value;
         n.slope += part.slope;

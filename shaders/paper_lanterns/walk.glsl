@@ -196,11 +196,12 @@ LanternWalk walkLanterns(LanternRay ray)
     int further = lake.looks > 2 ? 1 : 0;
     line.first -= further * line.stride;
     int looks = span.x < span.y ? lake.looks * (min(lake.rowLimit, rows) + 2 * further) : 0;
+    int row = line.first;
+    int which = 0;
     // The released lantern is tested first.
     for (int i = lake.released.w < 0.0 ? 0 : -1; i < looks; ++i) {
         Lantern l = releasedLantern();
         if (i >= 0) {
-            int row = line.first + i / lake.looks * line.stride;
             int reached = row - further * line.stride;
             float entry = (float(reached) + (line.stride > 0 ? 0.0 : 1.0) - line.origin) / line.ahead;
             if (entry > min(span.y, walk.distance) || walk.left < 0.004) break;
@@ -209,9 +210,11 @@ LanternWalk walkLanterns(LanternRay ray)
                 walk.end = max(entry, ray.from);
                 return walk;
             }
-            ivec2 cell = lineCell(line, row, i % lake.looks);
+            ivec2 cell = lineCell(line, row, which);
             l.light = -1.0;
             if (inLattice(cell)) l = lanternAt(cell);
+            which = which + 1 < lake.looks ? which + 1 : 0;
+            row += which == 0 ? line.stride : 0;
         }
         walk = withLantern(walk, ray, l);
     }

@@ -178,11 +178,13 @@ float sceneCell(float x, float i, float spacing, float count, float high, float 
 
 vec3 sceneRepeated(vec3 p, int i, vec3 spacing, vec3 count, vec3 high, vec3 asked)
 {
-    int nx = int(asked.x);
-    int ny = int(asked.y);
-    return vec3(sceneCell(p.x, float(i % nx), spacing.x, count.x, high.x, asked.x),
-                sceneCell(p.y, float((i / nx) % ny), spacing.y, count.y, high.y, asked.y),
-                sceneCell(p.z, float(i / (nx * ny)), spacing.z, count.z, high.z, asked.z));
+    // Divides floats: software renderers divide integers one pixel at a time.
+    float copy = float(i);
+    float row = floor((copy + 0.5) / asked.x);
+    float layer = floor((row + 0.5) / asked.y);
+    return vec3(sceneCell(p.x, copy - row * asked.x, spacing.x, count.x, high.x, asked.x),
+                sceneCell(p.y, row - layer * asked.y, spacing.y, count.y, high.y, asked.y),
+                sceneCell(p.z, layer, spacing.z, count.z, high.z, asked.z));
 }
 
 // Rotates to copy `i` of `count` around the y axis, the first towards +x; the content ends at the angle `high`.
