@@ -4848,6 +4848,11 @@ Zeiten nach: %2.</translation>
         <translation>{1} lässt sich nicht löschen: {2}; erlauben Sie das Schreiben in diesem Ordner.</translation>
     </message>
     <message>
+        <location filename="render/gl/uploads.cpp"/>
+        <source>Cannot draw: the shapes take {1} texels, more than the {2} that this driver reads from a buffer; show a scene of fewer shapes.</source>
+        <translation>Das Bild kann nicht gezeichnet werden: Die Formen brauchen {1} Texel, mehr als die {2}, die dieser Treiber aus einem Puffer liest; zeigen Sie eine Szene mit weniger Formen.</translation>
+    </message>
+    <message>
         <location filename="render/files/read_file.cpp"/>
         <source>Cannot follow the reference &quot;{1}&quot; inside {2}: {3}; use a plain relative path.</source>
         <translation>Dem Verweis „{=1}“ in {=2} kann nicht gefolgt werden: {3}; verwenden Sie einen einfachen relativen Pfad.</translation>
@@ -21544,7 +21549,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Die Referenz wurde {1}-mal doppelt so genau gemacht, was sie zuletzt um {2} änderte</translation>
     </message>
     <message>
-        <location filename="exhibits/hall/hall_floor.cpp"/>
         <location filename="exhibits/hall/hall_probe.cpp"/>
         <source>the reflection probe is switched off</source>
         <translation>die Reflexionssonde ist ausgeschaltet</translation>
@@ -22510,6 +22514,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Vor Ihnen ist kein roter Knopf.</translation>
     </message>
     <message>
+        <location filename="exhibits/hall/hall_floor.cpp"/>
         <location filename="exhibits/museum/museum_frame.cpp"/>
         <source>there is no reflection probe</source>
         <translation>es gibt keine Reflexionssonde</translation>

@@ -132,7 +132,8 @@ void IceCream::complete(SdfBody& body, const PreparedPart* prepared) const
     patch(body.block, "gridCell", s.cell);
     patch(body.block, "gridCells", s.cells);
     body.defines.emplace_back("SPRINKLES");
-    body.buffers = {{STORAGE_EXHIBIT_A, s.cellBytes}, {STORAGE_EXHIBIT_B, s.endBytes}};
+    body.buffers = {{.binding = UNIT_BUFFER_A, .source = s.cellBytes, .texels = render::Texels::uvec4},
+                    {.binding = UNIT_BUFFER_B, .source = s.endBytes, .texels = render::Texels::vec4}};
 }
 
 render::Box IceCream::boxOverTime(const ParameterValues& values) const

@@ -33,7 +33,7 @@ struct Sprinkles {
     std::vector<Cell> grid;
     std::vector<glm::vec4> ends;  ///< Contents of the lists: for each entry the start with the color, and the finish.
 
-    std::shared_ptr<const render::Bytes> cellBytes, endBytes;  ///< `grid` and `ends` as std430.
+    std::shared_ptr<const render::Bytes> cellBytes, endBytes;  ///< `grid` and `ends` as texels.
 };
 
 /// Returns sprinkles on the cream. The random numbers of each depend on `seed` and on its index only, so one more moves

@@ -43,7 +43,7 @@ struct SdfBody {
     std::string_view switchedOff = {};            ///< Reason why `values` lack an effect that the parameters contain.
     std::string variant = {};                     ///< `render::Pass::variant` of its march.
     std::vector<std::string> defines = {};        ///< Permutations of its field, material and shading.
-    std::vector<render::BufferUse> buffers = {};  ///< Buffers that its field reads at STORAGE_EXHIBIT_A, B and C.
+    std::vector<render::BufferUse> buffers = {};  ///< Buffers that its field reads.
     /// Its own shaders (`sdfSources`), if the exhibit's do not fit every state, such as those of a scene file. Make
     /// them once per text, not per frame. While new ones are compiled, the last ones are drawn.
     std::shared_ptr<const render::ShaderSources> sources = {};

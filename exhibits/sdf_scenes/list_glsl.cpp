@@ -29,14 +29,14 @@ public:
         line(1, "uint i = first;");
         line(1, "bool more = true;");
         line(1, "do {");
-        line(2, "uvec4 code = sceneLists[i];");
+        line(2, "uvec4 code = sceneStep(i);");
         line(2, "uint operation = code.x & 255u;");
         line(2, "uint joint = code.x >> 8u & 255u;");
-        line(2, "vec4 row0 = sceneRecords[code.y];");
-        line(2, "vec4 row1 = sceneRecords[code.y + 1u];");
-        line(2, "vec4 row2 = sceneRecords[code.y + 2u];");
-        line(2, "vec4 n0 = sceneRecords[code.y + 3u];");
-        line(2, "vec4 n1 = sceneRecords[code.y + 4u];");
+        line(2, "vec4 row0 = sceneRecord(code.y);");
+        line(2, "vec4 row1 = sceneRecord(code.y + 1u);");
+        line(2, "vec4 row2 = sceneRecord(code.y + 2u);");
+        line(2, "vec4 n0 = sceneRecord(code.y + 3u);");
+        line(2, "vec4 n1 = sceneRecord(code.y + 4u);");
         line(2, "vec3 p = vec3(dot(row0.xyz, q0) + row0.w, dot(row1.xyz, q0) + row1.w, dot(row2.xyz, q0) + row2.w);");
         line(2, "more = near && code.x >= " + std::to_string(moreSteps) + "u;");
         line(2, "i += 1u;");
@@ -71,7 +71,7 @@ private:
         const std::uint32_t at = i + 1;
         const std::string component = std::string(".") + "xyzw"[at % 4];
         if (at < 8) return numbered("n", at / 4) + component;
-        return "sceneRecords[code.y + " + std::to_string(3 + at / 4) + "u]" + component;
+        return "sceneRecord(code.y + " + std::to_string(3 + at / 4) + "u)" + component;
     }
     static std::string vector(std::uint32_t i)
     {
@@ -122,7 +122,7 @@ void ListGlsl::folds()
     for (std::uint32_t k = 0; k < v_.folds.size(); ++k) {
         const NodeKind& kind = *v_.folds[k];
         const auto number = [before = foldedRecords(kind)](std::uint32_t i) {
-            return "sceneRecords[code.y - " + std::to_string(before - i / 4) + "u]." + "xyzw"[i % 4];
+            return "sceneRecord(code.y - " + std::to_string(before - i / 4) + "u)." + "xyzw"[i % 4];
         };
         line(2, "if ((code.x >> 16u & 15u) == " + std::to_string(k + 1) +
                     "u) p = " + writtenOut(kind.copy.glsl, {{"i", "0"}}, number) + ';');
@@ -140,8 +140,8 @@ void ListGlsl::shapes()
     line(2, "COUNT_EVALUATION(near && operation < " + std::to_string(shapeCount()) + "u)");
     if (!materials_) return;
     line(2, "if (operation < " + std::to_string(shapeCount()) +
-                "u) m = sceneMaterial(sceneRecords[code.w], sceneRecords[code.w + 1u], sceneRecords[code.w + 2u], "
-                "sceneRecords[code.w + 3u]);");
+                "u) m = sceneMaterial(sceneRecord(code.w), sceneRecord(code.w + 1u), sceneRecord(code.w + 2u), "
+                "sceneRecord(code.w + 3u));");
 }
 
 void ListGlsl::pushResult()
@@ -251,7 +251,7 @@ void ListGlsl::again(const NodeKind& kind)
 
 void ListGlsl::joints()
 {
-    if (!v_.joints.empty()) line(2, "vec4 k = sceneRecords[code.z + 3u];");
+    if (!v_.joints.empty()) line(2, "vec4 k = sceneRecord(code.z + 3u);");
     for (std::uint32_t j = 0; j < v_.joints.size(); ++j) {
         const ListVocabulary::Joint& joint = v_.joints[j];
         const bool chooses = joint.kind->fields.front().type == FieldType::choice;
@@ -274,13 +274,13 @@ std::string planesText(std::uint32_t planes, bool withMaterials)
 {
     std::string text;
     for (std::uint32_t k = 0; k < planes; ++k) {
-        const std::string at = "sceneNear.planes[" + std::to_string(k) + ']';
+        const std::string at = numbered("scenePlane", k);
         const std::string distance = "dot(" + at + ".xyz, p) - " + at + ".w";
         if (!withMaterials) {
             text += "    d = min(d, " + distance + " + scenePlanesAway);\n";
             continue;
         }
-        const std::string material = "sceneNear.planeMaterials[" + std::to_string(k) + ']';
+        const std::string material = "scenePlaneMaterial(" + std::to_string(k) + ')';
         text += "    if (" + distance + " < s.distance) s = SceneSurface(" + distance + ", sceneMaterialAt(" +
                 material + "));\n";
     }
@@ -298,6 +298,8 @@ std::string listGlsl(const ListVocabulary& vocabulary, std::uint32_t planes, con
                        "#include \"sdf_scenes/noise.glsl\"\n#include \"sdf_scenes/primitive_evaluations.glsl\"\n"
                        "#include \"sdf_scenes/near.glsl\"\n";
     text += "#define SCENE_PLANES " + std::to_string(planes) + '\n';
+    for (std::uint32_t k = 0; k < planes; ++k)
+        text += "vec4 " + numbered("scenePlane", k) + " = scenePlane(" + std::to_string(k) + ");\n";
     if (!further.file.empty()) text += "#include \"" + further.file + "\"\n";
     if (!further.declaration.empty())
         text += "\nlayout(std140, binding = BLOCK_EXHIBIT) uniform Scene {\n    " + further.declaration + ";\n};\n";

@@ -64,6 +64,17 @@ private:
     std::weak_ptr<const SceneGrid> grid_;
 };
 
+}  // namespace
+
+std::vector<render::BufferUse> buffersOf(const SceneGrid& grid)
+{
+    return {{.binding = UNIT_BUFFER_A, .source = grid.records, .texels = render::Texels::vec4},
+            {.binding = UNIT_BUFFER_B, .source = grid.lists, .texels = render::Texels::uvec4},
+            {.binding = UNIT_BUFFER_C, .source = grid.grid, .texels = render::Texels::uvec4}};
+}
+
+namespace {
+
 /// Returns the evaluator that uses lists of nearby shapes, or null while it is being made.
 std::shared_ptr<const SceneEvaluator> byLists(const ShownScene& shown, const SceneConstants& words,
                                               render::AssetStore& assets)
@@ -80,9 +91,7 @@ std::shared_ptr<const SceneEvaluator> byLists(const ShownScene& shown, const Sce
                                        cellBudget, last.of(text).get());
                 last.set(text, made->near);
                 made->sources = generatedSources(listGlsl(vocabulary, made->near->planes, stageMember));
-                made->buffers = {{STORAGE_EXHIBIT_A, made->near->records},
-                                 {STORAGE_EXHIBIT_B, made->near->lists},
-                                 {STORAGE_EXHIBIT_C, made->near->grid}};
+                made->buffers = buffersOf(*made->near);
                 const std::uint64_t bytes = made->near->bytes() + made->near->cells.cells.size() * sizeof(SceneCell);
                 return render::AssetStore::Made<SceneEvaluator>{std::move(made), bytes};
             })

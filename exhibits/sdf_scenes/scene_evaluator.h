@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace vitrine::scenes {
 
@@ -21,6 +22,9 @@ struct SceneEvaluator {
     std::shared_ptr<const render::ShaderSources> folded;
     std::string whyNotFolded;  ///< Reason for the frame report if that is null.
 };
+
+/// Returns the buffers that shaders/sdf_scenes/near.glsl reads.
+[[nodiscard]] std::vector<render::BufferUse> buffersOf(const SceneGrid&);
 
 /// Scene constants that are stable enough to be compiled into the shader.
 enum class SceneRest : std::uint8_t {

@@ -27,7 +27,7 @@ bool isPlainUnion(const SceneProgram& program, const SceneConstants& words, cons
     return !moved && program.kind(node).name == "union" && words.words[node.numbers + 1] == 0;
 }
 
-/// Header of the grid buffer (std430), as in shaders/sdf_scenes/near.glsl.
+/// Header of the grid, as in shaders/sdf_scenes/near.glsl.
 struct GridHead {
     glm::vec4 low, high, heldLow, heldHigh;
     glm::uvec4 count;
@@ -100,7 +100,7 @@ render::Bytes gridBytes(const GridHead& head, const GridCells& cells, const Pack
     std::vector<glm::uvec2> entries;
     entries.reserve(cells.cells.size());
     for (const SceneCell& cell : cells.cells) entries.push_back(gridEntry(cell, packed));
-    if (entries.empty()) entries.emplace_back(0, 0);
+    if (entries.size() % 2 != 0 || entries.empty()) entries.resize(entries.size() / 2 * 2 + 2);  // Whole texels.
     append(bytes, entries.data(), entries.size());
     return bytes;
 }

@@ -169,6 +169,11 @@ struct Renderer::State {
     void bindBuffers(const std::vector<BufferUse>& buffers)
     {
         for (const BufferUse& use : buffers) {
+            if (use.texels != Texels::none) {
+                const auto& bytes = std::get<std::shared_ptr<const Bytes>>(use.source);
+                glBindTextureUnit(static_cast<GLuint>(use.binding), uploads.texels(bytes, use.texels));
+                continue;
+            }
             const auto* name = std::get_if<std::string>(&use.source);
             const GLuint buffer = name
                                       ? resources.buffer(*name)

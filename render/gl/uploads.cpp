@@ -1,6 +1,28 @@
 #include "render/gl/uploads.h"
 
+#include "render/failure.h"
+
 namespace vitrine::render::gl {
+namespace {
+
+TextureName bufferTexture(const UploadedBytes& uploaded, Texels type)
+{
+    constexpr std::int64_t texelBytes = 16;
+    GLint64 most = 0;
+    glGetInteger64v(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+    if (uploaded.bytes / texelBytes > most)
+        throw Failure(
+            ErrorKind::openGl,
+            message("Cannot draw: the shapes take {1} texels, more than the {2} that this driver reads from a "
+                    "buffer; show a scene of fewer shapes.",
+                    uploaded.bytes / texelBytes, most));
+    GLuint name = 0;
+    glCreateTextures(GL_TEXTURE_BUFFER, 1, &name);
+    glTextureBuffer(name, type == Texels::vec4 ? GL_RGBA32F : GL_RGBA32UI, uploaded.buffer.name());
+    return TextureName(name);
+}
+
+}  // namespace
 
 UploadedBytes::UploadedBytes(const Bytes& source) : bytes(static_cast<std::int64_t>(source.size()))
 {
@@ -41,6 +63,14 @@ const UploadedBytes& Uploads::bytes(const std::shared_ptr<const Bytes>& source)
     return found->second.buffers;
 }
 
+GLuint Uploads::texels(const std::shared_ptr<const Bytes>& source, Texels type)
+{
+    (void)bytes(source);
+    UploadedBytes& uploaded = bytes_.at(source.get()).buffers;
+    if (uploaded.texels.name() == 0) uploaded.texels = bufferTexture(uploaded, type);
+    return uploaded.texels.name();
+}
+
 void Uploads::sweep()
 {
     std::erase_if(bytes_, [](const auto& entry) { return entry.second.source.expired(); });
@@ -63,7 +93,10 @@ void Uploads::abandon()
 {
     for (auto& [key, uploaded] : textures_) uploaded.buffers.abandon();
     for (auto& [key, uploaded] : meshes_) uploaded.buffers.abandon();
-    for (auto& [key, uploaded] : bytes_) uploaded.buffers.buffer.abandon();
+    for (auto& [key, uploaded] : bytes_) {
+        uploaded.buffers.buffer.abandon();
+        uploaded.buffers.texels.abandon();
+    }
 }
 
 int liveGlNames()

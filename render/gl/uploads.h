@@ -16,6 +16,7 @@ struct UploadedBytes {
     explicit UploadedBytes(const Bytes&);
 
     BufferName buffer;
+    TextureName texels;  ///< The buffer as a buffer texture, once it was asked for.
     std::int64_t bytes = 0;
 };
 
@@ -26,6 +27,9 @@ public:
     [[nodiscard]] const Texture& texture(const std::shared_ptr<const render::Texture>&);
     [[nodiscard]] const MeshBuffers& mesh(const std::shared_ptr<const Mesh>&);
     [[nodiscard]] const UploadedBytes& bytes(const std::shared_ptr<const Bytes>&);
+    /// Returns a buffer texture of the bytes, always of the same type for the same bytes. Throws Failure if they are
+    /// more than the driver's buffer textures hold.
+    [[nodiscard]] GLuint texels(const std::shared_ptr<const Bytes>&, Texels);
     /// Frees the copies whose originals were deleted.
     void sweep();
     [[nodiscard]] std::vector<Stored> stored() const;

@@ -36,12 +36,17 @@ using Bytes = std::vector<std::byte>;
 
 enum class Access : std::uint8_t { read, write, readWrite };
 
-/// Storage buffer that shaders read or write (std430): a buffer of the frame, or constant bytes. Constant bytes are
-/// uploaded once and identified by their address.
+/// Type of the vectors that a shader reads from a buffer texture.
+enum class Texels : std::uint8_t { none, vec4, uvec4 };
+
+/// Storage buffer that shaders read or write (std430), or buffer texture: a buffer of the frame, or constant bytes.
+/// Constant bytes are uploaded once and identified by their address.
 struct BufferUse {
-    int binding = 0;  ///< One of the STORAGE_ numbers of shaders/lib/bindings.glsl.
+    /// One of the STORAGE_ numbers of shaders/lib/bindings.glsl; of a buffer texture, one of the UNIT_BUFFER_ numbers.
+    int binding = 0;
     std::variant<std::string, std::shared_ptr<const Bytes>> source;
     Access access = Access::read;  ///< `write`: the shader writes every byte, so that the old content does not matter.
+    Texels texels = Texels::none;  ///< Not `none`: constant bytes, read as a buffer texture; a multiple of 16 bytes.
 };
 
 enum class Load : std::uint8_t { keep, clear };

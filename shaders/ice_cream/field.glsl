@@ -15,22 +15,13 @@ float levelHere = 0.0;
 float unlisted = 0.0;
 
 #ifdef SPRINKLES
-struct SprinkleCell {
-    int first, end;
-    float clear;
-    int unused;
-};
-layout(std430, binding = STORAGE_EXHIBIT_A) readonly buffer SprinkleCells {
-    SprinkleCell sprinkleCells[];
-};
-layout(std430, binding = STORAGE_EXHIBIT_B) readonly buffer SprinkleEnds {
-    vec4 sprinkleEnds[];
-};
-float sprinkleClear(int cell) { return sprinkleCells[cell].clear; }
-int sprinkleFirst(int cell) { return sprinkleCells[cell].first; }
-int sprinkleEnd(int cell) { return sprinkleCells[cell].end; }
-vec4 sprinkleStart(int i) { return sprinkleEnds[2 * i]; }
-vec4 sprinkleFinish(int i) { return sprinkleEnds[2 * i + 1]; }
+layout(binding = UNIT_BUFFER_A) uniform usamplerBuffer sprinkleCells;  // first and end of the list; clear distance
+layout(binding = UNIT_BUFFER_B) uniform samplerBuffer sprinkleEnds;
+float sprinkleClear(int cell) { return uintBitsToFloat(texelFetch(sprinkleCells, cell).z); }
+int sprinkleFirst(int cell) { return int(texelFetch(sprinkleCells, cell).x); }
+int sprinkleEnd(int cell) { return int(texelFetch(sprinkleCells, cell).y); }
+vec4 sprinkleStart(int i) { return texelFetch(sprinkleEnds, 2 * i); }
+vec4 sprinkleFinish(int i) { return texelFetch(sprinkleEnds, 2 * i + 1); }
 #else
 float sprinkleClear(int cell) { return 1.0e9; }
 int sprinkleFirst(int cell) { return 0; }

@@ -20,8 +20,6 @@
 // std430 buffers.
 #define STORAGE_INSTANCES 0
 #define STORAGE_EXHIBIT_A 1
-#define STORAGE_EXHIBIT_B 2
-#define STORAGE_EXHIBIT_C 3
 
 // Texture units.
 #define UNIT_BASE_COLOR 0
@@ -46,3 +44,7 @@
 #define UNIT_BACKDROP_DEPTH 19
 #define UNIT_SHADOW_GLASS 20
 #define UNIT_OCCLUSION 21
+// Buffer textures. Software renderers read a storage buffer component by component for each pixel, texels at once.
+#define UNIT_BUFFER_A 22
+#define UNIT_BUFFER_B 23
+#define UNIT_BUFFER_C 24

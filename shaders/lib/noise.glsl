@@ -48,8 +48,8 @@ ivec4 noiseWrap(ivec4 cell, ivec4 period)
                  noiseWrap(cell.w, period.w));
 }
 
-// The same for the next cell, given the wrapped one. Integer division is slow, and on a CPU one lane at a time: a cell's
-// corners are found by two of these per axis, not by one division each.
+// The same for the next cell, given the wrapped one. Integer division is slow, and software renderers divide one pixel
+// at a time: the corners of a cell need one division per axis.
 int noiseNext(int wrapped, int period)
 {
     return period > 0 && wrapped + 1 >= period ? 0 : wrapped + 1;

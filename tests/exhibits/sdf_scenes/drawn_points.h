@@ -65,13 +65,20 @@ inline std::vector<FoundAtPoint> drawn(const std::string& glsl, const std::vecto
     glNamedBufferSubData(buffer, 0, static_cast<GLsizeiptr>(block.size()), block.data());
     constexpr GLuint exhibitBlock = 6;
     glBindBufferBase(GL_UNIFORM_BUFFER, exhibitBlock, buffer);
-    std::vector<GLuint> stored;
+    std::vector<GLuint> stored, texels;
     for (const render::BufferUse& use : storage) {
         const render::Bytes& bytes = *std::get<std::shared_ptr<const render::Bytes>>(use.source);
         GLuint& name = stored.emplace_back();
         glCreateBuffers(1, &name);
         glNamedBufferData(name, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), GL_STATIC_DRAW);
-        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(use.binding), name);
+        const auto binding = static_cast<GLuint>(use.binding);
+        if (use.texels == render::Texels::none) {
+            glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, name);
+            continue;
+        }
+        glCreateTextures(GL_TEXTURE_BUFFER, 1, &texels.emplace_back());
+        glTextureBuffer(texels.back(), use.texels == render::Texels::vec4 ? GL_RGBA32F : GL_RGBA32UI, name);
+        glBindTextureUnit(binding, texels.back());
     }
     glCreateTextures(GL_TEXTURE_2D, 1, &texture);
     glTextureStorage2D(texture, 1, GL_RGBA32F, side, side);
@@ -92,6 +99,7 @@ inline std::vector<FoundAtPoint> drawn(const std::string& glsl, const std::vecto
     glDeleteVertexArrays(1, &vertices);
     glDeleteFramebuffers(1, &target);
     glDeleteTextures(1, &texture);
+    glDeleteTextures(static_cast<GLsizei>(texels.size()), texels.data());
     glDeleteBuffers(1, &buffer);
     glDeleteBuffers(static_cast<GLsizei>(stored.size()), stored.data());
     return found;

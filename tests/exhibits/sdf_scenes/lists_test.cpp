@@ -2,6 +2,7 @@
 // the point's cell.
 
 #include "exhibits/sdf_scenes/list_glsl.h"
+#include "exhibits/sdf_scenes/scene_evaluator.h"
 #include "exhibits/sdf_scenes/scene_grid.h"
 #include "shaders/lib/bindings.glsl"
 #include "tests/exhibits/sdf_scenes/drawn_points.h"
@@ -17,11 +18,6 @@ namespace {
 
 using SceneLists = test::GlTest;
 using LongSceneListsProperty = test::GlTest;
-
-std::vector<render::BufferUse> buffersOf(const scenes::SceneGrid& near)
-{
-    return {{STORAGE_EXHIBIT_A, near.records}, {STORAGE_EXHIBIT_B, near.lists}, {STORAGE_EXHIBIT_C, near.grid}};
-}
 
 bool fits(const scenes::ListVocabulary& v)
 {
