@@ -13,7 +13,7 @@ namespace {
 const FurtherMember stageMember{"sdf_scenes/stage_block.glsl", "SceneStage stage"};
 
 /// Number of shapes from which the grid is faster than evaluating all of them. Measured with the shipped scenes: those
-/// of 9 to 12 shapes are up to five times slower with the grid, those of 17 a third faster.
+/// of 8 to 11 shapes take up to three times as long with the grid, those of 17 are faster.
 constexpr std::size_t manyShapes = 16;
 
 /// Largest number of shapes for which a program specialized for the scene, with its numbers folded in, builds in
