@@ -9,9 +9,12 @@
 #include "tests/support/image_bytes.h"
 #include "tests/support/temporary_folder.h"
 
+#include <array>
 #include <chrono>
+#include <cstdint>
 #include <cstring>
 #include <future>
+#include <memory>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -225,6 +228,28 @@ TEST_F(GeneratedShaders, KeepTheBuffersOfTheLastGoodProgramWhileItDraws)
     drawUntilFinished(scene(0), 9, 5);
     buffers_ = numbers({6});
     EXPECT_EQ(drawn(scene(0)), 6) << "of the same scene, numbers count at once";
+}
+
+TEST_F(GeneratedShaders, ReadConstantBytesAsTexels)
+{
+    const auto bytesOf = [](const auto& values) {
+        Bytes bytes(sizeof values);
+        std::memcpy(bytes.data(), values.data(), bytes.size());
+        return std::make_shared<const Bytes>(std::move(bytes));
+    };
+    // As a float, the first word is a signaling NaN.
+    const std::array<std::uint32_t, 4> words{0x7F800001U, 2, 3, 4};
+    const std::array<float, 8> numbers{1, 2, 3, 4, 5, 6, 7, 0.5F};
+    buffers_ = {{.binding = UNIT_BUFFER_A, .source = bytesOf(numbers), .texels = Texels::vec4},
+                {.binding = UNIT_BUFFER_B, .source = bytesOf(words), .texels = Texels::uvec4}};
+    const ShaderKey shader =
+        key("#include \"lib/bindings.glsl\"\nlayout(binding = UNIT_BUFFER_A) uniform samplerBuffer "
+            "numbers;\nlayout(binding = UNIT_BUFFER_B) uniform usamplerBuffer words;\nfloat value()\n"
+            "{\n    uvec4 w = texelFetch(words, 0);\n    return texelFetch(numbers, 1).w + (w.x == "
+            "0x7F800001u ? float(w.w) : 0.0);\n}\n");
+    EXPECT_EQ(drawn(shader), 4.5);
+    buffers_[0].source = bytesOf(std::array<float, 8>{0, 0, 0, 0, 0, 0, 0, 3});
+    EXPECT_EQ(drawn(shader), 7) << "other bytes";
 }
 
 TEST_F(GeneratedShaders, AreWaitedForByPicturesThatAreNotDrawnAgain)
