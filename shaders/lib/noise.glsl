@@ -50,42 +50,38 @@ ivec4 noiseWrap(ivec4 cell, ivec4 period)
 
 // The same for the next cell, given the wrapped one. Integer division is slow, and software renderers divide one pixel
 // at a time: the corners of a cell need one division per axis.
-int noiseNext(int wrapped, int period)
-{
-    return period > 0 && wrapped + 1 >= period ? 0 : wrapped + 1;
-}
-
 ivec2 noiseNext(ivec2 wrapped, ivec2 period)
 {
-    return ivec2(noiseNext(wrapped.x, period.x), noiseNext(wrapped.y, period.y));
+    ivec2 next = wrapped + 1;
+    return next * ivec2(notEqual(next, period));
 }
 
 ivec3 noiseNext(ivec3 wrapped, ivec3 period)
 {
-    return ivec3(noiseNext(wrapped.x, period.x), noiseNext(wrapped.y, period.y), noiseNext(wrapped.z, period.z));
+    ivec3 next = wrapped + 1;
+    return next * ivec3(notEqual(next, period));
 }
 
 ivec4 noiseNext(ivec4 wrapped, ivec4 period)
 {
-    return ivec4(noiseNext(wrapped.x, period.x), noiseNext(wrapped.y, period.y), noiseNext(wrapped.z, period.z),
-                 noiseNext(wrapped.w, period.w));
+    ivec4 next = wrapped + 1;
+    return next * ivec4(notEqual(next, period));
 }
 
-// The corner of a cell: `high` on the axes where `corner` is 1, else `low`.
+// The corner of a cell: `high` on the axes where `corner` is 1, `low` where it is 0.
 ivec2 noiseCorner(ivec2 low, ivec2 high, ivec2 corner)
 {
-    return ivec2(corner.x == 1 ? high.x : low.x, corner.y == 1 ? high.y : low.y);
+    return low + (high - low) * corner;
 }
 
 ivec3 noiseCorner(ivec3 low, ivec3 high, ivec3 corner)
 {
-    return ivec3(corner.x == 1 ? high.x : low.x, corner.y == 1 ? high.y : low.y, corner.z == 1 ? high.z : low.z);
+    return low + (high - low) * corner;
 }
 
 ivec4 noiseCorner(ivec4 low, ivec4 high, ivec4 corner)
 {
-    return ivec4(corner.x == 1 ? high.x : low.x, corner.y == 1 ? high.y : low.y, corner.z == 1 ? high.z : low.z,
-                 corner.w == 1 ? high.w : low.w);
+    return low + (high - low) * corner;
 }
 
 // Random bits of a lattice point, given by its wrapped cell: the same on every machine for the same point and seed.

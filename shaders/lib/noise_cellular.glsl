@@ -18,7 +18,7 @@ Noise2 cellularNoise(ivec2 cell, vec2 place, ivec2 period, uint seed)
     vec2 away = vec2(0.0);
     for (int i = 0; i < 9; ++i) {
         ivec2 neighbor = ivec2(i % 3, i / 3) - 1;
-        ivec2 c = noiseCorner(noiseCorner(middle, last, neighbor), first, -neighbor);
+        ivec2 c = noiseCorner(noiseCorner(middle, last, max(neighbor, 0)), first, max(-neighbor, 0));
         uvec3 bits = hashCell(ivec3(c.x, c.y, 0), seed);
         vec2 d = place - (vec2(neighbor) + vec2(unitFromBits(bits.x), unitFromBits(bits.y)));
         if (dot(d, d) < nearest) {
@@ -42,7 +42,7 @@ Noise3 cellularNoise(ivec3 cell, vec3 place, ivec3 period, uint seed)
     vec3 away = vec3(0.0);
     for (int i = 0; i < 27; ++i) {
         ivec3 neighbor = ivec3(i % 3, (i / 3) % 3, i / 9) - 1;
-        ivec3 c = noiseCorner(noiseCorner(middle, last, neighbor), first, -neighbor);
+        ivec3 c = noiseCorner(noiseCorner(middle, last, max(neighbor, 0)), first, max(-neighbor, 0));
         uvec3 bits = hashCell(c, seed);
         vec3 d = place - (vec3(neighbor) + vec3(unitFromBits(bits.x), unitFromBits(bits.y), unitFromBits(bits.z)));
         if (dot(d, d) < nearest) {
@@ -67,7 +67,7 @@ Noise4 cellularNoise(ivec4 cell, vec4 place, ivec4 period, uint seed)
     uvec4 s = uvec4(seed, pcg(seed), pcg(seed ^ 2654435769u), pcg(seed ^ 1640531527u));
     for (int i = 0; i < 81; ++i) {
         ivec4 neighbor = ivec4(i % 3, (i / 3) % 3, (i / 9) % 3, i / 27) - 1;
-        ivec4 c = noiseCorner(noiseCorner(middle, last, neighbor), first, -neighbor);
+        ivec4 c = noiseCorner(noiseCorner(middle, last, max(neighbor, 0)), first, max(-neighbor, 0));
         uvec4 bits = pcg4d(uvec4(uint(c.x), uint(c.y), uint(c.z), uint(c.w)) ^ s);
         vec4 point = vec4(unitFromBits(bits.x), unitFromBits(bits.y), unitFromBits(bits.z), unitFromBits(bits.w));
         vec4 d = place - (vec4(neighbor) + point);
