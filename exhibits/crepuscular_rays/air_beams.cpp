@@ -14,7 +14,7 @@ render::ResourceId planMarch(const RaysScene& s, render::FramePlan& plan)
     render::Pass pass = s.pass("march", "the sun's beams are in view", "crepuscular_rays/march.frag");
     pass.phase = render::PassPhase::volume;
     pass.colors = {render::Attachment::cleared(scattered)};
-    s.context.lighting.bindSunlight(pass);
+    s.context.lighting.bindLight(pass);
     std::erase_if(pass.inputs, [](const render::SampledTexture& input) {
         return input.unit != UNIT_SHADOW_HALL && input.unit != UNIT_SHADOW_EXHIBITS;
     });

@@ -278,7 +278,7 @@ void planSky(const HallScene& scene, const SceneLighting& light, render::FramePl
     sky.depth = Attachment::whole(depthImage);
     sky.state.depthTest = render::DepthTest::nearerOrEqual;  // The triangle is at depth 0, the far plane.
     sky.draws = {Draw{}};
-    light.bindSunlight(sky);
+    light.bindLight(sky);
     // Shadows and reflections do not fall on the sky. Reading them here would keep them alive where no other pass does.
     std::erase_if(sky.inputs, [](const render::SampledTexture& input) { return input.unit != UNIT_ENVIRONMENT; });
     plan.add(std::move(sky));

@@ -163,7 +163,7 @@ void planFace(const HallScene& scene, const SceneLighting& hallLight, const Surr
     sky.colors = {Attachment::slice("probe.captured", face)};
     sky.draws = {render::Draw{}};
     sky.bound = hallLight.probeLight;
-    hallLight.bindSunlight(sky);
+    hallLight.bindLight(sky);
     if (scene.alone && face == 5) sky.mipmaps = {"probe.captured"};
     plan.add(std::move(sky));
     if (scene.alone) return;

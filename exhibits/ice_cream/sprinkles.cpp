@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <numbers>
 #include <optional>
 
@@ -145,13 +144,6 @@ std::vector<int> cellsToLists(const Sprinkles& s, const std::vector<std::vector<
     return apart;
 }
 
-template <typename T> std::shared_ptr<const render::Bytes> bytesOf(const std::vector<T>& values)
-{
-    auto bytes = std::make_shared<render::Bytes>(std::max(sizeof(T) * values.size(), sizeof(T)));
-    std::memcpy(bytes->data(), values.data(), sizeof(T) * values.size());
-    return bytes;
-}
-
 void fillGrid(Sprinkles& s, double radius)
 {
     dvec3 low(1e9), high(-1e9);
@@ -201,8 +193,8 @@ Sprinkles strewn(const IceCreamShape& shape, const SprinkleSettings& settings)
     for (int i = 0; i < settings.count; ++i)
         if (const auto one = strew(solids, settings, low, high, outer, i)) s.all.push_back(*one);
     if (!s.all.empty()) fillGrid(s, shape.sprinkleRadius);
-    s.cellBytes = bytesOf(s.grid);
-    s.endBytes = bytesOf(s.ends);
+    s.cellBytes = render::bytesOf(s.grid);
+    s.endBytes = render::bytesOf(s.ends);
     return s;
 }
 

@@ -99,9 +99,8 @@ std::vector<render::Draw> farToNear(const std::vector<TranslucentPart>& parts, c
     std::vector<Face> faces;
     for (const TranslucentPart& part : parts) {
         const glm::dvec3 nearest = glm::clamp(eye, part.box.low, part.box.high);
-        const glm::dvec3 farthest = glm::max(glm::abs(part.box.low - eye), glm::abs(part.box.high - eye));
         if (part.doubleSided) {
-            faces.push_back({glm::length(farthest), part.draw});
+            faces.push_back({part.box.farthest(eye), part.draw});
             faces.back().draw.cull = render::Cull::front;
         }
         faces.push_back({glm::distance(nearest, eye), part.draw});

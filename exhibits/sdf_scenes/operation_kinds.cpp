@@ -25,11 +25,6 @@ std::vector<Field> blendFields()
             width("blendWidth", 0, "Width of the blend; 0 leaves a sharp edge.")};
 }
 
-render::Box overlap(const render::Box& a, const render::Box& b)
-{
-    return {glm::max(a.low, b.low), glm::min(a.high, b.high)};
-}
-
 render::Box joined(const render::Box& a, const render::Box& b)
 {
     return {glm::min(a.low, b.low), glm::max(a.high, b.high)};
@@ -343,7 +338,7 @@ std::vector<NodeKind> operandKinds()
                      .combine = SCENE_COMBINE(sceneIntersection(a, b, V(1), int(V(0)))),
                      .share = SCENE_COMBINE(sceneIntersectionShare(a, b, V(1), int(V(0)))),
                      .extentOfTwo = [](const Bounds& a, const Bounds& b) {
-                         return Bounds{overlap(a.box, b.box), a.even & b.even, a.flat && b.flat};
+                         return Bounds{a.box.intersection(b.box), a.even & b.even, a.flat && b.flat};
                      }});
     kinds.push_back({.name = "xor",
                      .form = Form::operands,

@@ -42,13 +42,6 @@ template <typename T> void append(render::Bytes& bytes, const T* first, std::siz
     if (count > 0) std::memcpy(bytes.data() + at, first, count * sizeof(T));
 }
 
-template <typename T> std::shared_ptr<const render::Bytes> bytesOf(const std::vector<T>& all)
-{
-    render::Bytes bytes;
-    append(bytes, all.data(), all.size());
-    return std::make_shared<const render::Bytes>(std::move(bytes));
-}
-
 /// Lists of cells without duplicates, and the start of each list.
 struct PackedLists {
     std::vector<ListStep> steps;
@@ -228,7 +221,7 @@ public:
                 isAlike ? std::optional<FormerBox>({former->occupied, changed}) : std::nullopt;
             near_->occupied = occupiedBox(program_, words_, rest_.steps, rest_.box, before ? &*before : nullptr);
         }
-        near_->records = bytesOf(records_.records());
+        near_->records = render::bytesOf(records_.records());
         const bool again =
             isAlike && isSameBox(former->occupied.box, near_->occupied.box) && change(*former, std::move(changed));
         if (!again) makeAll();
@@ -275,8 +268,7 @@ private:
             for (const SceneCell& cell : near_->cells.cells) packList(packed, cell, near_->cells.steps, 0, writer_);
         else
             packed.steps = writer_.write(rest_.steps);
-        if (packed.steps.empty()) packed.steps.emplace_back();
-        near_->lists = bytesOf(packed.steps);
+        near_->lists = render::bytesOf(packed.steps);
         near_->listsWithoutWaste = near_->lists->size();
         near_->grid =
             std::make_shared<const render::Bytes>(gridBytes(gridHead(*near_, rest_, records_), near_->cells, packed));

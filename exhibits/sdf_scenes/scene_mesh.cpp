@@ -90,7 +90,7 @@ bool inParallel(std::size_t count, std::size_t threads, const MeshProgress& prog
 render::Box meshedBox(const SceneField& scene, const MeshRequest& request)
 {
     render::Box box = scene.box();
-    if (request.part) box = {glm::max(box.low, request.part->low), glm::min(box.high, request.part->high)};
+    if (request.part) box = box.intersection(*request.part);
     if (box.empty())
         throw Failure(ErrorKind::usage, "Nothing of the scene lies between --low and --high; give other corners.");
     const glm::dvec3 size = box.high - box.low;

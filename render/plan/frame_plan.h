@@ -10,8 +10,10 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <map>
 #include <memory>
 #include <optional>
@@ -33,6 +35,14 @@ struct SampledTexture {
 
 /// Content of a std140 block or of a std430 buffer.
 using Bytes = std::vector<std::byte>;
+
+/// Returns the bytes of these numbers or structs; zeros for one of them if there are none, because no buffer is empty.
+template <typename T> [[nodiscard]] std::shared_ptr<const Bytes> bytesOf(const std::vector<T>& all)
+{
+    auto bytes = std::make_shared<Bytes>(std::max(all.size(), std::size_t{1}) * sizeof(T));
+    if (!all.empty()) std::memcpy(bytes->data(), all.data(), all.size() * sizeof(T));
+    return bytes;
+}
 
 enum class Access : std::uint8_t { read, write, readWrite };
 

@@ -24,17 +24,6 @@ bool reaches(const LocalLight& light, const glm::dvec3& center, double radius)
 /// Accounts for rounding in shaders, meters.
 constexpr double slack = 1e-3;
 
-Box intersection(const Box& a, const Box& b)
-{
-    return {glm::max(a.low, b.low), glm::min(a.high, b.high)};
-}
-
-/// Distance from a place to the farthest corner of a box.
-double farthestCorner(const Box& box, const glm::dvec3& place)
-{
-    return glm::length(glm::max(glm::abs(box.low - place), glm::abs(box.high - place)));
-}
-
 /// Box around the part of `within` that a view may show. Parallel projections show all of it.
 Box seenPart(const View& view, const Box& within)
 {
@@ -42,10 +31,10 @@ Box seenPart(const View& view, const Box& within)
     Box seen{view.eye, view.eye};
     for (const glm::dvec2 corner : {glm::dvec2(-1, -1), glm::dvec2(1, -1), glm::dvec2(-1, 1), glm::dvec2(1, 1)}) {
         // Slightly outside, because a sample may lie anywhere in its pixel.
-        const glm::dvec3 far = view.eye + farthestCorner(within, view.eye) * view.direction(1.02 * corner);
-        seen = {glm::min(seen.low, far), glm::max(seen.high, far)};
+        const glm::dvec3 far = view.eye + within.farthest(view.eye) * view.direction(1.02 * corner);
+        seen.include(far);
     }
-    return intersection(seen, within);
+    return seen.intersection(within);
 }
 
 /// The cone and the range of a light.
@@ -101,7 +90,7 @@ bool mayReach(const LitPart& lit, const ShadedSpace& space, const std::optional<
 {
     if (part && !lit.mayReach(*part)) return false;
     if (!space.inView) return true;
-    const double reach = part ? std::min(lit.range(), farthestCorner(*part, lit.position())) : lit.range();
+    const double reach = part ? std::min(lit.range(), part->farthest(lit.position())) : lit.range();
     if (!std::isfinite(reach)) return true;
     const glm::dmat4 rows = glm::transpose(view.clipFromWorld);
     for (const glm::dvec4& plane :

@@ -28,6 +28,16 @@ struct Box {
         low = glm::min(low, p);
         high = glm::max(high, p);
     }
+    /// Returns the part that both boxes contain; empty if there is none.
+    [[nodiscard]] Box intersection(const Box& other) const
+    {
+        return {glm::max(low, other.low), glm::min(high, other.high)};
+    }
+    /// Returns the distance from `p` to the farthest corner.
+    [[nodiscard]] double farthest(const glm::dvec3& p) const
+    {
+        return glm::length(glm::max(glm::abs(low - p), glm::abs(high - p)));
+    }
     /// Returns the smallest axis-aligned box that contains the transformed box.
     [[nodiscard]] Box transformed(const glm::dmat4& transform) const;
 };

@@ -18,7 +18,7 @@ void SceneLighting::mirrorWorks(render::Pass& pass) const
         if (input.unit == UNIT_PROBE) input.source = std::string(mirroredWorksImage);
 }
 
-void SceneLighting::bindSunlight(render::Pass& pass) const
+void SceneLighting::bindLight(render::Pass& pass) const
 {
     pass.blocks[BLOCK_LIGHT] = render::std140Bytes(light);
     pass.inputs.insert(pass.inputs.end(), inputs.begin(), inputs.end());
@@ -29,7 +29,7 @@ void SceneLighting::bindSunlight(render::Pass& pass) const
 
 void SceneLighting::bindLighting(render::Pass& pass) const
 {
-    bindSunlight(pass);
+    bindLight(pass);
     if (!localLights) return;
     pass.localLights = std::make_shared<render::LocalLightsBlock>(localLights->block);
     pass.shaded.within = building;

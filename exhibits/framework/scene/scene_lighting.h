@@ -79,7 +79,7 @@ struct SceneLighting {
     bool hasMirroredWorks = false;
 
     /// Gives a pass the light block and all textures that shaders/lib/light.glsl samples.
-    void bindSunlight(render::Pass&) const;
+    void bindLight(render::Pass&) const;
     /// The same, and the local lights. The pass shades places within the building; one that shades others, or knows
     /// more closely which, sets `Pass::shaded`.
     void bindLighting(render::Pass&) const;
