@@ -2,6 +2,7 @@
 
 #include "exhibits/paper_lanterns/lake_release.h"
 #include "exhibits/paper_lanterns/lake_waves.h"
+#include "exhibits/paper_lanterns/paper_lanterns_cpu.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -155,6 +156,16 @@ void setLight(const PaperLanternsTable& t, const ParameterValues& values, const 
     block.moonLight = glm::vec3(0.25 * values[t.moon] * risen * glm::dvec3(0.86, 0.93, 1.0) * through);
 }
 
+/// Sets what is the same for all pixels. Drivers without branches would compute it at each step of a ray.
+void setGlow(LakeBlock& block)
+{
+    glsl::Lake lake;
+    copyLake(lake.lake, block);
+    block.releasedGlow = glm::vec3(lake.paperGlow(block.released.w, block.releasedPose.w));
+    // Apart, the flames' flicker averages out.
+    block.farGlow = glm::vec3(lake.paperGlow(glm::mix(lake.flickerOf(0), 0.55, double{block.flickerApart}), 0));
+}
+
 }  // namespace
 
 float mostLean(const LakeBlock& block)
@@ -262,6 +273,7 @@ LakeBlock lakeBlock(const PaperLanternsTable& t, const ParameterValues& values, 
     block.pointWidth = 2 * block.paperRadius / static_cast<float>(sizes[t.pointSize]);
     block.meanWidth = 2 * block.paperRadius / static_cast<float>(sizes[t.meanSize]);
     setReleased(t, values, seconds, press, block);
+    setGlow(block);
     return block;
 }
 

@@ -70,8 +70,10 @@
     FIELD(float, farRow)         /* distance of the farthest lanterns beyond the lattice from the frame; 0: none */ \
     FIELD(vec4, released)        /* released lantern: place, and its light; below 0: none */ \
     FIELD(vec4, releasedPose)    /* its tilt, turn and hue */ \
-    FIELD(ivec2, freedCell)      /* number of the cell that it left */ \
+    FIELD(vec3, releasedGlow)    /* mean radiance of its paper and frame, seen from outside */ \
     FIELD(float, waterTime)      /* seconds, within an hour: for shading without a period */ \
+    FIELD(vec3, farGlow)         /* the same of the lanterns beyond the lattice */ \
+    FIELD(ivec2, freedCell)      /* number of the cell that the released lantern left */ \
     ARRAY(vec4, wave, LAKE_WAVES)          /* wave vector, radians per meter; amplitude, meters; phase, radians */ \
     ARRAY(vec4, ride, LAKE_TALL_WAVES)     /* the same for the height that moves lanterns */ \
     ARRAY(vec4, rideTilt, LAKE_TALL_WAVES) /* x: amplitude for the slope */

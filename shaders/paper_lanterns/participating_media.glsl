@@ -103,7 +103,7 @@ vec4 farLanterns(LanternRay ray, float end)
     float middle = 0.5 * lake.paperHeight;
     float density = lake.fill * 2.0 * lake.paperRadius / (lake.cell * lake.cell) * length(vec2(ray.direction.x, ray.direction.z));
 #if SHOW == SHOW_PICTURE
-    vec3 glow = paperGlow(mix(0.55, flickerOf(0.0), 1.0 - lake.flickerApart), 0.0);
+    vec3 glow = lake.farGlow;
 #else
     vec3 glow = PAPER_SHOWN;
 #endif

@@ -101,7 +101,7 @@ Lantern releasedLantern()
     l.turn = lake.releasedPose.z;
     l.light = lake.released.w;
     l.hue = lake.releasedPose.w;
-    l.glow = paperGlow(l.light, l.hue);
+    l.glow = lake.releasedGlow;
     return l;
 }
 
