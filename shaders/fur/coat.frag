@@ -139,29 +139,24 @@ void main()
     if (!met.met && height > 0.0) discard;
 
 #ifndef SHADOW
-    // As in walkStrands: skips work for discarded fragments.
-    bool kept = met.met || height <= 0.0;
-    found = vec4(0.0);
-    for (int once = 0; once < 1 && kept; ++once) {
-        FoundStrand seen;
-        seen.along = way;
+    FoundStrand seen;
+    seen.along = way;
 #ifdef CURLS
-        if (met.met) seen.along = curled(ray, strands, n, met, shrink);
+    if (met.met) seen.along = curled(ray, strands, n, met, shrink);
 #endif
-        seen.coatNormal = normalize(coatNormal);
-        seen.height = met.height;
-        seen.body = body.number;
-        seen.viewDepth = (1.0 + met.t / distance_) / gl_FragCoord.w;
-        // A strand thinner than two pixels is shaded neither as round nor with an individual rank.
-        float known = bald ? 0.0 : clamp(0.5 * met.radius / max(strands.pixel, 1e-6), 0.0, 1.0);
-        seen.rank = 0.5 + (met.strand.rank - 0.5) * known;
-        vec3 outwards = strandOffset(lattice, met.strand, known / max(met.radius, 1e-6));
-        seen.across = clamp(dot(outwards, safeNormalize(cross(way, v), vec3(0.0))), -1.0, 1.0);
-        found = packedStrand(seen);
+    seen.coatNormal = normalize(coatNormal);
+    seen.height = met.height;
+    seen.body = body.number;
+    seen.viewDepth = (1.0 + met.t / distance_) / gl_FragCoord.w;
+    // A strand thinner than two pixels is shaded neither as round nor with an individual rank.
+    float known = bald ? 0.0 : clamp(0.5 * met.radius / max(strands.pixel, 1e-6), 0.0, 1.0);
+    seen.rank = 0.5 + (met.strand.rank - 0.5) * known;
+    vec3 outwards = strandOffset(lattice, met.strand, known / max(met.radius, 1e-6));
+    seen.across = clamp(dot(outwards, safeNormalize(cross(way, v), vec3(0.0))), -1.0, 1.0);
+    found = packedStrand(seen);
 #ifdef WRITE_NORMAL
-        vec3 normal = met.met ? n + outwards * 0.8 + way * 0.35 : n;
-        normalOut = vec4(normalize(transpose(mat3(body.bodyFromWorld)) * normal), 1.0);
+    vec3 normal = met.met ? n + outwards * 0.8 + way * 0.35 : n;
+    normalOut = vec4(normalize(transpose(mat3(body.bodyFromWorld)) * normal), 1.0);
 #endif
-    }
 #endif
 }

@@ -64,8 +64,7 @@ void main()
     float edge = max(fwidth(r), 1.0e-5);
     float cover = fur.rugRadius > 0.0 ? clamp(0.5 + (fur.rugRadius - r) / edge, 0.0, 1.0) : 0.0;
     float width = max(length(dFdx(inPit.xz)), length(dFdy(inPit.xz)));
-    // llvmpipe executes both sides of every `if`, but skips a loop that none of its eight pixels enters.
-    for (int once = 0; once < 1 && cover > 0.0; ++once) {
+    if (cover > 0.0) {
         vec3 rug = min(rugRadiance(r, width, open), vec3(6e4));
         radiance = radiance * (1.0 - cover) + vec4(rug, 1.0) * cover;
     }

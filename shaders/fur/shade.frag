@@ -59,7 +59,7 @@ vec3 strandColor(FoundStrand found, vec3 world)
 {
     vec3 albedo = mix(fur.bodies[0].rootColor, fur.bodies[0].tipColor, powPositive(found.height, parameters.gradient));
     // Markings follow the root. The strand leaves along the normal and ends along its direction at the top.
-    for (int once = 0; once < 1 && fur.bodies[0].marking != MARKING_NONE; ++once) {
+    if (fur.bodies[0].marking != MARKING_NONE) {
         vec3 root = (fur.bodies[0].bodyFromWorld * vec4(world, 1.0)).xyz - normalize(found.coatNormal + found.along) * (found.height * fur.bodies[0].strandLength);
         albedo = mix(albedo, fur.bodies[0].markColor, markingShare(fur.bodies[0].marking, root, found.height, fur.bodies[0].markSize));
     }

@@ -241,8 +241,7 @@ MetStrand walkStrands(CoatRay ray, CoatStrands c, StrandLattice l, vec3 n, vec2 
     found.radius = 1.0;
     found.height = 0.0;
     found.t = 0.0;
-    // llvmpipe executes both sides of every `if`, but skips a loop that none of its eight pixels enters.
-    for (int once = 0; once < 1 && met <= 1.0; ++once) {
+    if (met <= 1.0) {
         found.strand = strandOfCell(l, cell, c.jitter);
         found.strand.offset = start + (slope + bend * met) * met - cell - 0.5 - found.strand.offset;
         found.strand.along = -dot(found.strand.offset, l.slope);

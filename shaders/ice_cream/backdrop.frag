@@ -29,9 +29,8 @@ void main()
     float glow = 0.06 + 0.94 * exp(-dot(fromGlow, fromGlow));
     // The walls of the niche keep some of the room's light off the sheet.
     vec3 light_ = roomLight * 0.35 + vec3(parameters.backdrop * glow);
-    // A loop, because llvmpipe executes both sides of every `if`.
     float cosine = dot(n, light.sunDirection);
-    for (int once = 0; once < 1 && cosine > 0.0 && dot(light.sunIrradiance, vec3(1.0)) > 0.0 && mayBeSunlit(world); ++once) {
+    if (cosine > 0.0 && dot(light.sunIrradiance, vec3(1.0)) > 0.0 && mayBeSunlit(world)) {
         float lit = sunVisibility(world, n) * cosine;
         light_ += light.sunIrradiance * (lit / PI);
     }

@@ -79,8 +79,7 @@ float meltedShare(vec3 p)
 vec3 detailedNormal(vec3 p, vec3 n, float pixel)
 {
     vec3 slope = vec3(0.0);
-    for (int once = 0; once < 1 && isWafer(shadedPart); ++once)
-        slope = waferPores(p).xyz * (0.22 * parameters.pores * shownDetail(0.012, pixel));
+    if (isWafer(shadedPart)) slope = waferPores(p).xyz * (0.22 * parameters.pores * shownDetail(0.012, pixel));
     return normalize(n - slope + n * dot(n, slope));
 }
 
