@@ -90,6 +90,7 @@ SdfBody IceCream::body(const ParameterValues& values, double time) const
     body.variant =
         "built up to: " + std::string(values.rows()[table_.stage.row].choices[static_cast<std::size_t>(shape.stage)]);
     if (shape.stage < STAGE_FINISHED) body.defines.emplace_back("PIXEL_CENTERS");
+    if (values[table_.lighting] == IceCreamLighting::reference) body.defines.emplace_back("REFERENCE_LIGHT");
     return body;
 }
 

@@ -1,5 +1,8 @@
-// Shading of the ice cream by the hall's light and a lamp of its own, or by the light of the reference.
+// Shading of the ice cream by the hall's light and a lamp of its own, or with REFERENCE_LIGHT by the light of the
+// reference.
+#ifdef REFERENCE_LIGHT
 #include "ice_cream/reference_light.glsl"
+#endif
 
 // Share of a light in the direction `l` (local) that passes through the cream to a point: its path there is found by
 // two samples of the field, each for the part of the way around it.
@@ -35,8 +38,7 @@ vec3 exhibitLight(Surface s, Hit hit, vec3 toEye)
     vec3 world = worldDirection(toLamp);
     vec3 irradiance = parameters.lampColor * parameters.lamp;
     float share = isCream(shadedPart) ? parameters.subsurface : 0.0;
-    // llvmpipe executes both sides of every `if`, but skips a loop that none of its eight pixels enters.
-    for (int once = 0; once < 1 && share > 0.0 && parameters.lamp > 0.0; ++once)
+    if (share > 0.0 && parameters.lamp > 0.0)
         color += scatteredInCream(s, hit.local, hit.localNormal, toLamp, irradiance) * share;
     if (parameters.lamp <= 0.0 || dot(s.normal, world) <= 0.0) return color;
     // The light that enters the cream is missing from what its surface scatters, not from its gloss.
@@ -46,9 +48,12 @@ vec3 exhibitLight(Surface s, Hit hit, vec3 toEye)
 
 vec3 fieldRadiance(LocalRay ray, Hit hit, MarchSettings settings)
 {
-    if (parameters.lighting == lighting_hall) return shadeFound(ray, hit, settings);
+#ifndef REFERENCE_LIGHT
+    return shadeFound(ray, hit, settings);
+#else
     Surface s = bareSurface(hit, fieldMaterial(hit.local));
     s.normal = hit.localNormal;
     s.occlusion = referenceOcclusion(hit.local, hit.localNormal);
     return referenceFogged(referenceReflected(s, -ray.direction, selfVisibility(hit, referenceSun())), hit.traveled);
+#endif
 }
