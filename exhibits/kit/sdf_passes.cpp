@@ -107,6 +107,8 @@ struct SdfPlanner {
         const double any = heat ? std::numeric_limits<double>::infinity() : 1;
         const int bounces = values[table.bounces];
         const double own = scene.body.ownLight * mostReflected;
+        const render::ContributionBound sun =
+            scene.context.worldBox ? around.sunlightIn(*scene.context.worldBox) : around.sunShadow;
         ParameterValues needed = values;
         occlusion(made, needed, heat, any);
 
@@ -115,12 +117,14 @@ struct SdfPlanner {
                       whyOff(scene.context.values[table.shadowMethod] != SdfShadow::none, "the shadow method is none"));
         else if (!plan.includeIfEffective(
                      made, {named("self-shadow"),
-                            render::boundOf(0, any * (1 + bounces),
-                                            {{around.sunShadow.absolute + own, around.sunShadow.whyNone}})}))
+                            render::boundOf(0, any * (1 + bounces), {{sun.absolute + own, sun.whyNone}})}))
             needed.set(table.shadowMethod, SdfShadow::none);
+        if (!plan.includeIfEffective(
+                made, {named("sunlight"), render::boundOf(0, any * (1 + bounces), {{sun.absolute, sun.whyNone}})}))
+            made.shader.defines.emplace_back("SUNLESS");
 
         // Each surface after the first adds the light that it reflects, and the last one adds the light of the room.
-        const double shaded = bounces > 0 ? bounces * (around.sunShadow.absolute + own) : 0;
+        const double shaded = bounces > 0 ? bounces * (sun.absolute + own) : 0;
         const double reflected = around.probeLight.absolute + shaded;
         (void)plan.includeIfEffective(
             made, {named("bounces"), render::boundOf(0, any,

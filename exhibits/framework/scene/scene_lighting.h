@@ -78,6 +78,9 @@ struct SceneLighting {
     /// The works behind openings in the walls are in the image "probe.mirrored", which is otherwise the probe.
     bool hasMirroredWorks = false;
 
+    /// Bound on the sunlight that surfaces in a box (world space) send to the eye: 0 if `mayBeSunlit` of
+    /// shaders/lib/light.glsl is false at every place of it.
+    [[nodiscard]] render::ContributionBound sunlightIn(const render::Box&) const;
     /// Gives a pass the light block and all textures that shaders/lib/light.glsl samples.
     void bindLight(render::Pass&) const;
     /// The same, and the local lights. The pass shades places within the building; one that shades others, or knows

@@ -1,7 +1,7 @@
 // Sphere traces the object, one ray per pixel inside its bounding mesh, and writes the depth of the hit. Permutations:
 // CONE_PREPASS (pixels along a side of its blocks), GLASS, BACKDROP (visible through glass), HEAT_MAP, WRITE_NORMAL,
 // COUNT (writes evaluations, discards nothing), DEPTH_ONLY (no shading), OTHERS_SHADOWS, PIXEL_CENTERS, SHADOW_METHOD
-// (the parameter's number), BOUNCES (if any are set).
+// (the parameter's number), BOUNCES (if any are set), SUNLESS (no sunlight reaches it).
 #include "kit/sdf/ray.glsl"
 #include "kit/sdf/shade.glsl"
 #include "lib/heat_color.glsl"

@@ -51,10 +51,14 @@ float othersVisibility(Hit hit, bool wanted)
 // Visibility of the sun: past walls and other objects, then past the object itself.
 float sunReaches(Hit hit)
 {
+#ifdef SUNLESS
+    return 0.0;
+#else
     if (dot(hit.worldNormal, light.sunDirection) <= 0.0 || dot(light.sunIrradiance, vec3(1.0)) <= 0.0) return 0.0;
     float visible = sunVisibilityOfHall(hit.world, hit.worldNormal);
     visible *= othersVisibility(hit, visible > 0.0);
     return visible > 0.0 ? visible * selfVisibility(hit, normalize(mat3(object.localFromWorld) * light.sunDirection)) : 0.0;
+#endif
 }
 
 // Returns the surface without ambient light and occlusion.
