@@ -1,5 +1,7 @@
 // Lights of a scene, and their occlusion at a point.
 
+#include "kit/sdf/shadow_methods.glsl"
+
 // SHADOWS is one of the kit's methods, or that of the reference.
 #define SHADOWS_REFERENCE 6
 #ifdef SHADOWS
@@ -72,19 +74,30 @@ SceneLight sceneLight(int i, vec3 p)
 // Visibility of a light past the scene's shapes from `p`, a point next to a surface.
 float sceneVisibility(vec3 p, SceneLight l, uint salt)
 {
-    float tMax = min(l.distance, rayBox(p, l.direction, stage.boxLow, stage.boxHigh).y);
+    float width = l.width;
+    float tMin = 0.002;
+#if SHADOWS == SHADOWS_REFERENCE
+    width = stage.softShadows > 0.0 ? 1.0 / stage.softShadows : 1e-4;
+    tMin = 0.1;
+#endif
 #ifdef SCENE_NEAR
     float plane = scenePlaneAhead(p, l.direction, SCENE_PLANES);
     if (plane >= 0.0 && plane < l.distance) return 0.0;
 #endif
-    float tMin = 0.002;
+    // Outside of the box the field is only a bound.
+    vec2 span = rayBox(p, l.direction, stage.boxLow, stage.boxHigh);
+    float tMax = min(l.distance, span.y);
+#if SHADOWS == SHADOW_METHOD_AREA
+    span = coneBox(p, l.direction, width, stage.boxLow, stage.boxHigh);
+#endif
+    tMin = max(tMin, span.x);
     int steps = min(parameters.stepLimit, 128);
 #if SHADOWS != SHADOWS_REFERENCE
-    Shadow s = shadowByMethod(p, l.direction, l.width, tMin, tMax, steps, parameters.shadowRays, 2.0 * PI * pixelNumber(salt));
+    Shadow s = shadowByMethod(p, l.direction, width, tMin, tMax, steps, parameters.shadowRays, 2.0 * PI * pixelNumber(salt));
 #else
     // Method of the reference: the narrowest clearance k d / t from 0.1 on, smoothed, and hard for k = 0. Unlike the
     // reference, shapes behind the light cast no shadow.
-    Shadow s = shadowClassic(p, l.direction, stage.softShadows > 0.0 ? 1.0 / stage.softShadows : 1e-4, 0.1, tMax, steps);
+    Shadow s = shadowClassic(p, l.direction, width, tMin, tMax, steps);
     s.visibility = stage.softShadows > 0.0 ? smoothStep(0.0, 1.0, s.visibility) : step(1e-3, s.visibility);
 #endif
     evaluations += s.evaluations;

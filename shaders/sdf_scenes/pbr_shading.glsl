@@ -159,102 +159,118 @@ SceneSeen sceneSeen(PortalRay ray)
 #ifdef LAMPS
         if (side > 0.0) color += share * lampsSeen(origin, direction, march.hit ? march.t : stage.farthest);
 #endif
-        if (!march.hit) {
-            color += share * beyond(direction, roughness);
-            ended = true;
-            continue;
-        }
-        width += spread * march.t;
-        SceneHit hit = sceneHit(origin, direction, march, settings, 0.5 * width);
-        // Infinite floors fade into the background before rays reach the step limit.
-        float haze = smoothstep(0.05, 0.5, hit.traveled / stage.farthest);
-        color += share * haze * beyond(direction, roughness);
-        share *= 1.0 - haze;
-        if (haze >= 1.0) {
-            ended = true;
-            continue;
-        }
-        SceneMaterial m = sceneSurface(hit.position).material;
-        evaluations += 1;
-        vec3 n = hit.normal * side;
-        vec3 toEye = -direction;
-        if (i == 0) {
-            seen.normal = n;
-            seen.distance = march.t;
-            seen.albedo = m.color;
-        }
-        float cosine = clamp(dot(n, toEye), 0.0, 1.0);
-        m.roughness = filteredRoughness(m.roughness, hit.curvature, width, cosine);
-        settings.tMin = 0.0;
-        settings.traveled = hit.traveled;
-#ifdef GLASS
-        // Traces through glass, and then the reflection at its first side; later sides reflect only the environment.
-        if (side < 0.0) share *= exp(log(clamp(m.color, 0.02, 1.0)) * (march.t * 10.0));
-        if (m.transmission > 0.5) {
-            float index = side > 0.0 ? m.refractiveIndex : 1.0 / m.refractiveIndex;
-            float mirrored = fresnelDielectric(cosine, index);
-            vec3 through = refract(direction, n, 1.0 / index);
-            vec3 image = reflect(direction, n);
-            bool total = dot(through, through) < 0.5;
-            if (side > 0.0) {
-                color += share * allLights(hit, m, n, toEye);
-                vec3 imageShare = share * mirrored;
-                bool follows = !waited && bounces < stage.bounces && m.roughness <= ROUGHEST_MIRROR && max(imageShare.r, max(imageShare.g, imageShare.b)) >= 0.01;
-                if (follows) {
-                    waits = true;
-                    waited = true;
-                    waitingOrigin = hit.position + n * (2.0 * hit.tolerance);
-                    waitingDirection = image;
-                    waitingShare = imageShare;
-                    waitingTraveled = hit.traveled;
-                    waitingWidth = width;
-                    waitingSpread = spread + 2.0 * width * hit.curvature;
-                } else {
-                    color += imageShare * beyond(image, m.roughness);
+        // Light from beyond the scene arrives along the ray, and along a reflection that is not traced.
+        vec3 along = direction;
+        float alongRoughness = roughness;
+        vec3 alongShare = share;
+        vec3 image = direction;
+        float imageRoughness = roughness;
+        vec3 imageShare = vec3(0.0);
+        ended = !march.hit;
+        if (march.hit) {
+            width += spread * march.t;
+            SceneHit hit = sceneHit(origin, direction, march, settings, 0.5 * width);
+            // Infinite floors fade into the background before rays reach the step limit.
+            float haze = smoothstep(0.05, 0.5, hit.traveled / stage.farthest);
+            alongShare = share * haze;
+            share *= 1.0 - haze;
+            ended = haze >= 1.0;
+            if (!ended) {
+                SceneMaterial m = sceneSurface(hit.position).material;
+                evaluations += 1;
+                vec3 n = hit.normal * side;
+                vec3 toEye = -direction;
+                if (i == 0) {
+                    seen.normal = n;
+                    seen.distance = march.t;
+                    seen.albedo = m.color;
                 }
-            }
-            if (total) {
-                direction = image;
-            } else {
-                share *= 1.0 - mirrored;
-                direction = through;
-                side = -side;
-            }
-            origin = hit.position + n * ((total ? 2.0 : -2.0) * hit.tolerance);
-            settings.side = side;
-            if (i == most) color += share * environmentAround(direction);
-            continue;
-        }
+                float cosine = clamp(dot(n, toEye), 0.0, 1.0);
+                m.roughness = filteredRoughness(m.roughness, hit.curvature, width, cosine);
+                settings.tMin = 0.0;
+                settings.traveled = hit.traveled;
+                image = reflect(direction, n);
+                imageRoughness = m.roughness;
+                bool isGlass = false;
+#ifdef GLASS
+                isGlass = m.transmission > 0.5;
+                if (side < 0.0) share *= exp(log(clamp(m.color, 0.02, 1.0)) * (march.t * 10.0));
 #endif
-        float open = 1.0;
+                vec3 lit = vec3(0.0);
+                if (side > 0.0 || !isGlass) lit = allLights(hit, m, n, toEye);
+                if (!isGlass) {
+                    float open = 1.0;
 #ifdef OCCLUSION
-        open = 1.0 - stage.occlusion * sceneHidden(hit.position, n);
+                    open = 1.0 - stage.occlusion * sceneHidden(hit.position, n);
 #endif
-        vec2 lobe = mirrorShare(m.roughness, cosine);
-        vec3 mirrors = reflectanceOf(m) * lobe.x + lobe.y;
-        vec3 diffuse = m.color * (1.0 - m.metalness) * (1.0 - mirrors) * environmentAround(n) * open;
-        color += share * (diffuse + allLights(hit, m, n, toEye));
+                    vec2 lobe = mirrorShare(m.roughness, cosine);
+                    vec3 mirrors = reflectanceOf(m) * lobe.x + lobe.y;
+                    vec3 diffuse = m.color * (1.0 - m.metalness) * (1.0 - mirrors) * environmentAround(n) * open;
+                    color += share * (diffuse + lit);
 #ifdef GLOWS
-        color += share * (m.emission * m.color);
+                    color += share * (m.emission * m.color);
 #endif
-        vec3 image = reflect(direction, n);
-        bool last = true;
+                    ended = true;
 #ifdef MIRRORS
-        last = i >= most || bounces >= stage.bounces || m.roughness > ROUGHEST_MIRROR || max(mirrors.r, max(mirrors.g, mirrors.b)) * max(share.r, max(share.g, share.b)) < 0.01;
+                    ended = i >= most || bounces >= stage.bounces || m.roughness > ROUGHEST_MIRROR || max(mirrors.r, max(mirrors.g, mirrors.b)) * max(share.r, max(share.g, share.b)) < 0.01;
 #endif
-        share *= mirrors;
-        if (last) {
-            // Shapes that would occlude the reflection only darken it.
-            color += share * beyond(image, m.roughness) * mix(1.0, open, 0.8);
-            ended = true;
-            continue;
+                    share *= mirrors;
+                    // Shapes that would occlude the reflection only darken it.
+                    if (ended) imageShare = share * mix(1.0, open, 0.8);
+                    bounces += 1;
+                    spread += 2.0 * width * hit.curvature;
+                    roughness = max(roughness, m.roughness);
+                    origin = hit.position + n * (2.0 * hit.tolerance);
+                    direction = image;
+                    settings.side = side;
+                }
+#ifdef GLASS
+                // Traces through glass, and then the reflection at its first side; later sides reflect only the
+                // environment.
+                else {
+                    float index = side > 0.0 ? m.refractiveIndex : 1.0 / m.refractiveIndex;
+                    float mirrored = fresnelDielectric(cosine, index);
+                    vec3 through = refract(direction, n, 1.0 / index);
+                    bool total = dot(through, through) < 0.5;
+                    if (side > 0.0) {
+                        color += share * lit;
+                        vec3 reflected = share * mirrored;
+                        bool follows = !waited && bounces < stage.bounces && m.roughness <= ROUGHEST_MIRROR && max(reflected.r, max(reflected.g, reflected.b)) >= 0.01;
+                        if (follows) {
+                            waits = true;
+                            waited = true;
+                            waitingOrigin = hit.position + n * (2.0 * hit.tolerance);
+                            waitingDirection = image;
+                            waitingShare = reflected;
+                            waitingTraveled = hit.traveled;
+                            waitingWidth = width;
+                            waitingSpread = spread + 2.0 * width * hit.curvature;
+                        } else {
+                            imageShare = reflected;
+                        }
+                    }
+                    if (total) {
+                        direction = image;
+                    } else {
+                        share *= 1.0 - mirrored;
+                        direction = through;
+                        side = -side;
+                    }
+                    origin = hit.position + n * ((total ? 2.0 : -2.0) * hit.tolerance);
+                    settings.side = side;
+                    if (i == most) color += share * environmentAround(direction);
+                }
+#endif
+            }
         }
-        bounces += 1;
-        spread += 2.0 * width * hit.curvature;
-        roughness = max(roughness, m.roughness);
-        origin = hit.position + n * (2.0 * hit.tolerance);
-        direction = image;
-        settings.side = side;
+        // Looked up at one place of the code: a SIMD processor without branches would pay for a second one.
+        bool looksAlong = max(alongShare.r, max(alongShare.g, alongShare.b)) > 0.0;
+        bool looksAtImage = max(imageShare.r, max(imageShare.g, imageShare.b)) > 0.0;
+        while (looksAlong || looksAtImage) {
+            color += (looksAlong ? alongShare : imageShare) * beyond(looksAlong ? along : image, looksAlong ? alongRoughness : imageRoughness);
+            if (looksAlong) looksAlong = false;
+            else looksAtImage = false;
+        }
     }
 #ifdef GLASS
     if (waits) color += waitingShare * beyond(waitingDirection, roughness);
