@@ -3,6 +3,7 @@
 
 #include "exhibits/framework/table/random_values.h"
 #include "exhibits/lenticular/lenticular_table.h"
+#include "tests/support/degree.h"
 #include "tests/support/gallery.h"
 #include "tests/support/planned.h"
 
@@ -206,6 +207,31 @@ TEST_F(BoundsOfEffects, OcclusionOfGlassIsCulledAndWouldHaveChangedNothing)
         shot.request.frame.runEverything = true;
         EXPECT_EQ(largestDifference(culled.image, shot.take().image), 0) << seed;
     }
+}
+
+TEST_F(BoundsOfEffects, SunlightThatDoesNotArriveIsCulledAndWouldHaveChangedNothing)
+{
+    int lit = 0, unlit = 0;
+    for (const glm::dvec2 sun : {glm::dvec2(13, 20), glm::dvec2(60, 30), glm::dvec2(120, 70), glm::dvec2(0, 0)}) {
+        Shot shot = shotOf({"sdf_morph", "", {}}, 1);
+        valuesOf(shot, "sdf_morph") = sdfTable().initial();
+        shot.hall().set(hallTable().reflectionProbe, false);
+        shot.hall().set(hallTable().sunStrength, 4.6);
+        if (sun == glm::dvec2(0)) {
+            test::letTheSunIn(shot.hall());
+        } else {
+            shot.hall().set(hallTable().sunAzimuth, sun.x * degree);
+            shot.hall().set(hallTable().sunElevation, sun.y * degree);
+        }
+        const render::FramePlan plan = test::planned(gallery().museum, shot.sceneState, shot.request.frame);
+        const bool isCulled = plan.findSkipped("sdf_morph/sunlight") != nullptr;
+        (isCulled ? unlit : lit) += 1;
+        const Picture culled = shot.take();
+        shot.request.frame.runEverything = true;
+        EXPECT_EQ(largestDifference(culled.image, shot.take().image), 0) << sun.x;
+    }
+    EXPECT_GT(lit, 0);
+    EXPECT_GT(unlit, 0);
 }
 
 TEST_F(BoundsOfEffects, ColorsThatSpreadStayBelowWhitePaper)
