@@ -66,10 +66,8 @@ std::string GlslWriter::head() const
     bool noise = false;
     for (const ProgramNode& node : program_.nodes()) {
         const NodeKind& kind = program_.kind(node);
-        const bool ofNoise =
-            kind.distance.glsl.starts_with("sceneNoise") || kind.after.glsl.starts_with("sceneDisplaced");
-        noise = noise || ofNoise;
-        shapes = shapes || (!ofNoise && kind.distance.glsl.starts_with("scene"));
+        noise = noise || isNoise(kind);
+        shapes = shapes || (!isNoise(kind) && kind.distance.glsl.starts_with("scene"));
     }
     std::string text = "// Made from a scene file.\n#include \"lib/bindings.glsl\"\n#include \"lib/numerics.glsl\"\n"
                        "#include \"lib/sdf.glsl\"\n#include \"lib/sdf_operators.glsl\"\n"
@@ -251,6 +249,11 @@ void GlslWriter::writeStep(const Step& step, bool withMaterials)
 }
 
 }  // namespace
+
+bool isNoise(const NodeKind& kind)
+{
+    return kind.distance.glsl.starts_with("sceneNoise") || kind.after.glsl.starts_with("sceneDisplaced");
+}
 
 bool isInBuffer(const SceneProgram& program)
 {

@@ -37,6 +37,9 @@ struct FurtherMember {
 [[nodiscard]] std::string restingSceneGlsl(const SceneProgram&, const SceneConstants&, const std::vector<char>& steady,
                                            const FurtherMember& = {});
 
+/// Returns whether the shape or change of a kind is a sum of octaves of noise.
+[[nodiscard]] bool isNoise(const NodeKind&);
+
 /// Returns a text in the form that `SdfShaders::generated` takes.
 [[nodiscard]] std::shared_ptr<const render::ShaderSources> generatedSources(std::string glsl);
 

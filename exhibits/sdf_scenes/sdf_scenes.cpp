@@ -28,6 +28,7 @@ namespace vitrine::scenes {
 namespace {
 
 constexpr const char* firstScene = "scenes/dahlia.json";
+constexpr int stepsOfList = 3;  ///< Steps of a cell's list, about; it holds what is near.
 
 struct PreparedScene final : PreparedPart {
     std::shared_ptr<const render::Texture> environment;
@@ -312,7 +313,10 @@ void SdfScenes::planPart(const std::string& name, const ParameterValues& values,
     if (!asked.why.empty()) plan.skip(steps + "cells", asked.why);
     if (!asked.folded) plan.skip(steps + "folding", asked.whyNotFolded);
     SceneStage stage = sceneStage(scene, prepared.words, prepared.numbers);
-    if (asked.near) setBox(stage, asked.near->box);
+    if (asked.near) {
+        setBox(stage, asked.near->box);
+        stage.loops = stepsOfList;
+    }
     stage.bounces = std::min(stage.bounces, values[table_.bounces]);
     stage.exposure *= static_cast<float>(values[table_.brightness]);
     if (prepared.environment) {

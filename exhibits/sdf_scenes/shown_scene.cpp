@@ -316,6 +316,25 @@ void setLight(const Record& light, const double* v, const glm::dvec3& target, bo
     }
 }
 
+/// Returns the number of loop iterations in one evaluation of the generated field.
+int loopsOfField(const SceneProgram& program, const SceneConstants& words)
+{
+    double sum = 0;
+    std::vector<double> within{1};
+    for (const Step& step : program.steps()) {
+        const ProgramNode& node = program.nodes()[step.node];
+        const NodeKind& kind = program.kind(node);
+        if (step.type == Step::Type::again) within.pop_back();
+        // Octaves of a noise; the ellipsoid's iteration seldom takes more.
+        if (step.type == Step::Type::enter && (isNoise(kind) || kind.name == "ellipsoid")) sum += 8 * within.back();
+        if (step.type != Step::Type::enter || kind.form != Form::repeater) continue;
+        const double* times = &words.words[node.numbers + kind.numbers() + 3];
+        within.push_back(within.back() * std::max(times[0] * times[1] * times[2], 1.0));
+        sum += within.back();
+    }
+    return static_cast<int>(std::min(sum, 1e6));
+}
+
 }  // namespace
 
 void setBox(SceneStage& stage, const render::Box& box)
@@ -337,6 +356,7 @@ SceneStage sceneStage(const ShownScene& shown, const SceneConstants& words, cons
     stage.farthest = static_cast<float>(scene.hasCamera ? farthest : std::max(farthest, timesAsFar * toTarget));
     stage.largestNormalStep = static_cast<float>(scene.hasCamera ? 1e3 : 0.001 * toTarget);
     stage.bounces = static_cast<int>(look[1]);
+    stage.loops = loopsOfField(*shown.program, words);
     stage.softShadows = static_cast<float>(look[2]);
     stage.occlusion = static_cast<float>(look[3]);
     stage.ambient = glm::vec3(vectorOf(look + 4));

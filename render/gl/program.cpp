@@ -1,6 +1,7 @@
 #include "render/gl/program.h"
 
 #include "render/failure.h"
+#include "render/gl/context.h"
 #include "render/gl/program_binaries.h"
 #include "render/measure/clock.h"
 
@@ -54,8 +55,10 @@ void PendingProgram::hand(const ShaderSource& source, const ShaderKey& key)
 {
     std::vector<std::pair<GLenum, ShaderText>> texts;
     try {
+        // llvmpipe ends all loops of an invocation after that many iterations; software renderers are taken for it.
+        const std::string prelude = (currentContextInfo().software ? "#define LOOP_LIMIT 65535\n" : "") + key.prelude;
         const auto add = [&](GLenum type, const std::string& file) {
-            if (!file.empty()) texts.emplace_back(type, source.load(file, key.defines, key.prelude, key.sources.get()));
+            if (!file.empty()) texts.emplace_back(type, source.load(file, key.defines, prelude, key.sources.get()));
         };
         add(GL_VERTEX_SHADER, key.vertex);
         add(GL_FRAGMENT_SHADER, key.fragment);

@@ -18,7 +18,8 @@
 // fieldDistance must be 1-Lipschitz (lib/sdf.glsl says which functions are); a steeper one must be divided by its
 // Lipschitz constant first. If that makes it rough, define FIELD_LEVEL, a smooth function with the same zeros and
 // signs, for normals and occlusion. Also define FIELD_CLEARANCE(d), its value at the point of fieldDistance's last
-// result d, for the estimate of soft shadows. Every `evaluations` counts calls of fieldDistance, exactly.
+// result d, for the estimate of soft shadows, and FIELD_BUDGET, the calls after which shadowArea takes no further rays.
+// Every `evaluations` counts calls of fieldDistance, exactly.
 //
 // GLSL 4.50 and C++: no swizzles beyond one component, no `inout`, literals with a point.
 
@@ -31,6 +32,9 @@
 #endif
 #ifndef FIELD_CLEARANCE
 #define FIELD_CLEARANCE(d) (d)
+#endif
+#ifndef FIELD_BUDGET
+#define FIELD_BUDGET 2147483647
 #endif
 
 const int RELAXATION_NONE = 0;
@@ -453,15 +457,17 @@ Shadow shadowArea(vec3 p, vec3 toLight, float tanRadius, float tMin, float tMax,
     vec3 u = vec3(1.0 + sz * toLight.x * toLight.x * a, sz * b, -sz * toLight.x);
     vec3 v = vec3(b, sz + toLight.y * toLight.y * a, -toLight.y);
     float seen = 0.0;
-    for (int k = 0; k < rayCount; ++k) {
+    int taken = 0;
+    for (int k = 0; k < rayCount && shadow.evaluations < FIELD_BUDGET; ++k) {
         float radius = tanRadius * sqrt((float(k) + 0.5) / float(rayCount));
         float angle = float(k) * 2.39996322972865332 + rotation;  // The golden angle.
         vec3 direction = normalize(toLight + u * (radius * cos(angle)) + v * (radius * sin(angle)));
         Shadow one = shadowHard(p, direction, tMin, tMax, stepLimit);
         seen += one.visibility;
         shadow.evaluations += one.evaluations;
+        taken = k + 1;
     }
-    shadow.visibility = seen / float(rayCount);
+    if (taken > 0) shadow.visibility = seen / float(taken);
     return shadow;
 }
 

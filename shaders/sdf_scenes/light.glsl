@@ -123,7 +123,8 @@ float hemisphereHidden(vec3 p, vec3 n, int rays, float range)
     mat3 axes = axesAround(n);
     float turn = pixelNumber(17u);
     float hidden = 0.0;
-    for (int k = 0; k < rays; ++k) {
+    int taken = 0;
+    for (int k = 0; k < rays && (k == 0 || evaluations < mostEvaluations); ++k) {
         float share = (float(k) + 0.5) / float(rays);
 #if OCCLUSION == OCCLUSION_REFERENCE
         // The angles of the reference are uniform in the polar angle, and the same for all pixels; here they are
@@ -147,8 +148,9 @@ float hemisphereHidden(vec3 p, vec3 n, int rays, float range)
             t += f;
         }
         hidden += blocked;
+        taken = k + 1;
     }
-    return hidden / float(max(rays, 1));
+    return hidden / float(max(taken, 1));
 }
 #endif
 

@@ -166,8 +166,8 @@ SceneSeen sceneSeen(PortalRay ray)
         vec3 image = direction;
         float imageRoughness = roughness;
         vec3 imageShare = vec3(0.0);
-        ended = !march.hit;
-        if (march.hit) {
+        ended = !march.hit || (i > 0 && evaluations >= mostEvaluations);
+        if (!ended) {
             width += spread * march.t;
             SceneHit hit = sceneHit(origin, direction, march, settings, 0.5 * width);
             // Infinite floors fade into the background before rays reach the step limit.

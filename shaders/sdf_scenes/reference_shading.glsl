@@ -39,7 +39,7 @@ SceneSeen sceneSeen(PortalRay ray)
     for (int bounce = 0; bounce <= most; ++bounce) {
         March march = sceneMarch(origin, direction, settings);
         if (bounce == 0) seen.steps = march.steps;
-        if (!march.hit) {
+        if (!march.hit || (bounce > 0 && evaluations >= mostEvaluations)) {
             color += share * environmentLight(direction, 0.0);
             break;
         }

@@ -9,9 +9,18 @@
 #include "lib/hash.glsl"
 #include "lib/heat_color.glsl"
 #include "sdf_scenes/generated_field.glsl"
-#include "lib/sphere_tracing.glsl"
 
-int evaluations;  // Calls of the field for this pixel.
+int evaluations = 0;  // Calls of the field for this pixel.
+#ifdef LOOP_LIMIT
+// A driver that ends all loops of a group of pixels after so many iterations would leave the rest of their picture
+// black. Fewer rays are taken before: pixels differ, so the group's iterations are a few times those of a pixel.
+int mostEvaluations = LOOP_LIMIT / (8 * (1 + stage.loops));
+#else
+const int mostEvaluations = 2147483647;
+#endif
+#define FIELD_BUDGET (mostEvaluations - evaluations)
+
+#include "lib/sphere_tracing.glsl"
 
 #include "sdf_scenes/environment.glsl"
 #include "sdf_scenes/hit.glsl"

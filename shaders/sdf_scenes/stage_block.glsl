@@ -22,6 +22,7 @@
     FIELD(float, occlusion)           /* strength of the ambient occlusion, 0 to 1 */ \
     FIELD(int, bounces)               /* number of reflections of reflections */ \
     FIELD(int, lights) \
+    FIELD(int, loops)                 /* loop iterations in one evaluation of the field */ \
     ARRAY(vec4, lightPlace, SCENE_MOST_LIGHTS)  /* position, or direction towards a sun; kind */ \
     ARRAY(vec4, lightColor, SCENE_MOST_LIGHTS)  /* irradiance / pi (point: at distance 1); area: radiance; w: tangent of half the sun's angle */ \
     ARRAY(vec4, lightAcross, SCENE_MOST_LIGHTS) /* area: half of one edge ... */ \

@@ -1,5 +1,6 @@
 // Pictures with lists of nearby shapes: equal to those with all shapes, with one program for many trees.
 
+#include "render/files/assets.h"
 #include "tests/exhibits/sdf_scenes/scene_shot.h"
 #include "tests/support/planned.h"
 
@@ -175,6 +176,29 @@ TEST_F(NearPicture, OcclusionHasNoBandsWhereFixedDirectionsHave)
     // The floor in front of the wall.
     EXPECT_LT(stairs(ours, 52, 92), 0.5 * stairs(fixed, 52, 92)) << stairs(ours, 52, 92);
     EXPECT_GT(stairs(fixed, 52, 92), 0.01) << "control";
+}
+
+// llvmpipe ends all loops of a group of pixels after 65,535 iterations, which left a third of this picture black.
+TEST_F(NearPicture, OfTheMostRaysHasNoBlackPixel)
+{
+    const auto darkest = [](SceneShot& shot) {
+        const Picture p = shot.take();
+        double least = 1;
+        p.each([&](int x, int y) {
+            if (p.hit(x, y)) least = std::min(least, p.luminance(x, y));
+        });
+        return least;
+    };
+    SceneShot few(render::asset("scenes/rotunda.json")), many(render::asset("scenes/rotunda.json"));
+    few.values().set(scenesTable().shadowMethod, SceneShadow::area);
+    few.values().set(scenesTable().shadowRays, 4);
+    many.values().set(scenesTable().shadowMethod, SceneShadow::area);
+    many.values().set(scenesTable().shadowRays, 64);
+    many.values().set(scenesTable().occlusionMethod, SceneOcclusion::hemisphere);
+    many.values().set(scenesTable().occlusionRays, 512);
+    for (SceneShot* shot : {&few, &many}) shot->request.frame.raster.size = {48, 27};
+    EXPECT_GT(darkest(few), 0.002) << "control";
+    EXPECT_GT(darkest(many), 0.002);
 }
 
 TEST_F(NearPicture, GlassMirrorsTheSceneAtItsFirstSide)
