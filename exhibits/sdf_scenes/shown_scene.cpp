@@ -319,14 +319,15 @@ void setLight(const Record& light, const double* v, const glm::dvec3& target, bo
 /// Returns the number of loop iterations in one evaluation of the generated field.
 int loopsOfField(const SceneProgram& program, const SceneConstants& words)
 {
+    constexpr std::size_t octavesAt = 2;  // Index in the numbers of both kinds of noise.
     double sum = 0;
     std::vector<double> within{1};
     for (const Step& step : program.steps()) {
         const ProgramNode& node = program.nodes()[step.node];
         const NodeKind& kind = program.kind(node);
         if (step.type == Step::Type::again) within.pop_back();
-        // Octaves of a noise; the ellipsoid's iteration seldom takes more.
-        if (step.type == Step::Type::enter && (isNoise(kind) || kind.name == "ellipsoid")) sum += 8 * within.back();
+        if (step.type == Step::Type::enter && isNoise(kind))
+            sum += within.back() * words.words[node.numbers + octavesAt];
         if (step.type != Step::Type::enter || kind.form != Form::repeater) continue;
         const double* times = &words.words[node.numbers + kind.numbers() + 3];
         within.push_back(within.back() * std::max(times[0] * times[1] * times[2], 1.0));

@@ -1,7 +1,5 @@
 // Lights of a scene, and their occlusion at a point.
 
-#include "kit/sdf/shadow_methods.glsl"
-
 // SHADOWS is one of the kit's methods, or that of the reference.
 #define SHADOWS_REFERENCE 6
 #ifdef SHADOWS
@@ -10,11 +8,6 @@
 #include "kit/sdf/shadow_method.glsl"
 #endif
 #endif
-
-#define OCCLUSION_REFERENCE 0
-#define OCCLUSION_TAPS 2
-#define OCCLUSION_HEMISPHERE 3
-#define OCCLUSION_CONES 4
 
 // Random number for each pixel and supersample, 0 to 1.
 float pixelNumber(uint salt)

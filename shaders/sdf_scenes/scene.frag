@@ -8,12 +8,28 @@
 #include "lib/numerics.glsl"
 #include "lib/hash.glsl"
 #include "lib/heat_color.glsl"
+#include "kit/sdf/shadow_methods.glsl"
 #include "sdf_scenes/generated_field.glsl"
 
+#define OCCLUSION_REFERENCE 0
+#define OCCLUSION_TAPS 2
+#define OCCLUSION_HEMISPHERE 3
+#define OCCLUSION_CONES 4
+
 int evaluations = 0;  // Calls of the field for this pixel.
-#ifdef LOOP_LIMIT
+#if defined(LOOP_LIMIT) && defined(SHADOWS)
+#if SHADOWS == SHADOW_METHOD_AREA
+#define BOUNDED
+#endif
+#endif
+#if defined(LOOP_LIMIT) && defined(OCCLUSION)
+#if OCCLUSION == OCCLUSION_HEMISPHERE
+#define BOUNDED
+#endif
+#endif
+#ifdef BOUNDED
 // A driver that ends all loops of a group of pixels after so many iterations would leave the rest of their picture
-// black. Fewer rays are taken before: pixels differ, so the group's iterations are a few times those of a pixel.
+// black. Of many rays, fewer are taken before that: pixels differ, so a group needs a few times the iterations of one.
 int mostEvaluations = LOOP_LIMIT / (8 * (1 + stage.loops));
 #else
 const int mostEvaluations = 2147483647;
