@@ -1,5 +1,6 @@
 #include "exhibits/framework/scene/scene_lighting.h"
 
+#include "render/scene/ray.h"
 #include "shaders/lib/bindings.glsl"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -15,16 +16,6 @@ namespace {
 /// Accounts for rounding in shaders, meters.
 constexpr double slack = 0.01;
 
-/// Returns whether the ray from a place towards the sun crosses the box, as `isBehindRoom` of shaders/lib/light.glsl.
-bool isBehind(const render::Box& box, const glm::dvec3& place, const glm::dvec3& towardsSun)
-{
-    const glm::dvec3 direction =
-        glm::mix(towardsSun, glm::dvec3(1e-6), glm::lessThan(glm::abs(towardsSun), glm::dvec3(1e-6)));
-    const glm::dvec3 toLow = (box.low - place) / direction, toHigh = (box.high - place) / direction;
-    const glm::dvec3 enters = glm::min(toLow, toHigh), exits = glm::max(toLow, toHigh);
-    return std::min({exits.x, exits.y, exits.z}) > std::max({enters.x, enters.y, enters.z, 0.0}) + slack;
-}
-
 }  // namespace
 
 render::ContributionBound SceneLighting::sunlightIn(const render::Box& world) const
@@ -35,7 +26,10 @@ render::ContributionBound SceneLighting::sunlightIn(const render::Box& world) co
     // The places from which the sun is seen through the room are convex.
     for (int corner = 0; corner < 8; ++corner) {
         const glm::bvec3 high((corner & 1) != 0, (corner & 2) != 0, (corner & 4) != 0);
-        if (!isBehind(roomBox, glm::mix(around.low, around.high, high), towardsSun)) return sunShadow;
+        // The same test as `isBehindRoom` of shaders/lib/light.glsl.
+        const render::RayInterval inRoom =
+            render::insideBox({glm::mix(around.low, around.high, high), towardsSun}, roomBox);
+        if (!(inRoom.exit > inRoom.enter + slack)) return sunShadow;
     }
     const render::Box seen = around.transformed(glm::dmat4(light.hallShadowFromWorld));
     for (const glm::vec4& passage : light.sunPassages)
