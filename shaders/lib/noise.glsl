@@ -269,28 +269,52 @@ Noise2 gradientNoise(ivec2 cell, vec2 place, ivec2 period, uint seed)
     return n;
 }
 
+// What the ramps of all corners need. Their calls are written out, here and for the cells of cellular noise: a driver
+// that keeps the loop works out at every turn which corner it is, and may end long loops (LOOP_LIMIT).
+struct GradientCell3 {
+    vec3 place;
+    ivec3 low;  // corners of the cell
+    ivec3 high;
+    vec3 u;
+    vec3 du;
+    uint seed;
+};
+
+Noise3 withCorner(GradientCell3 cell, Noise3 before, ivec3 corner)
+{
+    Noise3 n = before;
+    vec3 g = noiseDirection3(noiseBits(noiseCorner(cell.low, cell.high, corner), cell.seed));
+    float ramp = dot(g, cell.place - vec3(corner));
+    float x = corner.x == 1 ? cell.u.x : 1.0 - cell.u.x;
+    float y = corner.y == 1 ? cell.u.y : 1.0 - cell.u.y;
+    float z = corner.z == 1 ? cell.u.z : 1.0 - cell.u.z;
+    float dx = corner.x == 1 ? cell.du.x : -cell.du.x;
+    float dy = corner.y == 1 ? cell.du.y : -cell.du.y;
+    float dz = corner.z == 1 ? cell.du.z : -cell.du.z;
+    n.value += ramp * (x * y * z);
+    n.slope += g * (x * y * z) + ramp * vec3(dx * y * z, x * dy * z, x * y * dz);
+    return n;
+}
+
+Noise3 withCorners(GradientCell3 cell, Noise3 n, int z)
+{
+    n = withCorner(cell, withCorner(cell, n, ivec3(0, 0, z)), ivec3(1, 0, z));
+    return withCorner(cell, withCorner(cell, n, ivec3(0, 1, z)), ivec3(1, 1, z));
+}
+
 Noise3 gradientNoise(ivec3 cell, vec3 place, ivec3 period, uint seed)
 {
-    ivec3 low = noiseWrap(cell, period);
-    ivec3 high = noiseNext(low, period);
-    vec3 u = vec3(noiseFade(place.x), noiseFade(place.y), noiseFade(place.z));
-    vec3 du = vec3(noiseFadeSlope(place.x), noiseFadeSlope(place.y), noiseFadeSlope(place.z));
+    GradientCell3 c;
+    c.place = place;
+    c.low = noiseWrap(cell, period);
+    c.high = noiseNext(c.low, period);
+    c.u = vec3(noiseFade(place.x), noiseFade(place.y), noiseFade(place.z));
+    c.du = vec3(noiseFadeSlope(place.x), noiseFadeSlope(place.y), noiseFadeSlope(place.z));
+    c.seed = seed;
     Noise3 n;
     n.value = 0.0;
     n.slope = vec3(0.0);
-    for (int i = 0; i < 8; ++i) {
-        ivec3 corner = ivec3(i & 1, (i >> 1) & 1, i >> 2);
-        vec3 g = noiseDirection3(noiseBits(noiseCorner(low, high, corner), seed));
-        float ramp = dot(g, place - vec3(corner));
-        float x = corner.x == 1 ? u.x : 1.0 - u.x;
-        float y = corner.y == 1 ? u.y : 1.0 - u.y;
-        float z = corner.z == 1 ? u.z : 1.0 - u.z;
-        float dx = corner.x == 1 ? du.x : -du.x;
-        float dy = corner.y == 1 ? du.y : -du.y;
-        float dz = corner.z == 1 ? du.z : -du.z;
-        n.value += ramp * (x * y * z);
-        n.slope += g * (x * y * z) + ramp * vec3(dx * y * z, x * dy * z, x * y * dz);
-    }
+    n = withCorners(c, withCorners(c, n, 0), 1);
     n.value *= GRADIENT_SCALE_3;
     n.slope = n.slope * GRADIENT_SCALE_3;
     return n;

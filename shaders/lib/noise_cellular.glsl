@@ -33,27 +33,55 @@ Noise2 cellularNoise(ivec2 cell, vec2 place, ivec2 period, uint seed)
     return n;
 }
 
+// Search of the cells around a place for the nearest point.
+struct CellSearch3 {
+    vec3 place;
+    ivec3 first;   // cells on one side, in the middle and on the other side
+    ivec3 middle;
+    ivec3 last;
+    uint seed;
+    float nearest;  // squared distance
+    vec3 away;      // from the nearest point to the place
+};
+
+CellSearch3 withCell(CellSearch3 before, ivec3 neighbor)
+{
+    CellSearch3 s = before;
+    ivec3 c = noiseCorner(noiseCorner(s.middle, s.last, max(neighbor, 0)), s.first, max(-neighbor, 0));
+    uvec3 bits = hashCell(c, s.seed);
+    vec3 d = s.place - (vec3(neighbor) + vec3(unitFromBits(bits.x), unitFromBits(bits.y), unitFromBits(bits.z)));
+    if (dot(d, d) < s.nearest) {
+        s.nearest = dot(d, d);
+        s.away = d;
+    }
+    return s;
+}
+
+CellSearch3 withRow(CellSearch3 s, int y, int z)
+{
+    return withCell(withCell(withCell(s, ivec3(-1, y, z)), ivec3(0, y, z)), ivec3(1, y, z));
+}
+
+CellSearch3 withLayer(CellSearch3 s, int z)
+{
+    return withRow(withRow(withRow(s, -1, z), 0, z), 1, z);
+}
+
 Noise3 cellularNoise(ivec3 cell, vec3 place, ivec3 period, uint seed)
 {
-    ivec3 first = noiseWrap(cell - 1, period);
-    ivec3 middle = noiseNext(first, period);
-    ivec3 last = noiseNext(middle, period);
-    float nearest = 1.0;
-    vec3 away = vec3(0.0);
-    for (int i = 0; i < 27; ++i) {
-        ivec3 neighbor = ivec3(i % 3, (i / 3) % 3, i / 9) - 1;
-        ivec3 c = noiseCorner(noiseCorner(middle, last, max(neighbor, 0)), first, max(-neighbor, 0));
-        uvec3 bits = hashCell(c, seed);
-        vec3 d = place - (vec3(neighbor) + vec3(unitFromBits(bits.x), unitFromBits(bits.y), unitFromBits(bits.z)));
-        if (dot(d, d) < nearest) {
-            nearest = dot(d, d);
-            away = d;
-        }
-    }
-    float distance = sqrt(nearest);
+    CellSearch3 s;
+    s.place = place;
+    s.first = noiseWrap(cell - 1, period);
+    s.middle = noiseNext(s.first, period);
+    s.last = noiseNext(s.middle, period);
+    s.seed = seed;
+    s.nearest = 1.0;
+    s.away = vec3(0.0);
+    s = withLayer(withLayer(withLayer(s, -1), 0), 1);
+    float distance = sqrt(s.nearest);
     Noise3 n;
     n.value = 1.0 - 2.0 * distance;
-    n.slope = distance > 0.0 ? away * (-2.0 / distance) : vec3(0.0);
+    n.slope = distance > 0.0 ? s.away * (-2.0 / distance) : vec3(0.0);
     return n;
 }
 

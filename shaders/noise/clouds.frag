@@ -16,6 +16,47 @@ const float CLOUD_GROUND = -1100.0;  // meters, relative to the cloud base
 
 float evaluations = 0.0;
 
+// Loops over octaves in a lookup of large lumps and of fine ones.
+#ifdef BAKED
+const int lumpLoops = 0;
+const int fineLoops = 0;
+#else
+int lumpLoops = 2 * parameters.cloudOctaves + 1;
+int fineLoops = parameters.cloudOctaves;
+#endif
+
+#ifdef LOOP_LIMIT
+int loopsLeft = 0;  // for steps towards the sun
+#endif
+
+// The steps along a ray, of which each takes `loops` iterations without those towards the sun, and is followed by up to
+// two shorter ones. A driver that ends all loops of a group of pixels after so many iterations would leave out the rest
+// of the clouds. Neighboring pixels differ, so at most three eighths of them are for these steps, and a quarter of what
+// is left for those towards the sun.
+int affordableSteps(int loops)
+{
+#ifdef LOOP_LIMIT
+    int steps = min(parameters.cloudSteps, LOOP_LIMIT / (8 * loops));
+    loopsLeft = (LOOP_LIMIT - 3 * steps * loops) / 4;
+    return steps;
+#else
+    return parameters.cloudSteps;
+#endif
+}
+
+// The steps towards the sun, of which each takes `loops` iterations. The first points of a ray, which hide those
+// behind them, are given the most.
+int affordableLightSteps(int loops)
+{
+#ifdef LOOP_LIMIT
+    int count = min(parameters.lightSteps, max(loopsLeft / (8 * loops), 1));
+    loopsLeft -= count * loops;
+    return count;
+#else
+    return parameters.lightSteps;
+#endif
+}
+
 vec2 noiseOfClouds(vec3 p, float repeat)
 {
     evaluations += 1.0;
@@ -65,17 +106,16 @@ float cloudDensity(vec3 p, float weather, bool fine)
     return d * parameters.density * mix(0.55, 1.0, clamp(h * 2.0, 0.0, 1.0));
 }
 
-// Optical depth towards the sun. `count` is 0 if it is not needed: an empty loop costs less than a branch, whose both
-// sides some drivers execute.
+// Optical depth towards the sun in `count` steps. The count is 0 if it is not needed: an empty loop costs less than a
+// branch, whose both sides some drivers execute.
 float depthToSun(vec3 p, float weather, float shift, int count)
 {
     float depth = 0.0;
     float last = 0.0;
-    float steps = float(parameters.lightSteps);
     // To the end of the layer, at most 1.2 km: the rest adds little.
     float reach = min(1200.0, (CLOUD_TOP - p.y) / max(work.sunDirection.y, 0.05));
     for (int i = 0; i < count; ++i) {
-        float end = reach * pow((float(i) + 1.0) / steps, 1.7);
+        float end = reach * pow((float(i) + 1.0) / float(count), 1.7);
         float at = mix(last, end, mix(0.5, shift, 0.6));
         depth += cloudDensity(p + work.sunDirection * at, weather, i < 2) * (end - last);
         last = end;
@@ -143,11 +183,13 @@ PortalSeen ourClouds(PortalRay ray)
     vec3 glowBefore = vec3(0.0);
     float fineLeft = 0.0;
     float begun = shift;
-    // Up to three times `cloudSteps`, because steps inside clouds are shorter.
-    for (int i = 0; i < 3 * parameters.cloudSteps && through > 0.01 && t < end; ++i) {
-        // A stride of twice the root of the distance would cover the whole ray in `cloudSteps` steps. Shorter ones miss
+    // Two lookups of lumps, and of fine ones two here and four towards the sun.
+    int steps = affordableSteps(1 + parameters.scatterings + 2 * lumpLoops + 6 * fineLoops);
+    // Up to three times as many, because steps inside clouds are shorter.
+    for (int i = 0; i < 3 * steps && through > 0.01 && t < end; ++i) {
+        // A stride of twice the root of the distance would cover the whole ray in that many steps. Shorter ones miss
         // fewer thin clouds; inside a cloud they are about a third.
-        float stretch = max(1.6 * sqrt((end - first) * (t - first)), 50.0) / float(parameters.cloudSteps) + 4.0;
+        float stretch = max(1.6 * sqrt((end - first) * (t - first)), 50.0) / float(steps) + 4.0;
         if (fineLeft > 0.0) stretch *= 0.35;
         stretch = min(stretch * begun, end - t);
         float at = t + stretch;
@@ -161,7 +203,7 @@ PortalSeen ourClouds(PortalRay ray)
         bool back = density > 0.0 && fineLeft == 0.0;
         fineLeft = density > 0.0 ? 5.0 : max(fineLeft - 1.0, 0.0);
 #endif
-        float toSun = depthToSun(p, weather, shift, density > 0.0 && !back ? parameters.lightSteps : 0);
+        float toSun = depthToSun(p, weather, shift, density > 0.0 && !back ? affordableLightSteps(1 + lumpLoops) : 0);
         if (back) {
             begun = max(shift, 0.05);
             continue;

@@ -23,14 +23,16 @@ PortalSeen referenceClouds(PortalRay ray)
     vec3 origin = ray.origin * 0.001 + vec3(0.0, 5.0, 0.0);
     vec3 color = vec3(0.0);
     float alpha = 0.0;
-    for (int i = 0; i < parameters.cloudSteps && alpha < 0.99; ++i) {
+    int steps = affordableSteps(1 + 5);
+    for (int i = 0; i < steps && alpha < 0.99; ++i) {
         float t = 0.1 * float(i);
         vec3 p = origin + ray.direction * (t + 0.2 * t * t);
         float density = referenceCloudDensity(p);
         if (density <= 0.0) continue;
         float shadow = 0.0;
-        for (int s = 1; s <= parameters.lightSteps; ++s) shadow += referenceCloudDensity(p + sun * (0.05 * float(s)));
-        float lit = clamp(1.0 - shadow / float(parameters.lightSteps), 0.0, 1.0);
+        int count = affordableLightSteps(1 + 5);
+        for (int s = 1; s <= count; ++s) shadow += referenceCloudDensity(p + sun * (0.05 * float(s)));
+        float lit = clamp(1.0 - shadow / float(count), 0.0, 1.0);
         vec3 sample_ = mix(vec3(1.0), vec3(0.6, 0.5, 0.4), 0.5 * density) * mix(vec3(0.4, 0.47, 0.6), vec3(1.0), lit);
         float a = 0.7 * density;
         color += sample_ * a * (1.0 - alpha);

@@ -361,5 +361,22 @@ TEST_F(NoiseWorks, OfBakedCloudsComeNearerToTheEvaluatedOnesTheFinerTheVolumeIs)
     EXPECT_LT(last, 0.05);
 }
 
+// A driver that ends all loops of a group of pixels after so many iterations must not leave the clouds out.
+TEST_F(NoiseWorks, OfCloudsHaveThemWithTheMostStepsToo)
+{
+    WorkShot shot(NoiseWork::clouds);
+    shot.request.frame.raster.size = {48, 30};
+    shot.values().set(noiseTable().cloudSteps, 512);
+    shot.values().set(noiseTable().lightSteps, 64);
+    shot.values().set(noiseTable().cloudOctaves, 6);
+    const Picture baked = shot.take();
+    shot.values().set(noiseTable().cloudNoise, NoiseLookup::evaluated);
+    const Picture evaluated = shot.take();
+    shot.values().set(noiseTable().coverage, 0.0);
+    const double all = colorDifference(shot.take(), baked);
+    EXPECT_GT(all, 0.02) << "control";
+    EXPECT_LT(colorDifference(evaluated, baked), 0.25 * all);
+}
+
 }  // namespace
 }  // namespace vitrine::noise
