@@ -159,8 +159,8 @@ struct NoiseTable final : Parameters {
              quality(0.01), (inField or inSea) and physical);
     Choice<NoiseLookup> fieldNoise =
         choice("fieldNoise", NoiseLookup::baked, {"evaluated", "baked"},
-               "Source of the noise for empty space and shadows: evaluated, or baked into a texture, which is quicker. "
-               "The surface is always evaluated.",
+               "Source of the noise for empty space and shadows: evaluated, or baked into a texture. Which of them is "
+               "quicker depends on the graphics card. The surface is always evaluated.",
                exactAt(NoiseLookup::evaluated), inField and physical and when(march, NoiseMarch::bounded));
     Choice<NoiseNormal> normals =
         choice("normals", NoiseNormal::derivative, {"differences", "derivative"},

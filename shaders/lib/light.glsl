@@ -3,6 +3,7 @@
 #include "lib/air_light.glsl"
 #include "lib/light_block.glsl"
 #include "lib/numerics.glsl"
+#include "lib/ray_box.glsl"
 
 layout(std140, binding = BLOCK_LIGHT) uniform Light {
     LightBlock light;
@@ -164,12 +165,8 @@ float filteredShadow(sampler2DShadow map, mat4 shadowFromWorld, vec3 world, vec3
 // of the walls lie on the room's boundary, or in niches outside it.
 bool isBehindRoom(vec3 world)
 {
-    vec3 direction = mix(light.sunDirection, vec3(1e-6), lessThan(abs(light.sunDirection), vec3(1e-6)));
-    vec3 toLow = (light.roomLow - world) / direction;
-    vec3 toHigh = (light.roomHigh - world) / direction;
-    vec3 enters = min(toLow, toHigh);
-    vec3 exits = max(toLow, toHigh);
-    return min(exits.x, min(exits.y, exits.z)) > max(max(enters.x, enters.y), max(enters.z, 0.0));
+    vec2 span = rayBox(world, light.sunDirection, light.roomLow, light.roomHigh);
+    return span.x < span.y;
 }
 
 // Returns whether sunlight can reach a point. It enters the room only through the passages.

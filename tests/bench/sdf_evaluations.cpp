@@ -126,7 +126,7 @@ Found measure(const View& view, double morph, const std::vector<bool>& truth, co
                 for (int x = bx; x < bx + block; ++x) {
                     const glm::vec3 direction(view.ray(x + 0.5, y + 0.5));
                     glm::vec2 span(0, farthest);
-                    if (variant.box) span = tracer.rayBox(eye, direction, low, high);
+                    if (variant.box) span = glsl::rayBox(eye, direction, low, high);
                     settings.tMin = std::max(span.x, blockSpan.x);
                     settings.tMax = span.y;
                     const auto march = tracer.sphereTrace(eye, direction, settings);

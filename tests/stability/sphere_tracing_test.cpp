@@ -169,12 +169,12 @@ TEST(RayBox, StartsWhereTheRayIsInsideWhereverTheCameraIs)
     const dvec3 low(-1, -2, -3);
     const dvec3 high(1, 2, 3);
     const auto expectSpan = [&](const dvec3& origin, const dvec3& direction, double from, double to) {
-        const dvec2 span = tracer.rayBox(origin, direction, low, high);
+        const dvec2 span = glsl::rayBox(origin, direction, low, high);
         EXPECT_DOUBLE_EQ(span.x, from);
         EXPECT_DOUBLE_EQ(span.y, to);
     };
     const auto misses = [&](const dvec3& origin, const dvec3& direction) {
-        const dvec2 span = tracer.rayBox(origin, direction, low, high);
+        const dvec2 span = glsl::rayBox(origin, direction, low, high);
         return span.x > span.y;
     };
     expectSpan({0, 0, 10}, {0, 0, -1}, 7, 13);
@@ -185,7 +185,7 @@ TEST(RayBox, StartsWhereTheRayIsInsideWhereverTheCameraIs)
     EXPECT_TRUE(misses({1.001, 0, 10}, {0, 0, -1}));   // Along a face, outside.
     EXPECT_TRUE(std::isnan((1.0 - 1.0) * (1 / 0.0)));  // The plain slab test fails exactly on a face.
     for (const double x : {-1.0, 1.0}) {
-        const dvec2 span = tracer.rayBox({x, 0, 10}, {0, 0, -1}, low, high);
+        const dvec2 span = glsl::rayBox({x, 0, 10}, {0, 0, -1}, low, high);
         EXPECT_TRUE(test::isFinite(span.x) && test::isFinite(span.y));
     }
 
@@ -194,7 +194,7 @@ TEST(RayBox, StartsWhereTheRayIsInsideWhereverTheCameraIs)
     for (int i = 0; i < 2000; ++i) {
         const dvec3 origin = random.point(5);
         const dvec3 direction = random.direction();
-        const dvec2 span = tracer.rayBox(origin, direction, low, high);
+        const dvec2 span = glsl::rayBox(origin, direction, low, high);
         for (int k = 0; k < 60; ++k) {
             const double t = k * 0.25 + 0.01;
             const dvec3 p = origin + direction * t;
@@ -219,7 +219,7 @@ TEST(RayBox, TheSilhouetteGrowsSteadilyWhileTheCameraPassesThroughTheBox)
         for (int y = 0; y < size; ++y)
             for (int x = 0; x < size; ++x) {
                 const dvec3 ray = camera.ray(x + 0.5, y + 0.5, size);
-                const dvec2 span = tracer.rayBox(camera.eye, ray, low, high);
+                const dvec2 span = glsl::rayBox(camera.eye, ray, low, high);
                 // A rasterized front face is missing once the camera has passed it.
                 if (span.x > span.y || (frontFaces && span.x == 0)) continue;
                 count += tracer.sphereTrace(camera.eye, ray, tracer.marchSettings(span.x, span.y, 0.45 / size)).hit;
@@ -251,7 +251,7 @@ TEST(RayBox, TheNearPlaneMakesNoDifference)
     };
     EXPECT_TRUE(fromHull(0.01));
     EXPECT_FALSE(fromHull(0.5));
-    const dvec2 span = tracer.rayBox(eye, ray, dvec3(-0.55), dvec3(0.55));
+    const dvec2 span = glsl::rayBox(eye, ray, dvec3(-0.55), dvec3(0.55));
     EXPECT_TRUE(tracer.sphereTrace(eye, ray, tracer.marchSettings(span.x, span.y, 1e-3)).hit);
 }
 
@@ -456,7 +456,7 @@ TEST(SphereTracing, ABundleAndABoxMeetWhereAnyOfItsRaysDoes)
         for (int k = 0; k < 10; ++k) {
             const dvec3 ray = glm::normalize(axis + random.direction() * chord * random.number(0, 1));
             if (glm::length(ray - axis) > chord) continue;
-            const dvec2 span = tracer.rayBox(eye, ray, low, high);
+            const dvec2 span = glsl::rayBox(eye, ray, low, high);
             if (span.x > span.y) continue;
             ASSERT_LE(bundle.x, span.x + 1e-12);
             ASSERT_GE(bundle.y, span.y - 1e-12);

@@ -217,7 +217,7 @@ TEST(LongIceCreamMarch, ARayThatIsOutOfStepsIsNoHit)
                 nearest = std::min(nearest, every.level(eye + ray * t) / (2 * halfPixel * t));
             if (nearest < 2) continue;
             ++missed;
-            const auto span = tracer.rayBox(eye, ray, box.low, box.high);
+            const auto span = glsl::rayBox(eye, ray, box.low, box.high);
             for (const int steps : {2, 4, 8, 16, 64, 128}) {
                 auto settings = tracer.marchSettings(span.x, span.y, halfPixel);
                 settings.stepLimit = steps;
