@@ -19184,9 +19184,9 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <location filename="exhibits/noise/noise_table.h"/>
-        <source>Source of the noise for empty space and shadows: evaluated, or baked into a texture, which is quicker. The surface is always evaluated.</source>
+        <source>Source of the noise for empty space and shadows: evaluated, or baked into a texture. Which of them is quicker depends on the graphics card. The surface is always evaluated.</source>
         <extracomment>tables</extracomment>
-        <translation>Quelle des Rauschens für leeren Raum und Schatten: ausgewertet oder in eine Textur gebacken, was schneller ist. Die Oberfläche wird immer ausgewertet.</translation>
+        <translation>Quelle des Rauschens für leeren Raum und Schatten: ausgewertet oder in eine Textur gebacken. Was schneller ist, hängt von der Grafikkarte ab. Die Oberfläche wird immer ausgewertet.</translation>
     </message>
     <message>
         <location filename="exhibits/your_shader/your_shader_table.cpp"/>
@@ -21925,6 +21925,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Die Studie wurde angehalten, bevor die Zeiten ihrer Einstellungen gemessen waren.</translation>
     </message>
     <message>
+        <location filename="exhibits/framework/scene/scene_lighting.cpp"/>
         <location filename="exhibits/hall/hall_light.cpp"/>
         <source>the sun does not reach it through window or oculus</source>
         <translation>die Sonne erreicht es weder durch Fenster noch durch Oculus</translation>
