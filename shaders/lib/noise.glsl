@@ -269,8 +269,7 @@ Noise2 gradientNoise(ivec2 cell, vec2 place, ivec2 period, uint seed)
     return n;
 }
 
-// What the ramps of all corners need. Their calls are written out, here and for the cells of cellular noise: a driver
-// that keeps the loop works out at every turn which corner it is, and may end long loops (LOOP_LIMIT).
+// A cell of the lattice and a place in it.
 struct GradientCell3 {
     vec3 place;
     ivec3 low;  // corners of the cell
@@ -296,12 +295,6 @@ Noise3 withCorner(GradientCell3 cell, Noise3 before, ivec3 corner)
     return n;
 }
 
-Noise3 withCorners(GradientCell3 cell, Noise3 n, int z)
-{
-    n = withCorner(cell, withCorner(cell, n, ivec3(0, 0, z)), ivec3(1, 0, z));
-    return withCorner(cell, withCorner(cell, n, ivec3(0, 1, z)), ivec3(1, 1, z));
-}
-
 Noise3 gradientNoise(ivec3 cell, vec3 place, ivec3 period, uint seed)
 {
     GradientCell3 c;
@@ -314,7 +307,15 @@ Noise3 gradientNoise(ivec3 cell, vec3 place, ivec3 period, uint seed)
     Noise3 n;
     n.value = 0.0;
     n.slope = vec3(0.0);
-    n = withCorners(c, withCorners(c, n, 0), 1);
+#ifdef LOOP_LIMIT
+    // Drivers with such a limit keep a loop of so many instructions, and work out at every turn which corner it is.
+    n = withCorner(c, withCorner(c, n, ivec3(0, 0, 0)), ivec3(1, 0, 0));
+    n = withCorner(c, withCorner(c, n, ivec3(0, 1, 0)), ivec3(1, 1, 0));
+    n = withCorner(c, withCorner(c, n, ivec3(0, 0, 1)), ivec3(1, 0, 1));
+    n = withCorner(c, withCorner(c, n, ivec3(0, 1, 1)), ivec3(1, 1, 1));
+#else
+    for (int i = 0; i < 8; ++i) n = withCorner(c, n, ivec3(i & 1, (i >> 1) & 1, i >> 2));
+#endif
     n.value *= GRADIENT_SCALE_3;
     n.slope = n.slope * GRADIENT_SCALE_3;
     return n;

@@ -57,6 +57,7 @@ CellSearch3 withCell(CellSearch3 before, ivec3 neighbor)
     return s;
 }
 
+#ifdef LOOP_LIMIT
 CellSearch3 withRow(CellSearch3 s, int y, int z)
 {
     return withCell(withCell(withCell(s, ivec3(-1, y, z)), ivec3(0, y, z)), ivec3(1, y, z));
@@ -66,6 +67,7 @@ CellSearch3 withLayer(CellSearch3 s, int z)
 {
     return withRow(withRow(withRow(s, -1, z), 0, z), 1, z);
 }
+#endif
 
 Noise3 cellularNoise(ivec3 cell, vec3 place, ivec3 period, uint seed)
 {
@@ -77,7 +79,12 @@ Noise3 cellularNoise(ivec3 cell, vec3 place, ivec3 period, uint seed)
     s.seed = seed;
     s.nearest = 1.0;
     s.away = vec3(0.0);
+#ifdef LOOP_LIMIT
+    // As in gradientNoise.
     s = withLayer(withLayer(withLayer(s, -1), 0), 1);
+#else
+    for (int i = 0; i < 27; ++i) s = withCell(s, ivec3(i % 3, (i / 3) % 3, i / 9) - 1);
+#endif
     float distance = sqrt(s.nearest);
     Noise3 n;
     n.value = 1.0 - 2.0 * distance;

@@ -1,4 +1,4 @@
-// Where a ray crosses an axis-aligned box. GLSL 4.50 and C++ (render/glsl/cpu.h).
+// Intersection of a ray with an axis-aligned box. GLSL 4.50 and C++ (render/glsl/cpu.h).
 
 // Interval of a ray inside a box: (entry, exit), entry >= 0; entry > exit if it misses the box. The interval starts at
 // 0 for an origin inside, so that the camera or the near plane may be inside the box. Kay and Kajiya 1986, slabs; a
