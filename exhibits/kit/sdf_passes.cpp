@@ -137,6 +137,17 @@ struct SdfPlanner {
     /// Back faces of the box exist even if the camera is inside it.
     [[nodiscard]] render::Cull culled() const { return everywhere() ? render::Cull::none : render::Cull::front; }
 
+    /// Returns the shader that writes only depth: its permutations are those of the body and the `needed` ones, so that
+    /// one program serves any light.
+    [[nodiscard]] render::DepthOnly depthOf(render::ShaderKey shader, const std::vector<std::string>& needed) const
+    {
+        shader.defines = scene.body.defines;
+        shader.defines.insert(shader.defines.end(), needed.begin(), needed.end());
+        shader.defines.emplace_back("DEPTH_ONLY");
+        if (scene.body.sources) shader.programFamily += " depth";
+        return {.shader = std::move(shader)};
+    }
+
     [[nodiscard]] Pass marchPass(const char* step, std::string reason) const
     {
         Pass made = pass(step, std::move(reason), everywhere() ? "lib/fullscreen.vert" : "kit/sdf/box.vert",
@@ -169,9 +180,9 @@ struct SdfPlanner {
         drawSurface(made, scene.context.channels.withoutCounts());
         made.state.cull = culled();
         made.state.depthClamp = true;
-        made.depthOnly = {made.shader};
-        made.depthOnly->shader.defines.emplace_back("DEPTH_ONLY");
-        if (scene.body.sources) made.depthOnly->shader.programFamily += " depth";
+        std::vector<std::string> needed{"SHADOW_METHOD " + std::to_string(SHADOW_METHOD_NONE)};
+        if (values[table.conePrepass]) needed.push_back(coneDefine());
+        made.depthOnly = depthOf(made.shader, needed);
         for (const render::SampledTexture& input : made.inputs)
             if (input.unit == UNIT_EXHIBIT_A) made.depthOnly->inputs.push_back(input);
         if (scene.glass && values[table.heatMap] == SdfHeatMap::none) seeThrough(made, plan, scene.rough);
@@ -209,9 +220,7 @@ struct SdfPlanner {
         scene.context.bindLighting(made);
         if (scene.mirrors) scene.context.lighting.mirrorWorks(made);
         made.draws = {draw(found->value)};
-        made.depthOnly = {made.shader};
-        made.depthOnly->shader.defines.emplace_back("DEPTH_ONLY");
-        if (scene.body.sources) made.depthOnly->shader.programFamily += " depth";
+        made.depthOnly = depthOf(made.shader, {});
         plan.add(std::move(made));
         return true;
     }
