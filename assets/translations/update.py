@@ -21,7 +21,7 @@ NO_TEXT = re.compile(r'[;{}]\s*\n|\bvec[234]\b|\bfloat \w|^\s*#|</?\w+>|\bvoid \
                      r'^[\w{}]+/[\w{}]|^[A-Z_]+ \{|^glb |^fs frag |^hdr exr|^tif tiff|^png jpg|^SceneStage|\buniform \w|\bconst \w+ \w+|^<|^--(?!.* .* )|&nbsp;|\\u00|^%|^[^A-Za-z{]*$')
 # Files of which nothing is shown to people in the window or as an error, or only in English by purpose.
 NOT_SHOWN = re.compile(r'/stability/|stability_|doctor_command|html_text|preset_schema|_page\.cpp|serve/(?!listener)|report|embed|'
-                       r'image/oiio/(?!guarded|pdf_reader|read|row|write)|shell_word|chart_font|_glsl\.cpp|'
+                       r'image/oiio/(?!guarded|pdf_reader|read|row|write)|shell_word|chart_font|block_copies|_glsl\.cpp|'
                        r'install|framework/table/derive|museum/render_command|museum/exr_metadata|coat_mesh|card_mesh|png_chunks|table_json|passes_json|text/message\.h')
 # Rooms in which every text for people is made by message(): no sentence is looked for there, and none may be left.
 CONVERTED = ('render/files/', 'render/gl/', 'render/scene/', 'exhibits/jobs/sprite/palette_file', 'exhibits/jobs/sprite/sprite_description')

@@ -3,6 +3,7 @@
 #include "render/failure.h"
 #include "render/gl/context.h"
 #include "render/gl/program_binaries.h"
+#include "render/glsl/block_copies.h"
 #include "render/measure/clock.h"
 
 #include <algorithm>
@@ -56,13 +57,18 @@ void PendingProgram::hand(const ShaderSource& source, const ShaderKey& key)
     std::vector<std::pair<GLenum, ShaderText>> texts;
     try {
         // llvmpipe ends all loops of an invocation after that many iterations; software renderers are taken for it.
-        const std::string prelude = (currentContextInfo().software ? "#define LOOP_LIMIT 65535\n" : "") + key.prelude;
+        const bool software = currentContextInfo().software;
+        const std::string prelude = (software ? "#define LOOP_LIMIT 65535\n" : "") + key.prelude;
         const auto add = [&](GLenum type, const std::string& file) {
             if (!file.empty()) texts.emplace_back(type, source.load(file, key.defines, prelude, key.sources.get()));
         };
         add(GL_VERTEX_SHADER, key.vertex);
         add(GL_FRAGMENT_SHADER, key.fragment);
         add(GL_COMPUTE_SHADER, key.compute);
+        const bool copies =
+            std::any_of(texts.begin(), texts.end(), [](const auto& t) { return asksForCopies(t.second.text); });
+        if (software && copies)
+            for (auto& [type, text] : texts) text.text = copyingBlocks(text.text);
     } catch (const Failure& failure) {
         built_.problem = {describe(key), 0, failure.what()};
         return;

@@ -1,6 +1,7 @@
 // Ray marches the sunbeams in dusty air, in half or full resolution. Every ray is marched where it crosses a beam of
 // window or oculus, with lookups in the shadow maps. The light that a step scatters equals the light that its dust
 // removes from the ray, in closed form. So the result does not depend on the number of steps.
+#define COPY_BLOCKS
 #include "lib/light.glsl"
 #include "crepuscular_rays/participating_media.glsl"
 #include "crepuscular_rays/gather.glsl"

@@ -35,7 +35,7 @@ FieldMaterial fieldMaterial(vec3 p)
         m.baseColor = parameters.plinthColor;
         m.roughness = parameters.plinthRoughness;
     } else if (part >= PART_CREAM) {
-        m.baseColor = shape.layers[part - PART_CREAM].color;
+        m.baseColor = part == PART_CREAM ? shape.layers[0].color : shape.layers[1].color;
         m.roughness = mix(parameters.creamRoughness, 0.14, meltedShare(p));
         m.metalness = parameters.metalness;
     } else {

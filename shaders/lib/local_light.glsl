@@ -17,34 +17,34 @@ float localWindow(float distance, float range)
 
 // Cone falloff at `away` from the light, before it is limited to 0 to 1 and squared, times `distance`: the length of
 // `away`.
-float localConeMargin(LocalLightEntry light, vec3 away, float distance)
+float localConeMargin(LocalLightEntry lamp, vec3 away, float distance)
 {
-    return light.coneScale * dot(light.axis, away) - distance * (light.coneScale * light.coneCosine - 1.0);
+    return lamp.coneScale * dot(lamp.axis, away) - distance * (lamp.coneScale * lamp.coneCosine - 1.0);
 }
 
 // Share of a light's intensity in this direction from it (unit): smooth from 1 to 0 at the edge of its cone.
-float localCone(LocalLightEntry light, vec3 fromLight)
+float localCone(LocalLightEntry lamp, vec3 fromLight)
 {
-    float share = clamp(localConeMargin(light, fromLight, 1.0), 0.0, 1.0);
+    float share = clamp(localConeMargin(lamp, fromLight, 1.0), 0.0, 1.0);
     return share * share;
 }
 
 // Product of range and cone falloff at a place: 0 where its light cannot reach.
-float localReach(LocalLightEntry light, vec3 place)
+float localReach(LocalLightEntry lamp, vec3 place)
 {
-    vec3 away = place - light.position;
+    vec3 away = place - lamp.position;
     float distance = safeSqrt(dot(away, away));
     if (distance <= 0.0) return 0.0;
-    return localWindow(distance, light.range) * localCone(light, away / distance);
+    return localWindow(distance, lamp.range) * localCone(lamp, away / distance);
 }
 
 // Whether that product is above 0. It costs a fraction.
-bool localReaches(LocalLightEntry light, vec3 place)
+bool localReaches(LocalLightEntry lamp, vec3 place)
 {
-    vec3 away = place - light.position;
+    vec3 away = place - lamp.position;
     float squared = dot(away, away);
-    bool inCone = localConeMargin(light, away, safeSqrt(squared)) > 0.0;
-    return inCone && (light.range <= 0.0 || squared < light.range * light.range);
+    bool inCone = localConeMargin(lamp, away, safeSqrt(squared)) > 0.0;
+    return inCone && (lamp.range <= 0.0 || squared < lamp.range * lamp.range);
 }
 
 // Form factor of a sphere seen from a surface: irradiance over pi times its radiance, 0 to 1. `cosine` is between the
@@ -65,20 +65,20 @@ float sphereFormFactor(float cosine, float distance, float radius)
 }
 
 // Irradiance on a surface at `place` with unit `normal`, without shadow.
-vec3 localIrradiance(LocalLightEntry light, vec3 place, vec3 normal)
+vec3 localIrradiance(LocalLightEntry lamp, vec3 place, vec3 normal)
 {
-    vec3 towards = light.position - place;
+    vec3 towards = lamp.position - place;
     float squared = dot(towards, towards);
     float distance = safeSqrt(squared);
-    float reach = localReach(light, place);
+    float reach = localReach(lamp, place);
     if (reach <= 0.0) return vec3(0.0);
     float cosine = dot(towards, normal) / distance;
     // A sphere as small as this equals a point in float32.
-    bool isPoint = light.radius < 1.0e-3 * distance;
+    bool isPoint = lamp.radius < 1.0e-3 * distance;
     float geometry = max(cosine, 0.0) / squared;
-    if (!isPoint) geometry = sphereFormFactor(cosine, distance, light.radius) / (light.radius * light.radius);
-    if (light.nearest > 0.0) geometry = min(geometry, 1.0 / (light.nearest * light.nearest));
-    return light.intensity * (geometry * reach);
+    if (!isPoint) geometry = sphereFormFactor(cosine, distance, lamp.radius) / (lamp.radius * lamp.radius);
+    if (lamp.nearest > 0.0) geometry = min(geometry, 1.0 / (lamp.nearest * lamp.nearest));
+    return lamp.intensity * (geometry * reach);
 }
 
 // Index of the shadow map, among the six of a light, that contains this direction from it. OpenGL's order of cube

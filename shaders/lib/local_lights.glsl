@@ -11,28 +11,28 @@ layout(std140, binding = BLOCK_LOCAL_LIGHTS) uniform LocalLights {
 layout(binding = UNIT_LOCAL_SHADOWS) uniform sampler2DArrayShadow localShadows;
 
 // Visibility of the light: 1 if nothing lies between it and the place, which is lifted off its surface along `normal`.
-float localVisibility(LocalLightEntry light, vec3 place, vec3 normal)
+float localVisibility(LocalLightEntry lamp, vec3 place, vec3 normal)
 {
-    if (!light.castsShadow) return 1.0;
-    vec3 fromLight = place - light.position;
+    if (!lamp.castsShadow) return 1.0;
+    vec3 fromLight = place - lamp.position;
     float texel = 2.0 * length(fromLight) / float(textureSize(localShadows, 0).x);
     fromLight += normal * (1.5 * texel);
-    vec3 position = localShadowPosition(fromLight, light.nearPlane);
-    float layer = float(light.firstLayer + localShadowFace(fromLight));
+    vec3 position = localShadowPosition(fromLight, lamp.nearPlane);
+    float layer = float(lamp.firstLayer + localShadowFace(fromLight));
     // The level is explicit, because not all pixels of a quad look here; this kind of sampler has no textureLod.
     return textureGrad(localShadows, vec4(position.x, position.y, layer, position.z), vec2(0.0), vec2(0.0));
 }
 #else
-float localVisibility(LocalLightEntry light, vec3 place, vec3 normal)
+float localVisibility(LocalLightEntry lamp, vec3 place, vec3 normal)
 {
     return 1.0;
 }
 #endif
 
 // Irradiance of one light on a surface, shadow included.
-vec3 localLit(LocalLightEntry light, vec3 place, vec3 normal)
+vec3 localLit(LocalLightEntry lamp, vec3 place, vec3 normal)
 {
-    vec3 irradiance = localIrradiance(light, place, normal);
+    vec3 irradiance = localIrradiance(lamp, place, normal);
     if (irradiance.x + irradiance.y + irradiance.z <= 0.0) return vec3(0.0);
-    return irradiance * localVisibility(light, place, normal);
+    return irradiance * localVisibility(lamp, place, normal);
 }

@@ -1,5 +1,6 @@
 // Clouds: marches rays through a layer of noise, lit by the sun through the cloud itself and by the sky. Permutations:
 // BAKED; JITTER; REFERENCE; EVEN_STEPS (no empty-space skipping, plain sums).
+#define COPY_BLOCKS
 #include "noise/work.glsl"
 #include "noise/cloud_noise.glsl"
 #include "noise/cloud_medium.glsl"

@@ -1,6 +1,7 @@
 // Blobs of noise: marched with the bounds of field.glsl, lit by sun and sky, with light through thin parts, fading into
 // bright air. Permutations: those of field.glsl, REFERENCE; COUNT_LOOKUPS, instead of evaluations; HALVED, steps of half
 // the value; DERIVATIVE, for normals.
+#define COPY_BLOCKS
 #include "noise/work.glsl"
 #include "noise/field.glsl"
 

@@ -1,5 +1,6 @@
 // The sea: gravity waves in the light of the sky. Permutations: REFERENCE; HEIGHT_STEPS, step length equal to the height
 // above the water; COUNT_MARCH, counts only the march, not the lighting.
+#define COPY_BLOCKS
 #include "noise/work.glsl"
 
 float evaluations = 0.0;

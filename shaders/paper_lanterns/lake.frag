@@ -3,6 +3,7 @@
 // LEGS, number of rays in sequence; BOUNCES, number of these on water; REFERENCE, the shading of the reference;
 // REPETITION, which cells around a point are searched; LANTERNS, WAVES, MIST, MOON, STARS, PANORAMA; MOON_ON_WATER, if
 // lanterns shadow the water from the moon.
+#define COPY_BLOCKS
 #include "kit/portal/portal.glsl"
 #include "lib/noise_sums.glsl"
 #include "paper_lanterns/scene.glsl"

@@ -1,6 +1,7 @@
 // Draws a scene behind the portal: its field is generated, the rest is here. Permutations: REFERENCE_SHADING; LIGHTS, SHADOWS
 // (a method), OCCLUSION (a method), MIRRORS, GLASS, GLOWS, LAMPS, PANORAMA, if the scene has any; HEAT_MAP,
 // COUNT_SHAPES (instead of evaluations).
+#define COPY_BLOCKS
 #if defined(REFERENCE_SHADING) || defined(HEAT_MAP)
 #define PORTAL_DISPLAY_LIGHT
 #endif

@@ -2,6 +2,7 @@
 // CONE_PREPASS (pixels along a side of its blocks), GLASS, BACKDROP (visible through glass), HEAT_MAP, WRITE_NORMAL,
 // COUNT (writes evaluations, discards nothing), DEPTH_ONLY (no shading), OTHERS_SHADOWS, PIXEL_CENTERS, SHADOW_METHOD
 // (the parameter's number), BOUNCES (if any are set), SUNLESS (no sunlight reaches it).
+#define COPY_BLOCKS
 #include "kit/sdf/ray.glsl"
 #include "kit/sdf/shade.glsl"
 #include "lib/heat_color.glsl"
