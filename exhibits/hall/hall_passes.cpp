@@ -241,6 +241,7 @@ void planWalls(const HallScene& scene, const SceneLighting& light, const Channel
 {
     Pass walls = surfacePass("hall/walls", "the hall is around the visitor", light, channels,
                              {"BASE_COLOR_MAP", "NORMAL_MAP", "ORM_MAP"}, render::Load::clear);
+    walls.deferrable = true;
     if (scene.values[scene.table.bakedLight]) bindLightmaps(scene, light, walls);
     (void)plan.includeIfEffective(walls, {"hall/lamps", light.lampLight});
     for (const MeshInstance& part : scene.model.walls())

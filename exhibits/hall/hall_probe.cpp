@@ -183,6 +183,7 @@ void planFace(const HallScene& scene, const SceneLighting& hallLight, const Surr
     bindLightmaps(scene, hallLight, walls);
     hallLight.bindLighting(walls);
     walls.shaded.inView = true;
+    walls.deferrable = true;
     plan.add(std::move(walls));
     things.draws = around.things;
     hallLight.bindLighting(things);
@@ -289,6 +290,7 @@ std::optional<render::LocalLighting> probeLamps(const HallScene& scene)
     render::LocalLighting lighting =
         render::localLighting(lamps, probePosition(scene), 2 * glm::length(scene.model.bounds().halfSize()));
     if (lighting.chosen.empty()) return std::nullopt;
+    render::divideIntoCells(lighting.block, scene.model.bounds());
     return lighting;
 }
 

@@ -537,7 +537,9 @@ void Museum::Frame::lightLamps()
                                    .castersKey = lamps.empty() ? 0 : castersKey(),
                                    .planOfView = [this](const render::View& view) { return planOfView(view); }},
                                   plan);
-    if (light.localLights) light.brightest += mostRadianceBy(*light.localLights);
+    if (!light.localLights) return;
+    light.brightest += mostRadianceBy(*light.localLights);
+    if (light.building) render::divideIntoCells(light.localLights->block, *light.building);
 }
 
 /// Plans the sky and the tone mapping, then prunes the plan.

@@ -145,7 +145,7 @@ void FramePlan::add(Pass pass)
     }
     if (pass.localLights) {
         const LocalLightsBlock lights = runEverything
-                                            ? *pass.localLights
+                                            ? inOneCell(*pass.localLights)
                                             : reachingLights(*pass.localLights, pass.shaded, pass.view.value_or(view));
         pass.blocks[BLOCK_LOCAL_LIGHTS] = std140Bytes(lights);
         if (lights.count > 0) pass.counts["localLights"] = lights.count;

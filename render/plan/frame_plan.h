@@ -162,6 +162,9 @@ struct Pass {
     /// what that time depends on, other than the moment and the camera.
     std::optional<std::uint64_t> unbounded;
     std::vector<Draw> draws;
+    /// It draws opaque surfaces, at level 0, with a fragment shader that has the permutations of
+    /// shaders/kit/stored_surface.glsl: `FramePlan::withDeferredShading` splits it.
+    bool deferrable = false;
     std::optional<DepthOnly> depthOnly;  ///< Depth-only variant. Unset: the pass's own program also draws the depth.
     glm::ivec3 groups{1};                ///< Compute pass: number of work groups.
     std::vector<std::string> mipmaps;    ///< Images whose lower mip levels are made from level 0 after the pass.
@@ -217,7 +220,8 @@ public:
     double time = 0;  ///< Seconds; exhibits wrap it per period before it becomes a float.
     std::uint32_t seed = 1;
     int sample = 0;              ///< Index of the supersample being drawn.
-    bool runEverything = false;  ///< Diagnostic switch: no pass is pruned or skipped as unchanged.
+    /// Diagnostic switch: no pass is pruned, skipped as unchanged or split, and surfaces ask all lights.
+    bool runEverything = false;
     bool resetHistory = false;   ///< This frame does not continue the last one: histories start again.
     bool allSlices = false;  ///< Runs all slices of a sliced pass in this frame and waits for programs to be built: for
                              ///< pictures that are drawn only once.
@@ -243,6 +247,11 @@ public:
     /// Returns a copy of the plan, pruned or not, with further passes before all others, for checks. The images of
     /// these passes must be declared in the plan.
     [[nodiscard]] FramePlan withPassesFirst(std::vector<Pass>) const;
+
+    /// Returns a copy of the pruned plan whose deferrable passes are drawn in two steps (deferred shading): the first
+    /// stores the surface of each pixel, the second computes its light. With small triangles, drivers run a fragment
+    /// shader several times for each pixel: software renderers for whole blocks of 4 × 2 pixels.
+    [[nodiscard]] FramePlan withDeferredShading() const;
 
     /// Sorts the passes by phase. Drops every pass that no output depends on, and those whose persistent outputs are up
     /// to date under `kept`. A dropped pass moves to `skipped()` with its reason.

@@ -1,8 +1,11 @@
 #include "render/plan/local_lights.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace vitrine::render {
 namespace {
@@ -100,6 +103,29 @@ bool mayReach(const LitPart& lit, const ShadedSpace& space, const std::optional<
     return true;
 }
 
+/// Bits of the first `count` lights.
+std::uint32_t firstLights(int count)
+{
+    return count >= 32 ? ~0U : (1U << count) - 1;
+}
+
+/// Returns the box that is divided into cells; an empty one if there is one cell only.
+Box cellsOf(const LocalLightsBlock& block)
+{
+    if (block.cellsPerMeter == glm::vec3(0)) return {};
+    const glm::dvec3 low(block.cellsLow);
+    return {low - slack,
+            low + glm::dvec3(LIGHT_CELLS_X, LIGHT_CELLS_Y, LIGHT_CELLS_Z) / glm::dvec3(block.cellsPerMeter) + slack};
+}
+
+/// Calls `change` for each cell's bits.
+template <typename Change> void forEachCell(LocalLightsBlock& block, Change change)
+{
+    int index = 0;
+    for (glm::ivec4& four : block.cells)
+        for (int i = 0; i < 4; ++i) four[i] = static_cast<int>(change(static_cast<std::uint32_t>(four[i]), index++));
+}
+
 }  // namespace
 
 LocalLighting localLighting(std::span<const LocalLight> lights, const glm::dvec3& center, double radius)
@@ -132,7 +158,35 @@ LocalLighting localLighting(std::span<const LocalLight> lights, const glm::dvec3
         entry.nearPlane = static_cast<float>(localShadowNear);
         result.shadowed.push_back(result.chosen[i]);
     }
+    result.block = inOneCell(std::move(result.block));
     return result;
+}
+
+void divideIntoCells(LocalLightsBlock& block, const Box& space)
+{
+    const glm::dvec3 count(LIGHT_CELLS_X, LIGHT_CELLS_Y, LIGHT_CELLS_Z);
+    const glm::dvec3 size = glm::max(space.high - space.low, 1e-3) / count;
+    block.cellsLow = glm::vec3(space.low);
+    block.cellsPerMeter = glm::vec3(1.0 / size);
+    std::vector<LitPart> lit;
+    for (int i = 0; i < block.count; ++i) lit.emplace_back(block.lights[static_cast<std::size_t>(i)]);
+    forEachCell(block, [&](std::uint32_t, int index) {
+        const glm::dvec3 at(index % LIGHT_CELLS_X, index / LIGHT_CELLS_X % LIGHT_CELLS_Y,
+                            index / (LIGHT_CELLS_X * LIGHT_CELLS_Y));
+        // Wider, because shaders find the cell at float32.
+        const Box cell{space.low + at * size - slack, space.low + (at + 1.0) * size + slack};
+        std::uint32_t bits = 0;
+        for (std::size_t i = 0; i < lit.size(); ++i)
+            if (lit[i].mayReach(cell)) bits |= 1U << i;
+        return bits;
+    });
+}
+
+LocalLightsBlock inOneCell(LocalLightsBlock block)
+{
+    block.cellsPerMeter = glm::vec3(0);
+    block.cells[0][0] = static_cast<int>(firstLights(block.count));
+    return block;
 }
 
 LocalLightsBlock reachingLights(const LocalLightsBlock& all, const ShadedSpace& space, const View& view)
@@ -141,12 +195,25 @@ LocalLightsBlock reachingLights(const LocalLightsBlock& all, const ShadedSpace& 
     if (part && space.inView) part = seenPart(view, *part);
     LocalLightsBlock result;
     if (part && part->empty()) return result;
+    std::array<std::size_t, mostLocalLights> kept{};
     for (int i = 0; i < all.count; ++i) {
         const LocalLightEntry& light = all.lights[static_cast<std::size_t>(i)];
         if (!mayReach(LitPart(light), space, part, view)) continue;
+        kept[static_cast<std::size_t>(result.count)] = static_cast<std::size_t>(i);
         result.lights[static_cast<std::size_t>(result.count)] = light;
         ++result.count;
     }
+    const Box cells = cellsOf(all);
+    if (!space.within || !cells.contains(space.within->low) || !cells.contains(space.within->high))
+        return inOneCell(std::move(result));
+    result.cellsLow = all.cellsLow;
+    result.cellsPerMeter = all.cellsPerMeter;
+    result.cells = all.cells;
+    forEachCell(result, [&](std::uint32_t bits, int) {
+        std::uint32_t left = 0;
+        for (int i = 0; i < result.count; ++i) left |= (bits >> kept[static_cast<std::size_t>(i)] & 1U) << i;
+        return left;
+    });
     return result;
 }
 

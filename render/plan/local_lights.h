@@ -48,6 +48,14 @@ struct LocalLighting {
 /// sphere of `radius` meters around `center`.
 [[nodiscard]] LocalLighting localLighting(std::span<const LocalLight>, const glm::dvec3& center, double radius);
 
+/// Divides a box into cells and marks in each the lights that may reach a place in it (Olsson et al. 2012, "Clustered
+/// Deferred and Forward Shading"). Without it there is one cell with all lights. Places outside the box belong to the
+/// nearest cell, so `space` must contain all places that are shaded.
+void divideIntoCells(LocalLightsBlock&, const Box& space);
+
+/// Returns the block with one cell, in which all lights are.
+[[nodiscard]] LocalLightsBlock inOneCell(LocalLightsBlock);
+
 /// Places that a pass shades.
 struct ShadedSpace {
     std::optional<Box> within = {};  ///< World space, meters; unset: anywhere.

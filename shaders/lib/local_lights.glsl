@@ -7,6 +7,16 @@ layout(std140, binding = BLOCK_LOCAL_LIGHTS) uniform LocalLights {
     LocalLightsBlock localLights;
 };
 
+// Lights that may reach a place, as bits.
+uint lightsNear(vec3 place)
+{
+    ivec3 last = ivec3(LIGHT_CELLS_X, LIGHT_CELLS_Y, LIGHT_CELLS_Z) - 1;
+    // Clamped first: the conversion of a large number is undefined.
+    ivec3 at = ivec3(clamp((place - localLights.cellsLow) * localLights.cellsPerMeter, vec3(0.0), vec3(last)));
+    int cell = (at.z * LIGHT_CELLS_Y + at.y) * LIGHT_CELLS_X + at.x;
+    return uint(localLights.cells[cell / 4][cell % 4]);
+}
+
 #ifdef LOCAL_SHADOWS
 layout(binding = UNIT_LOCAL_SHADOWS) uniform sampler2DArrayShadow localShadows;
 

@@ -1,6 +1,12 @@
 // The local lights of a frame. GLSL and C++: render/glsl/std140.h.
 #define MOST_LOCAL_LIGHTS 32
 
+// Cells of the grid that tells where lights may reach: along x, y, z, and altogether.
+#define LIGHT_CELLS_X 16
+#define LIGHT_CELLS_Y 4
+#define LIGHT_CELLS_Z 8
+#define LIGHT_CELLS 512
+
 // One local light: a point, or a sphere of uniform radiance.
 #define LOCAL_LIGHT_FIELDS(FIELD, ARRAY) \
     FIELD(vec3, position)     /* world space, meters */ \
@@ -17,6 +23,9 @@
 BLOCK_STRUCT(LocalLightEntry, LOCAL_LIGHT_FIELDS)
 
 #define LOCAL_LIGHTS_FIELDS(FIELD, ARRAY) \
+    FIELD(vec3, cellsLow)       /* corner of the grid, world space; cells at its faces extend beyond it */ \
     FIELD(int, count) \
+    FIELD(vec3, cellsPerMeter)  /* 0: one cell for all places */ \
+    ARRAY(ivec4, cells, LIGHT_CELLS / 4)  /* by x, then y, then z: bit i of a cell: light i may reach a place in it */ \
     ARRAY(LocalLightEntry, lights, MOST_LOCAL_LIGHTS)  /* only the first `count` are used */
 BLOCK_STRUCT(LocalLightsBlock, LOCAL_LIGHTS_FIELDS)

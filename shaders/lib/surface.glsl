@@ -98,18 +98,23 @@ vec3 localLightReflected(Surface s, vec3 toEye, LocalLightEntry lamp)
                        : s.baseColor * (1.0 - s.metalness) / PI * irradiance;
 }
 
-// The same for all lamps. Most places are out of reach of most lamps. The inner loop skips these: software renderers
-// leave a loop when no pixel needs it, but execute skipped branches.
+// The same for all lamps. Most places are out of reach of most lamps. The grid leaves few to look at (Olsson et al.
+// 2012, "Clustered Deferred and Forward Shading"), and the inner loop skips those of them that do not reach: software
+// renderers leave a loop when no pixel needs it, but execute skipped branches.
 vec3 localLightsReflected(Surface s, vec3 toEye)
 {
-    int count = min(localLights.count, MOST_LOCAL_LIGHTS);
     vec3 sum = vec3(0.0);
-    int i = 0;
+    uint left = lightsNear(s.position);
+    int i = max(findLSB(left), 0);
     while (true) {
-        while (i < count && !localReaches(localLights.lights[i], s.position)) ++i;
-        if (i >= count) break;
+        while (left != 0u && !localReaches(localLights.lights[i], s.position)) {
+            left &= left - 1u;
+            i = max(findLSB(left), 0);
+        }
+        if (left == 0u) break;
         sum += localLightReflected(s, toEye, localLights.lights[i]);
-        ++i;
+        left &= left - 1u;
+        i = max(findLSB(left), 0);
     }
     return sum;
 }

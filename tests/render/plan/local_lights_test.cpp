@@ -246,6 +246,62 @@ TEST(LocalLights, ThatAreLeftOutReachNoPlace)
     EXPECT_GT(needed, 3 * kept / 4);
 }
 
+/// The lights that shaders/lib/local_lights.glsl finds near a place, as bits.
+std::uint32_t lightsNear(const render::LocalLightsBlock& block, const glm::dvec3& place)
+{
+    const glm::vec3 last(LIGHT_CELLS_X - 1, LIGHT_CELLS_Y - 1, LIGHT_CELLS_Z - 1);
+    const glm::ivec3 at(glm::clamp((glm::vec3(place) - block.cellsLow) * block.cellsPerMeter, glm::vec3(0), last));
+    const int cell = (at.z * LIGHT_CELLS_Y + at.y) * LIGHT_CELLS_X + at.x;
+    return static_cast<std::uint32_t>(block.cells[static_cast<std::size_t>(cell / 4)][cell % 4]);
+}
+
+TEST(LocalLights, OfACellAreThoseThatMayReachIt)
+{
+    std::mt19937 random(9);
+    std::uniform_real_distribution<double> share;
+    const render::Box room{{-6, 0, -12}, {6, 8, 12}};
+    int kept = 0, needed = 0, all = 0;
+    for (int round = 0; round < 100; ++round) {
+        render::LocalLightsBlock block = randomLights(random).block;
+        divideIntoCells(block, room);
+        const render::LocalLightsBlock some =
+            render::reachingLights(block, {render::Box{{-6, 0, -12}, {6, 3, 0}}, false}, {});
+        for (int i = 0; i < 400; ++i) {
+            // At the faces of the room, too.
+            const glm::dvec3 relative = glm::clamp(glm::dvec3(share(random), share(random), share(random)) * 1.1 - 0.05,
+                                                   glm::dvec3(0), glm::dvec3(1));
+            const bool isLow = i % 2 == 0;
+            const glm::dvec3 place = room.low + relative * (isLow ? glm::dvec3(12, 3, 12) : room.high - room.low);
+            const render::LocalLightsBlock& lights = isLow ? some : block;
+            const std::uint32_t near = lightsNear(lights, place);
+            for (int light = 0; light < lights.count; ++light) {
+                const bool isNear = (near >> light & 1U) != 0;
+                const bool reaches = glsl::localReaches(entryOf(lights.lights[static_cast<std::size_t>(light)]), place);
+                ASSERT_TRUE(isNear || !reaches) << round << ": light " << light;
+                kept += isNear;
+                needed += reaches;
+                ++all;
+            }
+            ASSERT_EQ(lights.count < 32 ? near >> lights.count : 0, 0U) << "bits of no light";
+        }
+    }
+    EXPECT_LT(kept, all / 2);
+    EXPECT_GT(needed, kept / 2);
+}
+
+TEST(LocalLights, AreInOneCellWhereAPassMayShadeOutsideTheGrid)
+{
+    std::mt19937 random(10);
+    render::LocalLightsBlock block = randomLights(random).block;
+    divideIntoCells(block, {{-6, 0, -12}, {6, 8, 12}});
+    for (const std::optional<render::Box>& within :
+         {std::optional<render::Box>(), std::optional(render::Box{{-6, 0, -12}, {6, 9, 12}})}) {
+        const render::LocalLightsBlock lights = render::reachingLights(block, {within, false}, {});
+        EXPECT_EQ(lights.cellsPerMeter, glm::vec3(0));
+        EXPECT_EQ(lightsNear(lights, {100, 0, 0}), lights.count < 32 ? (1U << lights.count) - 1 : ~0U);
+    }
+}
+
 TEST(LocalLights, AreAllKeptWhereAPassMayShadeAnything)
 {
     std::mt19937 random(8);

@@ -1,0 +1,74 @@
+#include "render/plan/frame_plan.h"
+#include "shaders/lib/bindings.glsl"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace vitrine::render {
+namespace {
+
+/// Texture units at which the second step reads the surface, by the order of the first step's outputs.
+constexpr int storedUnits[] = {UNIT_BASE_COLOR, UNIT_NORMAL, UNIT_ORM, UNIT_EMISSIVE};
+
+std::string storedImage(const Pass& pass, std::size_t which)
+{
+    return pass.colors.front().image + ".stored." + std::to_string(which);
+}
+
+/// Returns the step that lights what `surfaces`, which is the first step, has stored.
+Pass lightingOf(const Pass& surfaces)
+{
+    Pass light;
+    light.name = surfaces.name + "/light";
+    light.reason = surfaces.reason;
+    light.phase = surfaces.phase;
+    light.shader = surfaces.shader;
+    light.shader.vertex = "lib/fullscreen.vert";
+    std::erase_if(light.shader.defines, [](const std::string& define) { return define.starts_with("WRITE_"); });
+    light.shader.defines.emplace_back("LIGHT_STORED");
+    light.state.blend = Blend::add;
+    light.state.depthTest = DepthTest::farther;  // The triangle is at the far plane: nothing is lit where nothing is.
+    light.depth = surfaces.depth;
+    light.depth->load = Load::keep;
+    light.colors = {surfaces.colors.front()};
+    light.colors.front().load = Load::keep;
+    light.inputs = surfaces.inputs;
+    for (std::size_t i = 0; i < std::size(storedUnits); ++i)
+        light.inputs.push_back({storedUnits[i], storedImage(surfaces, i)});
+    light.buffers = surfaces.buffers;
+    light.blocks = surfaces.blocks;
+    light.view = surfaces.view;
+    light.columns = surfaces.columns;
+    light.temporal = surfaces.temporal;
+    light.draws = {Draw{}};
+    return light;
+}
+
+}  // namespace
+
+FramePlan FramePlan::withDeferredShading() const
+{
+    FramePlan plan = *this;
+    plan.passes_.clear();
+    for (const Pass& pass : passes_) {
+        Pass& first = plan.passes_.emplace_back(pass);
+        if (!first.deferrable) continue;
+        Pass light = lightingOf(first);
+        first.shader.defines.push_back("STORE_SURFACE " + std::to_string(first.colors.size()));
+        for (std::size_t i = 0; i < std::size(storedUnits); ++i) {
+            ImageInfo stored = images_.at(first.colors.front().image);
+            stored.name = storedImage(pass, i);
+            stored.format = Format::rgba32f;
+            stored.type = TextureType::flat;
+            stored.layers = stored.levels = 1;
+            stored.persistent = false;
+            stored.nearest = true;
+            first.colors.push_back(Attachment::cleared(plan.image(std::move(stored))));
+        }
+        plan.passes_.push_back(std::move(light));
+    }
+    return plan;
+}
+
+}  // namespace vitrine::render

@@ -1,0 +1,89 @@
+#include "render/plan/frame_plan.h"
+#include "shaders/lib/bindings.glsl"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace vitrine::render {
+namespace {
+
+FramePlan planOf(bool deferrable)
+{
+    FramePlan plan;
+    plan.image({.name = "picture", .format = Format::rgba16f, .size = {8, 6}, .persistent = true});
+    plan.image({.name = "normals", .format = Format::rgba16f, .size = {8, 6}});
+    plan.image({.name = "depth", .format = Format::depth32f, .size = {8, 6}});
+    Pass pass;
+    pass.name = "walls";
+    pass.shader = {.vertex = "surface.vert", .fragment = "surface.frag", .defines = {"WRITE_NORMAL", "LIGHTMAP"}};
+    pass.colors = {Attachment::cleared("picture"), Attachment::cleared("normals")};
+    pass.depth = Attachment::cleared("depth");
+    pass.state.depthTest = DepthTest::nearer;
+    pass.state.depthWrite = true;
+    pass.inputs = {{UNIT_PROBE, std::string("picture")}};
+    pass.blocks[BLOCK_LIGHT] = Bytes(16);
+    pass.draws.resize(3);
+    pass.deferrable = deferrable;
+    plan.add(pass);
+    Pass next;
+    next.name = "next";
+    next.colors = {Attachment::whole("picture")};
+    plan.add(next);
+    plan.prune({"picture", "normals"});
+    return plan;
+}
+
+bool has(const std::vector<std::string>& defines, const std::string& define)
+{
+    return std::find(defines.begin(), defines.end(), define) != defines.end();
+}
+
+TEST(DeferredShading, StoresSurfacesThenLightsThem)
+{
+    const FramePlan plan = planOf(true).withDeferredShading();
+    EXPECT_EQ(toString(plan), "walls > walls/light > next");
+    EXPECT_TRUE(plan.errors().empty()) << plan.errors().front();
+
+    const Pass& surfaces = *plan.find("walls");
+    ASSERT_EQ(surfaces.colors.size(), 6U);
+    EXPECT_TRUE(has(surfaces.shader.defines, "STORE_SURFACE 2"));
+    EXPECT_TRUE(has(surfaces.shader.defines, "WRITE_NORMAL"));
+    EXPECT_EQ(surfaces.draws.size(), 3U);
+
+    const Pass& light = *plan.find("walls/light");
+    EXPECT_EQ(light.shader.fragment, "surface.frag");
+    EXPECT_EQ(light.shader.vertex, "lib/fullscreen.vert");
+    EXPECT_TRUE(has(light.shader.defines, "LIGHT_STORED"));
+    EXPECT_TRUE(has(light.shader.defines, "LIGHTMAP"));
+    EXPECT_FALSE(has(light.shader.defines, "WRITE_NORMAL")) << "the first step has written it";
+    EXPECT_EQ(light.blocks, surfaces.blocks);
+    EXPECT_EQ(light.draws.size(), 1U);
+    ASSERT_EQ(light.colors.size(), 1U);
+    EXPECT_EQ(light.colors[0].image, "picture");
+    EXPECT_EQ(light.colors[0].load, Load::keep);
+    EXPECT_EQ(light.state.blend, Blend::add);
+    EXPECT_EQ(light.state.depthTest, DepthTest::farther);
+    EXPECT_FALSE(light.state.depthWrite);
+
+    const std::vector<std::string> read = inputsOf(light);
+    for (std::size_t i = 2; i < surfaces.colors.size(); ++i) {
+        const std::string& name = surfaces.colors[i].image;
+        EXPECT_EQ(surfaces.colors[i].load, Load::clear);
+        EXPECT_TRUE(has(read, name));
+        const ImageInfo& stored = plan.images().at(name);
+        EXPECT_EQ(stored.size, glm::ivec2(8, 6));
+        EXPECT_EQ(stored.format, Format::rgba32f);
+        EXPECT_FALSE(stored.persistent);
+    }
+}
+
+TEST(DeferredShading, LeavesOtherPassesAsTheyAre)
+{
+    const FramePlan plan = planOf(false);
+    EXPECT_EQ(toString(plan.withDeferredShading()), toString(plan));
+    EXPECT_EQ(plan.withDeferredShading().images().size(), plan.images().size());
+}
+
+}  // namespace
+}  // namespace vitrine::render
