@@ -219,10 +219,10 @@ public:
     View view;        ///< View of the frame.
     double time = 0;  ///< Seconds; exhibits wrap it per period before it becomes a float.
     std::uint32_t seed = 1;
-    int sample = 0;              ///< Index of the supersample being drawn.
-    /// Diagnostic switch: no pass is pruned, skipped as unchanged or split, and surfaces ask all lights.
+    int sample = 0;  ///< Index of the supersample being drawn.
+    /// Diagnostic switch: no pass is pruned or skipped as unchanged, and surfaces ask all lights.
     bool runEverything = false;
-    bool resetHistory = false;   ///< This frame does not continue the last one: histories start again.
+    bool resetHistory = false;  ///< This frame does not continue the last one: histories start again.
     bool allSlices = false;  ///< Runs all slices of a sliced pass in this frame and waits for programs to be built: for
                              ///< pictures that are drawn only once.
 

@@ -1,4 +1,4 @@
-// What a surface shader keeps of each pixel between the two steps of deferred shading (FramePlan::withDeferredShading).
+// The surface of each pixel between the two steps of deferred shading (FramePlan::withDeferredShading).
 // Permutations: STORE_SURFACE (location of the first of four color outputs), LIGHT_STORED (reads them).
 struct StoredSurface {
     Surface surface;   // all but the ambient light
