@@ -204,7 +204,7 @@ void planContactShadows(const HallScene& scene, render::FramePlan& plan)
 void planFloor(const HallScene& scene, const SceneLighting& light, const Channels& channels, render::FramePlan& plan)
 {
     Pass floor = surfacePass("hall/floor", "the floor is in view", light, channels,
-                             {"POLISHED_FLOOR", "BASE_COLOR_MAP", "ORM_MAP"});
+                             {"POLISHED_FLOOR", "BASE_COLOR_MAP", "SURFACE_MAP"});
     for (const render::MeshInstance& part : scene.model.walls()) {
         if (!isFloor(part) || !plan.view.mayContain(part.mesh->bounds.transformed(part.modelFromPart))) continue;
         floor.draws.push_back(partDraw(scene, part));

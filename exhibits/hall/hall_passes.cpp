@@ -240,7 +240,7 @@ void planHallShadow(const HallScene& scene, const SceneLighting& light, render::
 void planWalls(const HallScene& scene, const SceneLighting& light, const Channels& channels, render::FramePlan& plan)
 {
     Pass walls = surfacePass("hall/walls", "the hall is around the visitor", light, channels,
-                             {"BASE_COLOR_MAP", "NORMAL_MAP", "ORM_MAP"}, render::Load::clear);
+                             {"BASE_COLOR_MAP", "NORMAL_MAP", "SURFACE_MAP"}, render::Load::clear);
     walls.deferrable = true;
     if (scene.values[scene.table.bakedLight]) bindLightmaps(scene, light, walls);
     (void)plan.includeIfEffective(walls, {"hall/lamps", light.lampLight});
@@ -250,7 +250,7 @@ void planWalls(const HallScene& scene, const SceneLighting& light, const Channel
     planFloor(scene, light, channels, plan);
 
     Pass props = surfacePass("hall/props", "cloths cover the empty places", light, channels,
-                             {"BASE_COLOR_MAP", "NORMAL_MAP", "ORM_MAP"});
+                             {"BASE_COLOR_MAP", "NORMAL_MAP", "SURFACE_MAP"});
     props.state.cull = render::Cull::none;
     for (const std::vector<MeshInstance>& parts : {standingParts(scene), hanging(scene)})
         for (const MeshInstance& part : parts)

@@ -172,7 +172,7 @@ void planFace(const HallScene& scene, const SceneLighting& hallLight, const Surr
     walls.bound = hallLight.probeLight;
     walls.shader = {.vertex = "kit/surface.vert",
                     .fragment = "kit/surface.frag",
-                    .defines = {"BASE_COLOR_MAP", "ORM_MAP", "FLAT_PROBE"}};
+                    .defines = {"BASE_COLOR_MAP", "SURFACE_MAP", "FLAT_PROBE"}};
     walls.colors = {Attachment::slice("probe.captured", face)};
     walls.depth = Attachment::clearedSlice("probe.depth", face);
     walls.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::none};

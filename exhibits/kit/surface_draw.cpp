@@ -51,7 +51,7 @@ SurfaceObject surfaceObject(const glm::dmat4& worldFromModel, const render::Mate
     const auto& onExtra = material.onExtra;
     const bool packedOcclusion = material.occlusionMap && material.occlusionMap == material.metallicRoughnessMap &&
                                  onExtra.occlusion == onExtra.metallicRoughness;
-    object.occlusionStrength = packedOcclusion ? material.occlusionStrength : 0.0F;
+    object.occlusionStrength = packedOcclusion || material.surfaceMap ? material.occlusionStrength : 0.0F;
     object.ownOcclusionStrength = material.occlusionMap && !packedOcclusion ? material.occlusionStrength : 0.0F;
     object.metalness = material.metalness;
     object.roughness = material.roughness;
@@ -82,11 +82,12 @@ render::Draw surfaceDraw(std::shared_ptr<const render::Mesh> mesh, const glm::dm
     draw.mesh = std::move(mesh);
     draw.mirrored = isMirrored(worldFromModel);
     draw.object = render::std140Bytes(surfaceObject(worldFromModel, material, textureTile));
-    draw.inputs = {{UNIT_BASE_COLOR, orNeutral(material.baseColorMap, UNIT_BASE_COLOR)},
-                   {UNIT_NORMAL, orNeutral(material.normalMap, UNIT_NORMAL)},
-                   {UNIT_ORM, orNeutral(material.metallicRoughnessMap, UNIT_ORM)},
-                   {UNIT_EMISSIVE, orNeutral(material.emissiveMap, UNIT_EMISSIVE)},
-                   {UNIT_OCCLUSION, orNeutral(material.occlusionMap, UNIT_OCCLUSION)}};
+    draw.inputs = {
+        {UNIT_BASE_COLOR, orNeutral(material.baseColorMap, UNIT_BASE_COLOR)},
+        {UNIT_NORMAL, orNeutral(material.surfaceMap ? material.surfaceMap : material.normalMap, UNIT_NORMAL)},
+        {UNIT_ORM, orNeutral(material.metallicRoughnessMap, UNIT_ORM)},
+        {UNIT_EMISSIVE, orNeutral(material.emissiveMap, UNIT_EMISSIVE)},
+        {UNIT_OCCLUSION, orNeutral(material.occlusionMap, UNIT_OCCLUSION)}};
     return draw;
 }
 

@@ -30,8 +30,9 @@ namespace vitrine::render {
     for (const MeshInstance& part : model.parts) {
         add(part.mesh);
         if (!part.material) continue;
-        for (const auto* map : {&part.material->baseColorMap, &part.material->metallicRoughnessMap,
-                                &part.material->normalMap, &part.material->occlusionMap, &part.material->emissiveMap})
+        for (const auto* map :
+             {&part.material->baseColorMap, &part.material->metallicRoughnessMap, &part.material->normalMap,
+              &part.material->occlusionMap, &part.material->emissiveMap, &part.material->surfaceMap})
             add(*map);
     }
     return sum;

@@ -86,6 +86,9 @@ struct Material {
         [[nodiscard]] bool any() const { return baseColor || metallicRoughness || occlusion || emissive; }
     } onExtra;
     std::shared_ptr<const Texture> baseColorMap, metallicRoughnessMap, normalMap, occlusionMap, emissiveMap;
+    /// Normal (x, y), roughness and occlusion in one texture. Not in glTF: it replaces the maps of these, and the
+    /// metalness has no map.
+    std::shared_ptr<const Texture> surfaceMap;
 };
 
 /// A mesh with its transform and material. `mirrored` is true if the transform flips orientation (negative

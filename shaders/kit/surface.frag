@@ -1,4 +1,5 @@
-// Shades a mesh with a material. Permutations: those of kit/material.glsl, NORMAL_MAP, ORM_MAP, OCCLUSION_MAP,
+// Shades a mesh with a material. Permutations: those of kit/material.glsl, NORMAL_MAP, ORM_MAP, OCCLUSION_MAP, SURFACE_MAP
+// (roughness and occlusion, with NORMAL_MAP the normal, too, from Material::surfaceMap in place of their own maps),
 // ALPHA_MASK, BLENDED (opacity in alpha), LIGHTMAP, BOUNCED_LIGHT (of the sun, with LIGHTMAP), LAMP_LIGHT (of the
 // vault, with LIGHTMAP), UNLIT (some objects are), FLAT_PROBE (for the probe's own capture: no reflections), WRITE_NORMAL,
 // WRITE_EVALUATIONS, WRITE_ALBEDO,
@@ -49,11 +50,18 @@ StoredSurface drawnSurface(out vec4 base, out vec3 emitted)
     // Levels of detail are undefined after a discard, and in a branch that not all pixels of a quad take.
     base = materialColor(tileUv);
     emitted = materialEmission(tileUv);
+#ifdef SURFACE_MAP
+    vec4 surface = texture(normalMap, tileUv);
+    vec3 orm = vec3(surface.ab, 1.0);
+    vec3 m = vec3(surface.rg * 2.0 - 1.0, 1.0);
+    m.z = safeSqrt(1.0 - dot(m.xy, m.xy));
+#else
 #ifdef NORMAL_MAP
     vec3 m = texture(normalMap, tileUv).xyz * 2.0 - 1.0;
 #endif
 #ifdef ORM_MAP
     vec3 orm = texture(ormMap, mapUv(mapRoughness, tileUv)).rgb;
+#endif
 #endif
 #ifdef OCCLUSION_MAP
     float ownOcclusion = texture(occlusionMap, mapUv(mapOcclusion, tileUv)).r;
@@ -82,7 +90,7 @@ StoredSurface drawnSurface(out vec4 base, out vec3 emitted)
     s.specular = object.specular;
     s.ambient = vec3(0.0);
     s.occlusion = 1.0;
-#ifdef ORM_MAP
+#if defined(ORM_MAP) || defined(SURFACE_MAP)
     s.occlusion = mix(1.0, orm.r, object.occlusionStrength);
     s.roughness *= orm.g;
     s.metalness *= orm.b;
