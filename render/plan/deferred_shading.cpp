@@ -24,9 +24,9 @@ Pass lightingOf(const Pass& surfaces)
     light.reason = surfaces.reason;
     light.phase = surfaces.phase;
     light.shader = surfaces.shader;
-    light.shader.vertex = "lib/fullscreen.vert";
+    light.shader.vertex = "kit/stored_surface.vert";
     std::erase_if(light.shader.defines, [](const std::string& define) { return define.starts_with("WRITE_"); });
-    light.shader.defines.emplace_back("LIGHT_STORED");
+    for (const char* define : {"LIGHT_STORED", "FLAT_LIGHT in"}) light.shader.defines.emplace_back(define);
     light.state.blend = Blend::add;
     light.state.depthTest = DepthTest::farther;  // The triangle is at the far plane: nothing is lit where nothing is.
     light.depth = surfaces.depth;

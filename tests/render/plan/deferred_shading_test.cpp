@@ -53,7 +53,7 @@ TEST(DeferredShading, StoresSurfacesThenLightsThem)
 
     const Pass& light = *plan.find("walls/light");
     EXPECT_EQ(light.shader.fragment, "surface.frag");
-    EXPECT_EQ(light.shader.vertex, "lib/fullscreen.vert");
+    EXPECT_EQ(light.shader.vertex, "kit/stored_surface.vert");
     EXPECT_TRUE(has(light.shader.defines, "LIGHT_STORED"));
     EXPECT_TRUE(has(light.shader.defines, "LIGHTMAP"));
     EXPECT_FALSE(has(light.shader.defines, "WRITE_NORMAL")) << "the first step has written it";
