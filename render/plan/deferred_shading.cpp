@@ -26,7 +26,7 @@ Pass lightingOf(const Pass& surfaces)
     light.shader = surfaces.shader;
     light.shader.vertex = "kit/stored_surface.vert";
     std::erase_if(light.shader.defines, [](const std::string& define) { return define.starts_with("WRITE_"); });
-    for (const char* define : {"LIGHT_STORED", "FLAT_LIGHT in"}) light.shader.defines.emplace_back(define);
+    for (const char* define : {"LIGHT_STORED", "FLAT_LIGHT"}) light.shader.defines.emplace_back(define);
     light.state.blend = Blend::add;
     light.state.depthTest = DepthTest::farther;  // The triangle is at the far plane: nothing is lit where nothing is.
     light.depth = surfaces.depth;

@@ -1,7 +1,6 @@
 // One triangle at the far plane that covers the target, for lighting stored surfaces (kit/stored_surface.glsl).
 #include "lib/bindings.glsl"
-#undef FLAT_LIGHT
-#define FLAT_LIGHT out
+#define FLAT_LIGHT_OUT
 #include "lib/flat_light.glsl"
 
 layout(std140, binding = BLOCK_LIGHT) uniform Light {
