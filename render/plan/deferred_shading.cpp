@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace vitrine::render {
 namespace {
@@ -41,6 +42,7 @@ Pass lightingOf(const Pass& surfaces)
     light.view = surfaces.view;
     light.columns = surfaces.columns;
     light.temporal = surfaces.temporal;
+    light.contentHash = surfaces.contentHash;  // A picture that is abandoned between the steps is not kept.
     light.draws = {Draw{}};
     return light;
 }
@@ -50,15 +52,15 @@ Pass lightingOf(const Pass& surfaces)
 FramePlan FramePlan::withDeferredShading() const
 {
     FramePlan plan = *this;
-    plan.passes_.clear();
-    for (const Pass& pass : passes_) {
-        Pass& first = plan.passes_.emplace_back(pass);
+    std::vector<Pass> passes;
+    for (Pass& pass : plan.passes_) {
+        Pass& first = passes.emplace_back(std::move(pass));
         if (!first.deferrable) continue;
         Pass light = lightingOf(first);
         first.shader.defines.push_back("STORE_SURFACE " + std::to_string(first.colors.size()));
         for (std::size_t i = 0; i < std::size(storedUnits); ++i) {
             ImageInfo stored = images_.at(first.colors.front().image);
-            stored.name = storedImage(pass, i);
+            stored.name = storedImage(first, i);
             stored.format = Format::rgba32f;
             stored.type = TextureType::flat;
             stored.layers = stored.levels = 1;
@@ -66,8 +68,9 @@ FramePlan FramePlan::withDeferredShading() const
             stored.nearest = true;
             first.colors.push_back(Attachment::cleared(plan.image(std::move(stored))));
         }
-        plan.passes_.push_back(std::move(light));
+        passes.push_back(std::move(light));
     }
+    plan.passes_ = std::move(passes);
     return plan;
 }
 

@@ -25,6 +25,7 @@ FramePlan planOf(bool deferrable)
     pass.blocks[BLOCK_LIGHT] = Bytes(16);
     pass.draws.resize(3);
     pass.deferrable = deferrable;
+    pass.contentHash = 7;
     plan.add(pass);
     Pass next;
     next.name = "next";
@@ -58,6 +59,7 @@ TEST(DeferredShading, StoresSurfacesThenLightsThem)
     EXPECT_TRUE(has(light.shader.defines, "LIGHTMAP"));
     EXPECT_FALSE(has(light.shader.defines, "WRITE_NORMAL")) << "the first step has written it";
     EXPECT_EQ(light.blocks, surfaces.blocks);
+    EXPECT_EQ(light.contentHash, surfaces.contentHash) << "both are forgotten if the second is not drawn";
     EXPECT_EQ(light.draws.size(), 1U);
     ASSERT_EQ(light.colors.size(), 1U);
     EXPECT_EQ(light.colors[0].image, "picture");
