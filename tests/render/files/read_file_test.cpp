@@ -64,7 +64,7 @@ TEST(ReadFile, ReachesTheFolderThatHoldsTheFoldersOnlyWhereThatIsGranted)
     fs::create_directory_symlink("../..", folder / "pack/textures/out");
     fs::create_directory_symlink("pack/models", folder / "alias");
     const auto read = [](const fs::path& from, const char* reference) {
-        return readFileBeneath(from, reference, 100, Reach::parent);
+        return readFileBeneath(from, reference, 100, render::Reach::parent);
     };
     EXPECT_EQ(read(folder / "pack/models", "../textures/a"), "sibling");
     EXPECT_EQ(read(folder / "pack/models", "./x/../../textures/./a"), "sibling");
