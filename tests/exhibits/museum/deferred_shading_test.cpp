@@ -63,5 +63,18 @@ TEST_F(DeferredWalls, LookAsInOneStep)
     }
 }
 
+TEST_F(DeferredWalls, AreLitInOneStepWhereNoSmallTriangleIsInView)
+{
+    SceneState state = gallery().museum.initialSceneState();
+    const std::size_t sea = *gallery().museum.find("noise");
+    FrameRequest request;
+    request.camera = gallery().museum.bestView(sea, state.values[sea]);
+    request.raster.size = {64, 36};
+    const render::FramePlan plan =
+        test::planned(gallery().museum, state, request, gallery().renderer.persistentState());
+    ASSERT_NE(plan.find("hall/walls"), nullptr);
+    EXPECT_FALSE(plan.find("hall/walls")->deferrable);
+}
+
 }  // namespace
 }  // namespace vitrine
