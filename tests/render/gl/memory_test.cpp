@@ -87,7 +87,7 @@ TEST_F(LongMemory, OfFramebuffersIsMadeOnceAndNotByTheNextSameFrame)
         if (i == 0) {
             EXPECT_GT(first, 0);
         }
-        // Those for the surfaces that the probe's capture stores go with them.
+        // Some go now: those of the surfaces that only the probe's capture stores.
         const int live = render::gl::FramebufferName::live();
         EXPECT_EQ(made(), 0) << museum.subject(i).name();
         const int stillLive = render::gl::FramebufferName::live();
