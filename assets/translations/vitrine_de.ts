@@ -21269,6 +21269,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>die Überlagerung ist ausgeschaltet</translation>
     </message>
     <message>
+        <location filename="render/plan/deferred_shading.cpp"/>
+        <source>the pass before stored surfaces, and each pixel is lit once</source>
+        <translation>der Schritt davor hat Oberflächen gespeichert, und jedes Pixel wird einmal beleuchtet</translation>
+    </message>
+    <message>
         <location filename="exhibits/shader_export/shadertoy_writer.cpp"/>
         <source>The passes of this shader are not Shadertoy's buffers; export ISF or a web page.</source>
         <translation>Die Durchgänge dieses Shaders sind keine Puffer von Shadertoy; exportieren Sie ISF oder eine Webseite.</translation>

@@ -17,6 +17,8 @@
 
 #include "shaders/lib/numerics.glsl"
 
+#include "shaders/lib/octahedron.glsl"
+
 #include "shaders/lib/ray_box.glsl"
 
 #include "shaders/lib/hash.glsl"

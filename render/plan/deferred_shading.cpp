@@ -10,7 +10,7 @@ namespace vitrine::render {
 namespace {
 
 /// Texture units at which the second step reads the surface, by the order of the first step's outputs.
-constexpr int storedUnits[] = {UNIT_BASE_COLOR, UNIT_NORMAL, UNIT_ORM, UNIT_EMISSIVE};
+constexpr int storedUnits[] = {UNIT_BASE_COLOR, UNIT_NORMAL, UNIT_ORM};
 
 std::string storedImage(const Pass& pass, std::size_t which)
 {
@@ -22,16 +22,13 @@ Pass lightingOf(const Pass& surfaces)
 {
     Pass light;
     light.name = surfaces.name + "/light";
-    light.reason = surfaces.reason;
+    light.reason = "the pass before stored surfaces, and each pixel is lit once";
     light.phase = surfaces.phase;
     light.shader = surfaces.shader;
     light.shader.vertex = "kit/stored_surface.vert";
     std::erase_if(light.shader.defines, [](const std::string& define) { return define.starts_with("WRITE_"); });
     for (const char* define : {"LIGHT_STORED", "FLAT_LIGHT"}) light.shader.defines.emplace_back(define);
     light.state.blend = Blend::add;
-    light.state.depthTest = DepthTest::farther;  // The triangle is at the far plane: nothing is lit where nothing is.
-    light.depth = surfaces.depth;
-    light.depth->load = Load::keep;
     light.colors = {surfaces.colors.front()};
     light.colors.front().load = Load::keep;
     light.inputs = surfaces.inputs;

@@ -2,6 +2,7 @@
 // last. All 0 if nothing was found.
 //   x: the strand's direction, y: the normal of the coat, body space; z: height, rank (random number that sets the
 //   length and color of the strand), place across and number of the body; w: distance along the view axis, meters
+#include "lib/octahedron.glsl"
 
 struct FoundStrand {
     vec3 along;      // direction of the strand, from root to tip
@@ -13,23 +14,17 @@ struct FoundStrand {
     float viewDepth;
 };
 
-// Packs a unit vector as a point of an unfolded octahedron (Meyer et al. 2010, "On Floating-Point Normal Vectors"), 12
-// bits per coordinate: accurate to 0.05 degrees.
+// Packs a unit vector, 12 bits per coordinate of octahedronPoint: accurate to 0.05 degrees.
 float packedNormal(vec3 n)
 {
-    vec2 p = n.xy / (abs(n.x) + abs(n.y) + abs(n.z));
-    if (n.z < 0.0) p = (1.0 - abs(p.yx)) * vec2(p.x >= 0.0 ? 1.0 : -1.0, p.y >= 0.0 ? 1.0 : -1.0);
-    vec2 q = floor((p * 0.5 + 0.5) * 4095.0 + 0.5);
+    vec2 q = floor((octahedronPoint(n) * 0.5 + 0.5) * 4095.0 + 0.5);
     return q.x + 4096.0 * q.y;
 }
 
 vec3 unpackedNormal(float packed_)
 {
     float high = floor(packed_ / 4096.0);
-    vec2 p = vec2(packed_ - 4096.0 * high, high) * (2.0 / 4095.0) - 1.0;
-    vec3 n = vec3(p, 1.0 - abs(p.x) - abs(p.y));
-    if (n.z < 0.0) n.xy = (1.0 - abs(n.yx)) * vec2(n.x >= 0.0 ? 1.0 : -1.0, n.y >= 0.0 ? 1.0 : -1.0);
-    return normalize(n);
+    return octahedronDirection(vec2(packed_ - 4096.0 * high, high) * (2.0 / 4095.0) - 1.0);
 }
 
 vec4 packedStrand(FoundStrand s)

@@ -1,13 +1,10 @@
 // Light that causes glare, at a quarter of the resolution per side. The image is larger than the picture, so that its
 // size can be halved exactly; beyond the picture's edge it shows the mirror image of the picture.
 #include "lib/bindings.glsl"
-#include "lib/light_block.glsl"
+#include "lib/light_uniform.glsl"
 #include "lib/tonemap.glsl"
 #include "lib/glare.glsl"
 
-layout(std140, binding = BLOCK_LIGHT) uniform Light {
-    LightBlock light;
-};
 layout(binding = UNIT_SOURCE) uniform sampler2D source;
 layout(location = 0) out vec4 bright;
 

@@ -1,12 +1,9 @@
 // Shows the number of fragments in each pixel in false color, over the whole picture.
 #include "lib/bindings.glsl"
-#include "lib/light_block.glsl"
+#include "lib/light_uniform.glsl"
 #include "lib/heat_color.glsl"
 #include "lib/display_light.glsl"
 
-layout(std140, binding = BLOCK_LIGHT) uniform Light {
-    LightBlock light;
-};
 layout(binding = UNIT_SOURCE) uniform sampler2D fragments;
 layout(location = 0) out vec4 radiance;
 

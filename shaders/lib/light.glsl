@@ -1,27 +1,10 @@
-// Functions for the light block: sun, sky, shadow maps, reflection probe.
+// Functions for the light block: sun, sky, shadow maps, reflection probe. Permutation: FLAT_LIGHT of
+// lib/light_uniform.glsl.
 #include "lib/bindings.glsl"
 #include "lib/air_light.glsl"
-#include "lib/light_block.glsl"
+#include "lib/light_uniform.glsl"
 #include "lib/numerics.glsl"
 #include "lib/ray_box.glsl"
-
-#ifdef FLAT_LIGHT
-#include "lib/flat_light.glsl"
-
-LightBlock lightFromVertices()
-{
-    LightBlock all;
-#define TAKE_FIELD(type, name) all.name = type(flatLight.name);
-#define TAKE_ARRAY(type, name, count) all.name = flatLight.name;
-    LIGHT_FIELDS(TAKE_FIELD, TAKE_ARRAY)
-    return all;
-}
-LightBlock light = lightFromVertices();
-#else
-layout(std140, binding = BLOCK_LIGHT) uniform Light {
-    LightBlock light;
-};
-#endif
 
 layout(binding = UNIT_SHADOW_HALL) uniform sampler2DShadow hallShadow;
 layout(binding = UNIT_SHADOW_EXHIBITS) uniform sampler2DShadow exhibitShadow;

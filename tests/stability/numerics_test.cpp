@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -110,6 +111,28 @@ TEST(Numerics, VectorsWithoutLengthTakeTheFallback)
     EXPECT_EQ(f32::safeNormalize(vec3(1e-25F), vec3(0, 1, 0)), vec3(0, 1, 0));  // The square underflows.
     EXPECT_FLOAT_EQ(glm::length(f32::safeNormalize(vec3(1e-10F, 2e-10F, 0), vec3(0))), 1);
     EXPECT_EQ(f32::safeSqrt(-1e-7F), 0);
+}
+
+TEST(Numerics, DirectionsSurviveTheOctahedron)
+{
+    double most = 0;
+    for (int z = -7; z <= 7; ++z) {
+        for (int y = -7; y <= 7; ++y) {
+            for (int x = -7; x <= 7; ++x) {
+                if (x == 0 && y == 0 && z == 0) continue;
+                // Near the axes and the fold (z = 0), too.
+                const vec3 n = glm::normalize(vec3(x, y, z) + vec3(1e-7F * static_cast<float>(x * y), 0, 1e-8F));
+                const glm::vec2 point = f32::octahedronPoint(n);
+                ASSERT_LE(std::max(std::abs(point.x), std::abs(point.y)), 1.0F);
+                most = std::max(most, double(glm::distance(f32::octahedronDirection(point), n)));
+            }
+        }
+    }
+    EXPECT_LT(most, 4e-7) << "some roundings of float32";
+    // Control: without the fold, directions below the plane come back above it.
+    const vec3 down = glm::normalize(vec3(0.3F, -0.2F, -0.9F));
+    const float sum = std::abs(down.x) + std::abs(down.y) + std::abs(down.z);
+    EXPECT_GT(glm::distance(f32::octahedronDirection(glm::vec2(down) / sum), down), 1);
 }
 
 TEST(Numerics, ValuesThatAreNotNumbersAreReplaced)

@@ -5,16 +5,11 @@
 // and then includes kit/portal/main.glsl.
 #include "lib/bindings.glsl"
 #include "lib/frame.glsl"
-#include "lib/light_block.glsl"
+#include "lib/light_uniform.glsl"  // Without maps, because the hall's light does not reach the world behind it.
 #include "kit/portal/portal_block.glsl"
 
 layout(std140, binding = BLOCK_OBJECT) uniform Object {
     PortalBlock portal;
-};
-
-// Light of the hall. Its maps are not bound, because its light does not reach the world behind the portal.
-layout(std140, binding = BLOCK_LIGHT) uniform Light {
-    LightBlock light;
 };
 
 struct PortalRay {

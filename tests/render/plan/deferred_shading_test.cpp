@@ -47,7 +47,7 @@ TEST(DeferredShading, StoresSurfacesThenLightsThem)
     EXPECT_TRUE(plan.errors().empty()) << plan.errors().front();
 
     const Pass& surfaces = *plan.find("walls");
-    ASSERT_EQ(surfaces.colors.size(), 6U);
+    ASSERT_EQ(surfaces.colors.size(), 5U);
     EXPECT_TRUE(has(surfaces.shader.defines, "STORE_SURFACE 2"));
     EXPECT_TRUE(has(surfaces.shader.defines, "WRITE_NORMAL"));
     EXPECT_EQ(surfaces.draws.size(), 3U);
@@ -65,7 +65,7 @@ TEST(DeferredShading, StoresSurfacesThenLightsThem)
     EXPECT_EQ(light.colors[0].image, "picture");
     EXPECT_EQ(light.colors[0].load, Load::keep);
     EXPECT_EQ(light.state.blend, Blend::add);
-    EXPECT_EQ(light.state.depthTest, DepthTest::farther);
+    EXPECT_FALSE(light.depth) << "the stored roughness says where nothing is";
     EXPECT_FALSE(light.state.depthWrite);
 
     const std::vector<std::string> read = inputsOf(light);
