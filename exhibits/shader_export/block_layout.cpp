@@ -1,8 +1,8 @@
 #include "exhibits/shader_export/block_layout.h"
 
 #include "exhibits/shader_export/code_rewriter.h"
-#include "exhibits/your_shader/glsl_lexer.h"
 #include "exhibits/your_shader/reading.h"
+#include "render/glsl/lexer.h"
 #include "render/text/trimmed.h"
 
 #include <algorithm>
@@ -73,7 +73,7 @@ std::size_t roundedUp(std::size_t x, std::size_t to)
 std::vector<BlockField> fieldsOfMacro(const std::string& text, const GlslMacros& macros)
 {
     // FIELD(type, name) and ARRAY(type, name, count), each with a comment behind it.
-    const Tokens tokens(text);
+    const render::Tokens tokens(text);
     std::vector<BlockField> fields;
     for (std::size_t i = 4; i + 5 < tokens.size() + 1; ++i) {
         const bool isArray = tokens.text(i) == "ARRAY";
@@ -90,7 +90,7 @@ std::vector<BlockField> fieldsOfMacro(const std::string& text, const GlslMacros&
 
 std::vector<BlockField> fieldsInBraces(const std::string& text, const GlslMacros& macros)
 {
-    const Tokens tokens(text);
+    const render::Tokens tokens(text);
     std::vector<BlockField> fields;
     std::size_t i = 0;
     while (i < tokens.size() && tokens.text(i) != "{") ++i;

@@ -1,7 +1,7 @@
 #include "exhibits/shader_export/code_rewriter.h"
 
-#include "exhibits/your_shader/glsl_lexer.h"
 #include "render/files/number_text.h"
+#include "render/glsl/lexer.h"
 
 #include <algorithm>
 
@@ -49,7 +49,7 @@ public:
             if (tokens_[i].directive == 0) depth_ += (tokens_.text(i) == "{") - (tokens_.text(i) == "}");
             const auto found = renaming_.find(tokens_.text(i));
             const bool isMember = i > 0 && tokens_.text(i - 1) == ".";
-            if (tokens_[i].kind != Token::Kind::word || found == renaming_.end() || isMember) continue;
+            if (tokens_[i].kind != render::Token::Kind::word || found == renaming_.end() || isMember) continue;
             copyTo(tokens_[i].begin);
             out_ += found->second;
             at_ = tokens_[i].end;
@@ -102,7 +102,7 @@ private:
         const bool between = i == 0 || tokens_[i - 1].directive != 0 || tokens_.text(i - 1) == ";" ||
                              tokens_.text(i - 1) == "}" || tokens_.text(i - 1) == ")";
         // The output becomes a plain variable.
-        if (word == "out" && between) return isPrecision(tokens_.text(i + 1)) ? i + 2 : i + 1;
+        if (word == "out" && between) return render::isPrecision(tokens_.text(i + 1)) ? i + 2 : i + 1;
         const bool isConstant = word == "const" && shader_.inputNamed(std::string(tokens_.text(i + 2)));
         if (word != "uniform" && !isConstant && !((word == "in" || word == "varying") && between)) return i;
         std::size_t end = i;
@@ -112,7 +112,7 @@ private:
 
     const Shader& shader_;
     const std::string_view text_;
-    const Tokens tokens_;
+    const render::Tokens tokens_;
     const Renaming& renaming_;
     std::string out_;
     std::uint32_t at_ = 0;
@@ -148,7 +148,7 @@ std::set<std::string> globalNames(const Code& code)
 {
     std::set<std::string> names;
     for (const CodePiece& piece : code) {
-        const Tokens tokens(piece.text);
+        const render::Tokens tokens(piece.text);
         int depth = 0, inBrackets = 0;
         for (std::size_t i = 0; i < tokens.size(); ++i) {
             const std::string_view word = tokens.text(i);
@@ -158,10 +158,11 @@ std::set<std::string> globalNames(const Code& code)
             }
             depth += (word == "{") - (word == "}");
             inBrackets += (word == "(") - (word == ")");
-            if (depth != 0 || inBrackets != 0 || tokens[i].kind != Token::Kind::word || isTypeWord(word) || i == 0)
+            if (depth != 0 || inBrackets != 0 || tokens[i].kind != render::Token::Kind::word || isTypeWord(word) ||
+                i == 0)
                 continue;
             const std::string_view before = tokens.text(i - 1);
-            const bool isDeclared = tokens[i - 1].kind == Token::Kind::word || before == "]" || before == "," ||
+            const bool isDeclared = tokens[i - 1].kind == render::Token::Kind::word || before == "]" || before == "," ||
                                     (before == "}" && (tokens.text(i + 1) == ";" || tokens.text(i + 1) == "["));
             if (isDeclared && tokens[i - 1].directive == 0) names.emplace(word);
         }
@@ -172,19 +173,19 @@ std::set<std::string> globalNames(const Code& code)
 bool usesWord(const Code& code, std::string_view word)
 {
     return std::any_of(code.begin(), code.end(),
-                       [&](const CodePiece& piece) { return Tokens(piece.text).contains(word); });
+                       [&](const CodePiece& piece) { return render::Tokens(piece.text).contains(word); });
 }
 
 std::string outputName(const Code& code)
 {
     for (const CodePiece& piece : code) {
-        const Tokens tokens(piece.text);
+        const render::Tokens tokens(piece.text);
         int depth = 0;
         for (std::size_t i = 0; i + 3 < tokens.size(); ++i) {
             const std::string_view word = tokens.text(i);
             if (tokens[i].directive != 0) continue;
             depth += (word == "{") - (word == "}") + (word == "(") - (word == ")");
-            const std::size_t type = i + (isPrecision(tokens.text(i + 1)) ? 2 : 1);
+            const std::size_t type = i + (render::isPrecision(tokens.text(i + 1)) ? 2 : 1);
             if (depth == 0 && word == "out" && tokens.text(type + 2) == ";") return std::string(tokens.text(type + 1));
         }
     }
@@ -195,15 +196,15 @@ std::string versionLine(const std::string& text)
 {
     static const std::set<std::string_view> since450{"precise", "sample", "double", "dvec2", "dvec3", "dvec4"};
     static const std::set<std::string_view> since330{"uint", "uvec2", "uvec3", "uvec4", "flat", "layout", "smooth"};
-    const Tokens tokens(text);
+    const render::Tokens tokens(text);
     int version = 0;
     for (std::size_t i = 0; i < tokens.size(); ++i) {
         // As a name, the word stands behind a type or before an operator; as a type, before a name or a bracket.
-        const bool isType = tokens[i + 1 < tokens.size() ? i + 1 : i].kind == Token::Kind::word ||
+        const bool isType = tokens[i + 1 < tokens.size() ? i + 1 : i].kind == render::Token::Kind::word ||
                             tokens.text(i + 1) == "(" || tokens.text(i + 1) == "[";
         const bool isMember = i > 0 && tokens.text(i - 1) == ".";
         if (!isType || isMember) continue;
-        if (since450.contains(tokens.text(i)) && tokens[i + 1].kind == Token::Kind::word) version = 450;
+        if (since450.contains(tokens.text(i)) && tokens[i + 1].kind == render::Token::Kind::word) version = 450;
         if (since330.contains(tokens.text(i))) version = std::max(version, 330);
     }
     return version == 0 ? "" : "#version " + std::to_string(version) + '\n';

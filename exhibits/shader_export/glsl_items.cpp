@@ -1,8 +1,8 @@
 #include "exhibits/shader_export/glsl_items.h"
 
 #include "exhibits/shader_export/code_rewriter.h"
-#include "exhibits/your_shader/glsl_lexer.h"
 #include "render/failure.h"
+#include "render/glsl/lexer.h"
 
 #include <algorithm>
 #include <charconv>
@@ -92,7 +92,7 @@ private:
     }
 
     const std::string text_;
-    const Tokens tokens_;
+    const render::Tokens tokens_;
     const GlslMacros& macros_;
     std::size_t at_ = 0;
 };
@@ -209,7 +209,7 @@ private:
         at_ = std::min(to + 1, text_.size());
         item.isMacro = tokens_[begin].directive != 0;
         for (std::size_t i = begin; i < end; ++i) {
-            if (tokens_[i].kind != Token::Kind::word) continue;
+            if (tokens_[i].kind != render::Token::Kind::word) continue;
             item.words.emplace(tokens_.text(i));
             if (i < begin + 2 || tokens_.text(i - 1) != ".") continue;
             item.members.emplace(tokens_.text(i));
@@ -230,13 +230,14 @@ private:
         // The members of a block without a name of its own are names; the block's name is none that code uses.
         if (isUniform && tokens_.text(end - 2) == "}")
             for (std::size_t i = begin; i < end; ++i)
-                if ((tokens_.text(i + 1) == ";" || tokens_.text(i + 1) == "[") && tokens_[i].kind == Token::Kind::word)
+                if ((tokens_.text(i + 1) == ";" || tokens_.text(i + 1) == "[") &&
+                    tokens_[i].kind == render::Token::Kind::word)
                     names.emplace(tokens_.text(i));
         return names;
     }
 
     const std::string& text_;
-    const Tokens tokens_;
+    const render::Tokens tokens_;
     std::vector<GlslItem> items_;
     std::size_t at_ = 0;
 };

@@ -1,6 +1,6 @@
 #include "exhibits/your_shader/guest_glsl.h"
 
-#include "exhibits/your_shader/glsl_lexer.h"
+#include "render/glsl/lexer.h"
 #include "shaders/lib/bindings.glsl"
 
 #include <algorithm>
@@ -60,7 +60,7 @@ const std::map<std::string_view, std::string_view>& renamed()
 }
 
 /// Version of GLSL that a text was written for: that of its `#version`, else that of its form.
-int versionOf(const Tokens& tokens, Form form)
+int versionOf(const render::Tokens& tokens, Form form)
 {
     for (std::size_t i = 0; i + 2 < tokens.size(); ++i) {
         if (tokens[i].directive == 0 || tokens.text(i) != "#" || tokens.text(i + 1) != "version") continue;
@@ -81,13 +81,14 @@ bool isBlanked(std::string_view word)
 
 /// Returns the reserved words that a text uses as types or qualifiers, whatever its version: those before another word,
 /// as in `uvec2 size`. No name stands there.
-std::set<std::string_view> keywordsOf(const Tokens& tokens)
+std::set<std::string_view> keywordsOf(const render::Tokens& tokens)
 {
     std::set<std::string_view> keywords;
     for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
         const auto reserved = reservedSince().find(tokens.text(i));
         if (reserved == reservedSince().end() || reserved->second >= usedByNoVersion) continue;
-        if (tokens[i].directive == 0 && tokens[i + 1].kind == Token::Kind::word) keywords.insert(reserved->first);
+        if (tokens[i].directive == 0 && tokens[i + 1].kind == render::Token::Kind::word)
+            keywords.insert(reserved->first);
     }
     return keywords;
 }
@@ -97,8 +98,8 @@ class Translator {
 public:
     Translator(const Shader& shader, const CodePiece& piece, bool isVertex)
         : shader_(shader), text_(piece.text), tokens_(piece.text), isVertex_(isVertex),
-          version_(versionOf(Tokens(shader.files[piece.file].text), shader.form)),
-          keywords_(keywordsOf(Tokens(shader.files[piece.file].text)))
+          version_(versionOf(render::Tokens(shader.files[piece.file].text), shader.form)),
+          keywords_(keywordsOf(render::Tokens(shader.files[piece.file].text)))
     {
     }
 
@@ -113,7 +114,7 @@ public:
                 continue;
             }
             gap(tokens_[i].begin);
-            out_ += tokens_[i].kind == Token::Kind::word ? word(i) : std::string(tokens_.text(i));
+            out_ += tokens_[i].kind == render::Token::Kind::word ? word(i) : std::string(tokens_.text(i));
             newlines(tokens_[i].begin, tokens_[i].end);
             at_ = tokens_[i].end;
             const std::string_view text = tokens_.text(i);
@@ -147,7 +148,7 @@ private:
     /// Returns the end of the tokens to leave out from here: preprocessor lines, and declarations of inputs.
     std::size_t blankedUntil(std::size_t i)
     {
-        const Token& token = tokens_[i];
+        const render::Token& token = tokens_[i];
         inDirective_ = token.directive != 0;
         const bool begins =
             token.directive != 0 && tokens_.text(i) == "#" && (i == 0 || tokens_[i - 1].directive != token.directive);
@@ -180,7 +181,7 @@ private:
 
     const Shader& shader_;
     const std::string_view text_;
-    const Tokens tokens_;
+    const render::Tokens tokens_;
     const bool isVertex_;
     const int version_;
     const std::set<std::string_view> keywords_;
@@ -295,7 +296,7 @@ std::string vertexText(const Shader& shader, const Pass& pass, const std::string
 bool uses(const Code& code, std::string_view word)
 {
     return std::any_of(code.begin(), code.end(),
-                       [&](const CodePiece& piece) { return Tokens(piece.text).contains(word); });
+                       [&](const CodePiece& piece) { return render::Tokens(piece.text).contains(word); });
 }
 
 /// Main function of a pass that draws a face of a cube map. Directions are those with which it is read.
@@ -364,7 +365,7 @@ std::vector<Varying> varyingsOf(const Code& code)
     std::vector<Varying> found;
     std::set<std::string> names;
     for (const CodePiece& piece : code) {
-        const Tokens tokens(piece.text);
+        const render::Tokens tokens(piece.text);
         int depth = 0;
         for (std::size_t i = 0; i + 2 < tokens.size(); ++i) {
             const std::string_view word = tokens.text(i);
@@ -372,7 +373,7 @@ std::vector<Varying> varyingsOf(const Code& code)
             depth += (word == "{") - (word == "}") + (word == "(") - (word == ")");
             if (depth != 0 || (word != "in" && word != "varying")) continue;
             std::size_t at = i + 1;
-            while (isPrecision(tokens.text(at))) ++at;
+            while (render::isPrecision(tokens.text(at))) ++at;
             const std::string name(tokens.text(at + 1));
             if (tokens.text(at + 2) == ";" && names.insert(name).second)
                 found.push_back({std::string(tokens.text(at)), name});
@@ -455,7 +456,7 @@ std::vector<Finding> findingsOf(const Shader& shader, std::string_view log)
         const SourceFile& file = shader.files[visitors ? source : 0];
         findings.push_back({.file = file.name,
                             .line = visitors ? number : 1,
-                            .column = visitors ? columnOf(file.text, number, token) : 1,
+                            .column = visitors ? render::columnOf(file.text, number, token) : 1,
                             .sentence = message("The GLSL compiler says: {1}.", text)});
     }
     return findings;

@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Returns whether a function of this name is defined.
-bool defines(const Tokens& tokens, std::string_view name)
+bool defines(const render::Tokens& tokens, std::string_view name)
 {
     int depth = 0;
     for (std::size_t i = 0; i < tokens.size(); ++i) {
@@ -41,14 +41,14 @@ void readForm(Reading& reading, const std::string& text, const std::string& name
 {
     refuseWhat(reading, text);
     const char first = text[text.find_first_not_of(" \t\n")];
-    const Tokens tokens(text);
+    const render::Tokens tokens(text);
     if (first == '{' || first == '[') return readShadertoyJson(reading, 0);
     if (isIsf(text)) {
         readIsf(reading, 0);
         const fs::path vertexName = fs::path(name).replace_extension(".vs");
         std::string vertexText;
         try {
-            vertexText = withPlainLineEnds(reading.beside(vertexName.filename().string()));
+            vertexText = render::withPlainLineEnds(reading.beside(vertexName.filename().string()));
         } catch (const Failure& failure) {
             std::error_code error;
             if (!fs::exists(vertexName, error)) return;  // Most shaders have none.
@@ -71,7 +71,7 @@ void readForm(Reading& reading, const std::string& text, const std::string& name
 ReadShader readShader(std::string text, const std::string& name, const FileBeside& beside)
 {
     Reading reading{.shader = {}, .beside = beside};
-    text = withPlainLineEnds(std::move(text));
+    text = render::withPlainLineEnds(std::move(text));
     reading.addFile(name, text);
     reading.shader.title = fs::path(name).stem().string();
     try {

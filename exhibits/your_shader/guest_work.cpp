@@ -1,9 +1,9 @@
 #include "exhibits/your_shader/guest_work.h"
 
-#include "exhibits/your_shader/glsl_lexer.h"
 #include "exhibits/your_shader/guest_glsl.h"
 #include "exhibits/your_shader/your_shader_table.h"
 #include "render/failure.h"
+#include "render/glsl/lexer.h"
 #include "render/hash.h"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ public:
 private:
     void count(const std::string& text)
     {
-        const Tokens tokens(text);
+        const render::Tokens tokens(text);
         std::map<std::string_view, int> counts;
         for (std::size_t i = 0; i < tokens.size(); ++i) ++counts[tokens.text(i)];
         for (const auto& [word, times] : counts) used_[std::string(word)] |= times > 1;

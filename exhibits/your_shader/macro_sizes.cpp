@@ -34,12 +34,12 @@ private:
 
     void collect(std::uint32_t file)
     {
-        const Tokens tokens(reading_.shader.files[file].text);
+        const render::Tokens tokens(reading_.shader.files[file].text);
         for (std::size_t i = 0; i + 2 < tokens.size(); i = tokens.lineEnd(i)) {
             if (tokens[i].directive == 0 || tokens.text(i + 1) != "define") continue;
             Macro macro{.file = file, .line = tokens[i].line};
             for (std::size_t at = i + 3; at < tokens.lineEnd(i); ++at) {
-                const bool isWord = tokens[at].kind == Token::Kind::word;
+                const bool isWord = tokens[at].kind == render::Token::Kind::word;
                 if (isWord) ++macro.words[std::string(tokens.text(at))];
                 macro.others += isWord ? 0 : 1;
             }

@@ -55,11 +55,11 @@ private:
         std::size_t end = i;
         while (end < tokens_.size() && tokens_.text(end) != ";") ++end;
         std::size_t at = i + 1;
-        while (isPrecision(tokens_.text(at))) ++at;
+        while (render::isPrecision(tokens_.text(at))) ++at;
         const std::string type(tokens_.text(at));
         bool expectsName = true;
         for (++at; at < end; ++at) {
-            if (expectsName && tokens_[at].kind == Token::Kind::word) declare(type, at, end);
+            if (expectsName && tokens_[at].kind == render::Token::Kind::word) declare(type, at, end);
             expectsName = tokens_.text(at) == ",";
         }
         return std::min(end, tokens_.size());
@@ -160,7 +160,7 @@ private:
     Reading& reading_;
     std::uint32_t file_;
     const std::string text_;
-    const Tokens tokens_;
+    const render::Tokens tokens_;
 };
 
 /// Returns the buffers that glslViewer draws before the picture: BUFFER_0, DOUBLE_BUFFER_0, ...
@@ -168,7 +168,7 @@ std::vector<Pass> bufferPasses(const Reading& reading, const Code& code)
 {
     std::map<std::string, Pass> passes;
     for (const SourceFile& source : reading.shader.files) {
-        const Tokens tokens(source.text);
+        const render::Tokens tokens(source.text);
         for (std::size_t i = 0; i < tokens.size(); ++i) {
             const std::string word(tokens.text(i));
             const bool twice = word.starts_with("DOUBLE_BUFFER_");

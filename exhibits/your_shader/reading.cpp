@@ -101,7 +101,7 @@ Refused refused(const Reading& reading, std::uint32_t file, int line, std::strin
     const SourceFile& source = reading.shader.files[file];
     return Refused({.file = source.name,
                     .line = line,
-                    .column = columnOf(source.text, line, word),
+                    .column = render::columnOf(source.text, line, word),
                     .sentence = std::move(sentence)});
 }
 
@@ -109,13 +109,13 @@ Code withIncludes(Reading& reading, std::uint32_t file, std::size_t depth)
 {
     Code code;
     const std::string text = reading.shader.files[file].text;
-    const Tokens tokens(text);
+    const render::Tokens tokens(text);
     int line = 1;
     for (std::size_t i = 0; i + 2 < tokens.size(); ++i) {
         if (tokens[i].directive == 0 || tokens.text(i) != "#" || tokens.text(i + 1) != "include") continue;
         const std::string path = unquoted(tokens.text(i + 2));
         const int here = tokens[i].line;
-        if (tokens[i + 2].kind != Token::Kind::text || path.empty())
+        if (tokens[i + 2].kind != render::Token::Kind::text || path.empty())
             throw refused(reading, file, here, "include",
                           message("An include names a file in quotes: #include \"name.glsl\"."));
         if (depth >= Limits::includeDepth)
@@ -128,7 +128,7 @@ Code withIncludes(Reading& reading, std::uint32_t file, std::size_t depth)
         code.push_back({file, line, linesOf(text, line, here)});
         std::string included;
         try {
-            included = withPlainLineEnds(reading.beside(path));
+            included = render::withPlainLineEnds(reading.beside(path));
         } catch (const Failure& failure) {
             throw refused(reading, file, here, tokens.text(i + 2), failure.message());
         }
@@ -188,8 +188,9 @@ bool readRangeComment(std::string_view comment, std::size_t components, Input& i
 void requireName(const Reading& reading, const std::string& name, std::uint32_t file, int line)
 {
     constexpr std::size_t longest = 128;
-    const Tokens tokens(name);
-    if (tokens.size() != 1 || tokens[0].kind != Token::Kind::word || tokens.text(0) != name || name.size() > longest)
+    const render::Tokens tokens(name);
+    if (tokens.size() != 1 || tokens[0].kind != render::Token::Kind::word || tokens.text(0) != name ||
+        name.size() > longest)
         throw refused(reading, file, line, name,
                       message("“{1}” is no name of a variable; use letters, digits and _.", name));
 }

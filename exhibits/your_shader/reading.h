@@ -1,8 +1,8 @@
 #pragma once
 
-#include "exhibits/your_shader/glsl_lexer.h"
 #include "exhibits/your_shader/guest_reader.h"
 #include "exhibits/your_shader/guest_shader.h"
+#include "render/glsl/lexer.h"
 
 #include <optional>
 #include <string>

@@ -93,13 +93,13 @@ private:
             } else if (text == "true" || text == "false") {
                 all.push_back(text == "true" ? 1 : 0);
                 if (depth == 0) break;
-            } else if (tokens_[at].kind == Token::Kind::number) {
+            } else if (tokens_[at].kind == render::Token::Kind::number) {
                 const std::optional<double> value = glslNumber(text);
                 if (!value) refuseSlider(at);
                 all.push_back(sign * *value);
                 sign = 1;
                 if (depth == 0) break;
-            } else if (text != "," && !(at == begin && tokens_[at].kind == Token::Kind::word)) {
+            } else if (text != "," && !(at == begin && tokens_[at].kind == render::Token::Kind::word)) {
                 refuseSlider(at);
             }
         }
@@ -189,7 +189,7 @@ private:
     Reading& reading_;
     std::uint32_t file_;
     const std::string text_;
-    const Tokens tokens_;
+    const render::Tokens tokens_;
     std::map<std::string, Channel> channels_;
 };
 
@@ -242,7 +242,7 @@ private:
     std::uint32_t addCode(const Json& pass, const std::string& name)
     {
         return reading_.addFile(reading_.shader.files[file_].name + " (" + name + ")",
-                                withPlainLineEnds(textOf(pass, "code")));
+                                render::withPlainLineEnds(textOf(pass, "code")));
     }
 
     void readCommon(const Json& passes)

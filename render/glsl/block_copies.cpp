@@ -1,9 +1,12 @@
 #include "render/glsl/block_copies.h"
 
+#include "render/glsl/lexer.h"
+
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <map>
-#include <set>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -16,166 +19,91 @@ struct Member {
 };
 using Structs = std::map<std::string, std::vector<Member>, std::less<>>;
 
-bool isWordPart(char c)
-{
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
-/// Leaves out comments, but not their line ends.
-std::string withoutComments(const std::string& text)
-{
-    std::string result;
-    result.reserve(text.size());
-    for (std::size_t i = 0; i < text.size();) {
-        if (text.compare(i, 2, "//") == 0) {
-            i = std::min(text.find('\n', i), text.size());
-        } else if (text.compare(i, 2, "/*") == 0) {
-            const std::size_t end = std::min(text.find("*/", i + 2), text.size() - 2) + 2;
-            for (; i < end; ++i)
-                if (text[i] == '\n') result += '\n';
-            result += ' ';
-        } else {
-            result += text[i++];
-        }
-    }
-    return result;
-}
-
-/// The words of a text and the signs between them.
-class Scanner {
-public:
-    Scanner(std::string_view text, std::size_t at) : text_(text), at_(at) {}
-
-    std::string_view word()
-    {
-        space();
-        const std::size_t begin = at_;
-        while (at_ < text_.size() && isWordPart(text_[at_])) ++at_;
-        return text_.substr(begin, at_ - begin);
-    }
-    bool sign(char wanted)
-    {
-        space();
-        if (at_ >= text_.size() || text_[at_] != wanted) return false;
-        ++at_;
-        return true;
-    }
-    [[nodiscard]] std::size_t at() const { return at_; }
-
-private:
-    void space()
-    {
-        while (at_ < text_.size() && (std::isspace(static_cast<unsigned char>(text_[at_])) != 0 || text_[at_] == '\\'))
-            ++at_;
-    }
-
-    std::string_view text_;
-    std::size_t at_;
-};
-
-/// Reads `FIELD(type, name)` and `ARRAY(type, name, count)` up to the end of the macro.
-std::vector<Member> membersOf(std::string_view text, std::size_t at)
+/// Reads `FIELD(type, name)` and `ARRAY(type, name, count)`, one behind the other.
+std::vector<Member> membersOf(const Tokens& tokens, std::size_t i)
 {
     std::vector<Member> members;
-    for (Scanner scan(text, at);;) {
-        const std::string_view kind = scan.word();
-        if ((kind != "FIELD" && kind != "ARRAY") || !scan.sign('(')) return members;
-        Member member{std::string(scan.word()), "", kind == "ARRAY"};
-        (void)scan.sign(',');
-        member.name = scan.word();
-        members.push_back(std::move(member));
-        scan = Scanner(text, text.find(')', scan.at()) + 1);
+    for (; tokens.text(i) == "FIELD" || tokens.text(i) == "ARRAY"; ++i) {
+        members.push_back(
+            {std::string(tokens.text(i + 2)), std::string(tokens.text(i + 4)), tokens.text(i) == "ARRAY"});
+        while (i < tokens.size() && tokens.text(i) != ")") ++i;
     }
+    return members;
 }
 
-std::vector<std::size_t> placesOf(const std::string& text, const std::string& word)
+/// Reads the structs that are declared by BLOCK_STRUCT.
+Structs structsOf(const Tokens& tokens)
 {
-    std::vector<std::size_t> places;
-    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + word.size())) {
-        const char before = at > 0 ? text[at - 1] : ' ';
-        const char after = at + word.size() < text.size() ? text[at + word.size()] : ' ';
-        if (!isWordPart(before) && !isWordPart(after)) places.push_back(at);
+    std::map<std::string_view, std::vector<Member>> macros;
+    Structs structs;
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        // #define X_FIELDS(FIELD, ARRAY) ...; BLOCK_STRUCT(X, X_FIELDS)
+        if (tokens.text(i) == "define" && tokens.text(i + 3) == "FIELD" && tokens.text(i + 5) == "ARRAY")
+            macros[tokens.text(i + 1)] = membersOf(tokens, i + 7);
+        else if (tokens.text(i) == "BLOCK_STRUCT" && tokens[i].directive == 0)
+            structs[std::string(tokens.text(i + 2))] = macros[tokens.text(i + 4)];
     }
-    return places;
+    return structs;
 }
 
-bool isMember(const std::string& text, std::size_t place)
-{
-    return place > 0 && text[place - 1] == '.';
-}
-
-/// Whether a word stands before that place, such as the type in a declaration.
-bool followsWord(const std::string& text, std::size_t place)
-{
-    return place > 1 && text[place - 1] == ' ' && isWordPart(text[place - 2]) &&
-           text.compare(place - std::min<std::size_t>(place, 7), 7, "return ") != 0;
-}
-
-struct ArrayUse {
-    std::set<std::string> indices;  ///< Numerals.
-    bool computed = false;          ///< Other indices, or none.
+/// Use of a block's instance.
+struct Use {
+    std::size_t end = 0;     ///< Byte of the text behind the instance.
+    std::string_view name;   ///< Member, or empty for the whole block.
+    std::string_view index;  ///< Numeral in the brackets behind the member, or empty.
 };
 
-/// The uses of a block's instance in a text.
-struct Uses {
-    std::map<std::string, ArrayUse> arrays;
-    bool whole = false;  ///< Without a member.
-};
-
-Uses usesOf(const std::string& text, const std::string& instance, const std::vector<Member>& members)
+/// Returns whether the word of a token is a member, or is declared there: a word stands before it in its line.
+bool isOtherName(const Tokens& tokens, std::size_t i)
 {
-    Uses uses;
-    for (const std::size_t place : placesOf(text, instance)) {
-        if (isMember(text, place) || followsWord(text, place)) continue;
-        Scanner scan(text, place + instance.size());
-        if (!scan.sign('.')) {
-            uses.whole = true;
-            continue;
-        }
-        const std::string name(scan.word());
-        const auto member =
-            std::find_if(members.begin(), members.end(), [&](const Member& m) { return m.name == name; });
-        if (member == members.end() || !member->isArray) continue;
-        ArrayUse& use = uses.arrays[name];
-        const bool opened = scan.sign('[');
-        const std::string index(scan.word());
-        const bool numeral = !index.empty() && std::all_of(index.begin(), index.end(),
-                                                           [](unsigned char c) { return std::isdigit(c) != 0; });
-        if (opened && numeral && scan.sign(']'))
-            use.indices.insert(index);
-        else
-            use.computed = true;
+    const Token& before = tokens[i - 1];
+    return tokens.text(i - 1) == "." ||
+           (before.kind == Token::Kind::word && before.line == tokens[i].line && tokens.text(i - 1) != "return");
+}
+
+/// Returns the uses of `instance` behind a token.
+std::vector<Use> usesOf(const Tokens& tokens, std::size_t behind, std::string_view instance)
+{
+    std::vector<Use> uses;
+    for (std::size_t i = behind + 1; i < tokens.size(); ++i) {
+        if (tokens.text(i) != instance || isOtherName(tokens, i)) continue;
+        Use use{.end = tokens[i].end};
+        if (tokens.text(i + 1) == ".") use.name = tokens.text(i + 2);
+        const std::string_view index = tokens.text(i + 4);
+        if (tokens.text(i + 3) == "[" && tokens.text(i + 5) == "]" &&
+            std::all_of(index.begin(), index.end(), [](unsigned char c) { return std::isdigit(c) != 0; }))
+            use.index = index;
+        uses.push_back(use);
     }
     return uses;
 }
 
 class Copies {
 public:
-    explicit Copies(const std::string& shader) : text_(withoutComments(shader)) {}
+    explicit Copies(const std::string& shader) : text_(shader), structs_(structsOf(Tokens(text_))) {}
 
     std::string made()
     {
-        std::map<std::string, std::vector<Member>, std::less<>> macros;
-        const std::string define = "#define ", list = "_FIELDS(FIELD, ARRAY)";
-        for (std::size_t at = text_.find(list); at != std::string::npos; at = text_.find(list, at + 1)) {
-            const std::size_t begin = text_.rfind(define, at) + define.size();
-            macros[text_.substr(begin, at - begin)] = membersOf(text_, at + list.size());
+        for (std::size_t block = 0;; ++block) {
+            const Tokens tokens(text_);
+            const std::optional<std::size_t> found = find(tokens, block);
+            if (!found) return std::move(text_);
+            copy(tokens, *found);
         }
-        const std::string declared = "\nBLOCK_STRUCT(";
-        for (std::size_t at = text_.find(declared); at != std::string::npos; at = text_.find(declared, at + 1)) {
-            Scanner scan(text_, at + declared.size());
-            const std::string name(scan.word());
-            (void)scan.sign(',');
-            std::string fields(scan.word());
-            fields.resize(fields.size() - std::min<std::size_t>(fields.size(), 7));  // _FIELDS
-            structs_[name] = macros[fields];
-        }
-        const std::string block = "layout(std140";
-        for (std::size_t at = text_.find(block); at != std::string::npos; at = text_.find(block, at + 1)) copy(at);
-        return std::move(text_);
     }
 
 private:
+    /// Returns the token behind `uniform` of a block, counted from 0 over all blocks.
+    static std::optional<std::size_t> find(const Tokens& tokens, std::size_t block)
+    {
+        for (std::size_t i = 0; i < tokens.size(); ++i) {
+            if (tokens.text(i) != "layout" || tokens.text(i + 2) != "std140") continue;
+            while (i < tokens.size() && tokens.text(i) != ")") ++i;
+            if (tokens.text(i + 1) == "uniform" && tokens.text(i + 3) == "{" && block-- == 0) return i + 2;
+        }
+        return {};
+    }
+
     /// Whether all its members can be copied by assignments.
     [[nodiscard]] bool isPlain(const std::string& type) const
     {
@@ -195,79 +123,80 @@ private:
         return text;
     }
 
-    /// Changes the block that begins there.
-    void copy(std::size_t at)
+    /// Changes the block with the name at that token.
+    void copy(const Tokens& tokens, std::size_t name)
     {
-        const std::size_t open = text_.find('{', at), uniform = text_.find(" uniform ", at);
-        if (open == std::string::npos || uniform > open) return;
-        Scanner scan(text_, open + 1);
-        const std::string first(scan.word()), instance(scan.word());
-        if (!scan.sign(';')) return;
-        const auto type = structs_.find(first);
-        if (type != structs_.end() && scan.sign('}') && scan.sign(';'))
-            copyStruct(scan.at(), *type, instance);
-        else if (Scanner(text_, uniform + 9).word() == "Parameters")
-            copyParameters(open);
+        const std::size_t first = name + 2;  // Name { Type instance; };
+        if (const auto type = structs_.find(tokens.text(first));
+            type != structs_.end() && tokens.text(first + 3) == "}" && tokens.text(first + 4) == ";")
+            copyStruct(tokens, first + 1, *type);
+        else if (tokens.text(name) == "Parameters")
+            copyParameters(tokens, first);
     }
 
-    void copyStruct(std::size_t end, const Structs::value_type& type, const std::string& instance)
+    void copyStruct(const Tokens& tokens, std::size_t instanceAt, const Structs::value_type& type)
     {
         const auto& [name, members] = type;
-        const std::string block = instance + "InBlock";
-        std::string head = text_.substr(0, end), rest = text_.substr(end);
-        head.insert(head.rfind(instance) + instance.size(), "InBlock");
-        const auto inBlock = [&](const std::string& word) {
-            const std::vector<std::size_t> places = placesOf(rest, word);
-            for (auto place = places.rbegin(); place != places.rend(); ++place)
-                if (word == instance || !isMember(rest, *place)) rest.replace(*place, instance.size(), block);
-        };
-        const Uses uses = usesOf(rest, instance, members);
-        const auto isLeft = [&](const Member& m) {
-            const auto use = uses.arrays.find(m.name);
-            return m.isArray && (use == uses.arrays.end() || use->second.computed || !isPlain(m.type));
+        const std::string instance(tokens.text(instanceAt)), block = instance + "InBlock";
+        const std::size_t instanceEnd = tokens[instanceAt].end, end = tokens[instanceAt + 3].end;
+        const std::vector<Use> uses = usesOf(tokens, instanceAt + 3, instance);
+        const auto isLeft = [&, &all = members](std::string_view member) {
+            const auto m =
+                std::find_if(all.begin(), all.end(), [&](const Member& each) { return each.name == member; });
+            if (m == all.end() || !m->isArray) return false;
+            const auto isOf = [&](const Use& use) { return use.name == member; };
+            return std::none_of(uses.begin(), uses.end(), isOf) || !isPlain(m->type) ||
+                   std::any_of(uses.begin(), uses.end(), [&](const Use& u) { return isOf(u) && u.index.empty(); });
         };
         const bool canCopy =
             std::all_of(members.begin(), members.end(), [&](const Member& m) { return m.isArray || isPlain(m.type); });
-        if (!canCopy || (uses.whole && std::any_of(members.begin(), members.end(), isLeft))) {
-            inBlock(instance);
-            text_ = head + rest;
-            return;
-        }
+        const bool asWhole = std::any_of(uses.begin(), uses.end(), [](const Use& use) { return use.name.empty(); });
+        const bool copies = canCopy && !(asWhole && std::any_of(members.begin(), members.end(),
+                                                                [&](const Member& m) { return isLeft(m.name); }));
         std::string body;
         for (const Member& m : members) {
-            if (isLeft(m))
-                inBlock(instance + '.' + m.name);
-            else if (!m.isArray)
-                body += assigned(m.type, "copied." + m.name, block + '.' + m.name);
-            else
-                for (const std::string& i : uses.arrays.at(m.name).indices) {
-                    const std::string element = '.' + m.name + '[' + i + ']';
-                    body += assigned(m.type, "copied" + element, block + element);
-                }
+            const std::string member = '.' + m.name;
+            if (!m.isArray) body += assigned(m.type, "copied" + member, block + member);
+            std::map<std::string_view, std::string> elements;
+            for (const Use& use : uses) {
+                if (!m.isArray || use.name != m.name || isLeft(m.name)) continue;
+                const std::string element = member + '[' + std::string(use.index) + ']';
+                elements[use.index] = assigned(m.type, "copied" + element, block + element);
+            }
+            for (const auto& [index, assignments] : elements) body += assignments;
         }
-        text_ = head + ' ' + name + ' ' + instance + "Copied() { " + name + " copied; " + body + "return copied; } " +
-                name + ' ' + instance + " = " + instance + "Copied();" + rest;
+        // Without copies, the word is replaced everywhere: whatever else has that name keeps one name.
+        std::vector<std::size_t> inBlock{instanceEnd};
+        for (std::size_t i = instanceAt + 4; !copies && i < tokens.size(); ++i)
+            if (tokens.text(i) == instance) inBlock.push_back(tokens[i].end);
+        for (const Use& use : uses)
+            if (copies && isLeft(use.name)) inBlock.push_back(use.end);
+        const std::string copied = ' ' + name + ' ' + instance + "Copied() { " + name + " copied; " + body +
+                                   "return copied; } " + name + ' ' + instance + " = " + instance + "Copied();";
+        // From the last place to the first, so that places stay true.
+        for (auto place = inBlock.rbegin(); place != std::prev(inBlock.rend()); ++place)
+            text_.insert(*place, "InBlock");
+        if (copies) text_.insert(end, copied);
+        text_.insert(instanceEnd, "InBlock");
     }
 
-    void copyParameters(std::size_t open)
+    void copyParameters(const Tokens& tokens, std::size_t first)
     {
-        const std::size_t close = text_.find('}', open);
-        Scanner scan(text_, close + 1);
-        const std::string instance(scan.word());
-        if (instance.empty() || !scan.sign(';')) return;
-        std::string values;
-        const std::string fields = text_.substr(open + 1, close - open - 1);
-        Scanner field(fields, 0);
-        for (std::string_view type = field.word(); !type.empty(); type = field.word()) {
-            values += (values.empty() ? "" : ", ") + instance + "InBlock." + std::string(field.word());
-            if (!field.sign(';')) return;  // An array, or something else.
+        std::string fields, values;
+        std::size_t close = first;
+        while (close < tokens.size() && tokens.text(close) != "}") ++close;
+        const std::string instance(tokens.text(close + 1));
+        if (instance.empty() || tokens.text(close + 2) != ";") return;
+        for (std::size_t at = first; at < close; at += 3) {
+            if (tokens.text(at + 2) != ";") return;  // An array, or something else.
+            const std::string field(tokens.text(at + 1));
+            fields += ' ' + std::string(tokens.text(at)) + ' ' + field + ';';
+            values += (values.empty() ? "" : ", ") + instance + "InBlock." + field;
         }
-        std::string flat = fields;
-        std::replace(flat.begin(), flat.end(), '\n', ' ');
         const std::string type = "CopiedParameters";
-        text_.replace(close + 1, scan.at() - close - 1,
-                      ' ' + instance + "InBlock; struct " + type + " {" + flat + "}; " + type + ' ' + instance + " = " +
-                          type + '(' + values + ");");
+        text_.insert(tokens[close + 2].end, " struct " + type + " {" + fields + " }; " + type + ' ' + instance + " = " +
+                                                type + '(' + values + ");");
+        text_.insert(tokens[close + 1].end, "InBlock");
     }
 
     std::string text_;

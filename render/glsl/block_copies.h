@@ -9,9 +9,9 @@ namespace vitrine::render {
 [[nodiscard]] bool asksForCopies(const std::string& shader);
 
 /// Returns the text of a shader, changed so that it reads each number of its uniform blocks once, at its beginning, and
-/// uses copies from then on; lines keep their numbers, comments are left out. For llvmpipe (Mesa 22.3, emit_load_ubo):
-/// a fragment shader there reads each number of a block pixel by pixel, some 27 instructions for eight pixels, and
-/// again at every turn of a loop.
+/// uses copies from then on; lines keep their numbers. For llvmpipe (Mesa 22.3, emit_load_ubo): a fragment shader there
+/// reads each number of a block pixel by pixel, some 27 instructions for eight pixels, and again at every turn of a
+/// loop.
 ///
 /// Changed are blocks `layout(std140, ...) uniform Name { Type instance; };` with a Type declared by BLOCK_STRUCT, and
 /// the block of the parameters. Arrays are copied if their indices are all numerals; others are read from the block as

@@ -1,9 +1,9 @@
 // Readers of visitors' shaders: forms, inputs, passes, and the place of every error.
 
-#include "exhibits/your_shader/glsl_lexer.h"
 #include "exhibits/your_shader/guest_keys.h"
 #include "exhibits/your_shader/size_expression.h"
 #include "exhibits/your_shader/your_shader_table.h"
+#include "render/glsl/lexer.h"
 #include "tests/exhibits/your_shader/shaders.h"
 #include "tests/support/temporary_folder.h"
 
@@ -456,14 +456,14 @@ TEST(KeysOfAShader, AreWrittenAsTheyArePressed)
 
 TEST(GlslLexer, SkipsCommentsAndKeepsLines)
 {
-    const guest::Tokens tokens("a /* b\n */ c // d\\\n e\n#define F \\\n 1.5e-3\nx.y");
+    const render::Tokens tokens("a /* b\n */ c // d\\\n e\n#define F \\\n 1.5e-3\nx.y");
     std::vector<std::string> words;
     for (std::size_t i = 0; i < tokens.size(); ++i)
         words.push_back(std::string(tokens.text(i)) + '@' + std::to_string(tokens[i].line));
     EXPECT_EQ(words,
               (std::vector<std::string>{"a@1", "c@2", "#@4", "define@4", "F@4", "1.5e-3@5", "x@6", ".@6", "y@6"}));
-    EXPECT_EQ(guest::columnOf("a\n  sample s; es", 2, "s"), 10);
-    EXPECT_EQ(guest::columnOf("a\n  b", 9, "b"), 1);
+    EXPECT_EQ(render::columnOf("a\n  sample s; es", 2, "s"), 10);
+    EXPECT_EQ(render::columnOf("a\n  b", 9, "b"), 1);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ layout(std140, binding = 6) uniform Exhibit {
     Shape shape;
 };
 layout(std140, binding = 1) uniform Parameters {
-    float size;
+    float size;  // meters
     bool shown;
 } parameters;
 float at(int i)
@@ -66,10 +66,11 @@ TEST(BlockCopies, KeepTheLines)
 TEST(BlockCopies, LeaveABlockWithArraysThatIsAnArgument)
 {
     std::string text = shader;
-    text += "float all() { return sizeOf(shape); }\n";
+    text += "float all() { return sizeOf(shape); }\nfloat other() { float shape = 1.0; shape += 2.0; return shape; }\n";
     const std::string changed = copyingBlocks(text);
     EXPECT_FALSE(has(changed, "shapeCopied"));
     EXPECT_TRUE(has(changed, "sizeOf(shapeInBlock)"));
+    EXPECT_TRUE(has(changed, "float shapeInBlock = 1.0; shapeInBlock += 2.0;")) << "a variable keeps one name";
     EXPECT_TRUE(has(changed, "shapeInBlock.candies[i].radius + shapeInBlock.layers[1].radius"));
 }
 

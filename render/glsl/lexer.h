@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace vitrine::guest {
+namespace vitrine::render {
 
 /// Token of a GLSL text. Comments and blanks are none.
 struct Token {
@@ -55,4 +55,4 @@ private:
 /// Returns the text with "\r\n" and "\r" replaced by "\n", and without a byte order mark.
 [[nodiscard]] std::string withPlainLineEnds(std::string text);
 
-}  // namespace vitrine::guest
+}  // namespace vitrine::render

@@ -1,11 +1,11 @@
-#include "exhibits/your_shader/glsl_lexer.h"
+#include "render/glsl/lexer.h"
 
 #include "render/files/byte_order_mark.h"
 #include "render/text/trimmed.h"
 
 #include <algorithm>
 
-namespace vitrine::guest {
+namespace vitrine::render {
 namespace {
 
 bool isWordStart(char c)
@@ -133,7 +133,7 @@ std::string_view Tokens::commentBehind(std::size_t i) const
     const std::size_t begin = rest.find_first_not_of(" \t");
     if (begin == std::string_view::npos || rest.substr(begin, 2) != "//") return {};
     const std::string_view comment = rest.substr(begin + 2);
-    return render::trimmed(comment.substr(0, comment.find('\n')), " \t");
+    return trimmed(comment.substr(0, comment.find('\n')), " \t");
 }
 
 std::size_t Tokens::lineEnd(std::size_t i) const
@@ -174,7 +174,7 @@ int columnOf(std::string_view text, int line, std::string_view word)
 
 std::string withPlainLineEnds(std::string text)
 {
-    text = render::withoutByteOrderMark(std::move(text));
+    text = withoutByteOrderMark(std::move(text));
     std::string plain;
     plain.reserve(text.size());
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -187,4 +187,4 @@ std::string withPlainLineEnds(std::string text)
     return plain;
 }
 
-}  // namespace vitrine::guest
+}  // namespace vitrine::render
