@@ -7,8 +7,10 @@ namespace vitrine::crepuscular_rays {
 
 render::ResourceId planMarch(const RaysScene& s, render::FramePlan& plan)
 {
+    // Nine cells are read for each pixel. Software renderers convert half floats one by one, and those would hold the
+    // depth, in alpha, in steps of 16 mm at 20 m.
     const render::ResourceId scattered = plan.image({.name = "crepuscular_rays.scattered",
-                                                     .format = render::Format::rgba16f,
+                                                     .format = render::Format::rgba32f,
                                                      .size = s.coarseSize,
                                                      .nearest = true});
     render::Pass pass = s.pass("march", "the sun's beams are in view", "crepuscular_rays/march.frag");

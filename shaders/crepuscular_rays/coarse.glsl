@@ -35,12 +35,13 @@ vec3 broughtUp(sampler2D coarse, vec2 pixel, float depth)
     float all = 0.0;
     vec3 nearest = vec3(0.0);
     float nearestDifference = 1e9;
+    float steepness = 40.0 / depth;
     for (int i = 0; i < 9; ++i) {
         vec2 cell = middle + vec2(float(i % 3) - 1.0, float(i / 3) - 1.0);
         vec4 light = texelFetch(coarse, clamp(ivec2(cell), ivec2(0), size - 1), 0);
         vec2 away = max(1.5 - abs(cell + 0.5 - at), vec2(0.0));
-        float difference = abs(light.a - depth) / depth;
-        float weight = away.x * away.y * exp2(-40.0 * difference);
+        float difference = abs(light.a - depth);
+        float weight = away.x * away.y * exp2(-steepness * difference);
         sum += light.rgb * weight;
         all += weight;
         if (difference < nearestDifference) {

@@ -39,22 +39,18 @@ float airScattered(float through, float throughEnd)
     return max(through - throughEnd, 0.0);
 }
 
-// Entry and exit of a ray in the box, as distances along it; exit < entry if it misses.
+// Entry and exit of a ray in the box, as distances along it; exit < entry if it misses. The faces are inside. Without
+// branches, because software renderers execute both sides.
 vec2 airBox(vec3 origin, vec3 direction, vec3 low, vec3 high)
 {
-    float entry = -1.0e30;
-    float exit = 1.0e30;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (abs(direction[axis]) < 1.0e-12) {
-            if (origin[axis] < low[axis] || origin[axis] > high[axis]) return vec2(1.0, -1.0);
-            continue;
-        }
-        float a = (low[axis] - origin[axis]) / direction[axis];
-        float b = (high[axis] - origin[axis]) / direction[axis];
-        entry = max(entry, min(a, b));
-        exit = min(exit, max(a, b));
-    }
-    return vec2(entry, exit);
+    bvec3 parallel = lessThan(abs(direction), vec3(1.0e-12));
+    vec3 perDirection = 1.0 / mix(direction, vec3(1.0), parallel);
+    vec3 a = (low - origin) * perDirection;
+    vec3 b = (high - origin) * perDirection;
+    vec3 without = mix(vec3(-1.0e30), vec3(1.0e30), lessThan(min(origin - low, high - origin), vec3(0.0)));
+    vec3 entry = mix(min(a, b), without, parallel);
+    vec3 exit = mix(max(a, b), -without, parallel);
+    return vec2(max(entry.x, max(entry.y, entry.z)), min(exit.x, min(exit.y, exit.z)));
 }
 
 // The same for the beam of parallel light through an opening: the opening's rectangle, flat along `axis` at `plane`,
