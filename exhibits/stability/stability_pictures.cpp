@@ -54,9 +54,10 @@ render::Image picture(const Museum& museum, render::RenderBackend& backend, cons
 /// Returns the frame drawn over memory filled with `poison`.
 render::Image over(const Poison& poison, const Museum& museum, render::RenderBackend& backend, const Still& s)
 {
-    (void)backend.draw(
-        poisoned(museum.plan(museum.prepare(s.sceneState, s.request.frame), s.request.frame, backend.persistentState()),
-                 poison));
+    FrameRequest frame = s.request.frame;
+    frame.finished = true;  // With its own programs: see scanCase.
+    const render::FramePlan plan = museum.plan(museum.prepare(s.sceneState, frame), frame, backend.persistentState());
+    (void)backend.draw(poisoned(plan, poison));
     return backend.read("frame");
 }
 
