@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
-#include <iterator>
 #include <map>
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -80,30 +78,26 @@ std::vector<Use> usesOf(const Tokens& tokens, std::size_t behind, std::string_vi
 
 class Copies {
 public:
-    explicit Copies(const std::string& shader) : text_(shader), structs_(structsOf(Tokens(text_))) {}
+    /// The text must outlive this object.
+    explicit Copies(const std::string& shader) : text_(shader), tokens_(shader), structs_(structsOf(tokens_)) {}
 
     std::string made()
     {
-        for (std::size_t block = 0;; ++block) {
-            const Tokens tokens(text_);
-            const std::optional<std::size_t> found = find(tokens, block);
-            if (!found) return std::move(text_);
-            copy(tokens, *found);
+        for (std::size_t i = 0; i < tokens_.size(); ++i) {
+            if (tokens_.text(i) != "layout" || tokens_.text(i + 2) != "std140") continue;
+            while (i < tokens_.size() && tokens_.text(i) != ")") ++i;
+            if (tokens_.text(i + 1) == "uniform" && tokens_.text(i + 3) == "{") copy(i + 2);
         }
+        std::string text;
+        std::size_t done = 0;
+        for (const auto& [place, inserted] : inserted_) {
+            text.append(text_, done, place - done).append(inserted);
+            done = place;
+        }
+        return text.append(text_, done);
     }
 
 private:
-    /// Returns the token behind `uniform` of a block, counted from 0 over all blocks.
-    static std::optional<std::size_t> find(const Tokens& tokens, std::size_t block)
-    {
-        for (std::size_t i = 0; i < tokens.size(); ++i) {
-            if (tokens.text(i) != "layout" || tokens.text(i + 2) != "std140") continue;
-            while (i < tokens.size() && tokens.text(i) != ")") ++i;
-            if (tokens.text(i + 1) == "uniform" && tokens.text(i + 3) == "{" && block-- == 0) return i + 2;
-        }
-        return {};
-    }
-
     /// Whether all its members can be copied by assignments.
     [[nodiscard]] bool isPlain(const std::string& type) const
     {
@@ -124,22 +118,21 @@ private:
     }
 
     /// Changes the block with the name at that token.
-    void copy(const Tokens& tokens, std::size_t name)
+    void copy(std::size_t name)
     {
         const std::size_t first = name + 2;  // Name { Type instance; };
-        if (const auto type = structs_.find(tokens.text(first));
-            type != structs_.end() && tokens.text(first + 3) == "}" && tokens.text(first + 4) == ";")
-            copyStruct(tokens, first + 1, *type);
-        else if (tokens.text(name) == "Parameters")
-            copyParameters(tokens, first);
+        if (const auto type = structs_.find(tokens_.text(first));
+            type != structs_.end() && tokens_.text(first + 3) == "}" && tokens_.text(first + 4) == ";")
+            copyStruct(first + 1, *type);
+        else if (tokens_.text(name) == "Parameters")
+            copyParameters(first);
     }
 
-    void copyStruct(const Tokens& tokens, std::size_t instanceAt, const Structs::value_type& type)
+    void copyStruct(std::size_t instanceAt, const Structs::value_type& type)
     {
         const auto& [name, members] = type;
-        const std::string instance(tokens.text(instanceAt)), block = instance + "InBlock";
-        const std::size_t instanceEnd = tokens[instanceAt].end, end = tokens[instanceAt + 3].end;
-        const std::vector<Use> uses = usesOf(tokens, instanceAt + 3, instance);
+        const std::string instance(tokens_.text(instanceAt)), block = instance + "InBlock";
+        const std::vector<Use> uses = usesOf(tokens_, instanceAt + 3, instance);
         const auto isLeft = [&, &all = members](std::string_view member) {
             const auto m =
                 std::find_if(all.begin(), all.end(), [&](const Member& each) { return each.name == member; });
@@ -165,42 +158,41 @@ private:
             }
             for (const auto& [index, assignments] : elements) body += assignments;
         }
+        inserted_[tokens_[instanceAt].end] = "InBlock";
         // Without copies, the word is replaced everywhere: whatever else has that name keeps one name.
-        std::vector<std::size_t> inBlock{instanceEnd};
-        for (std::size_t i = instanceAt + 4; !copies && i < tokens.size(); ++i)
-            if (tokens.text(i) == instance) inBlock.push_back(tokens[i].end);
+        for (std::size_t i = instanceAt + 4; !copies && i < tokens_.size(); ++i)
+            if (tokens_.text(i) == instance) inserted_[tokens_[i].end] = "InBlock";
+        if (!copies) return;
         for (const Use& use : uses)
-            if (copies && isLeft(use.name)) inBlock.push_back(use.end);
-        const std::string copied = ' ' + name + ' ' + instance + "Copied() { " + name + " copied; " + body +
-                                   "return copied; } " + name + ' ' + instance + " = " + instance + "Copied();";
-        // From the last place to the first, so that places stay true.
-        for (auto place = inBlock.rbegin(); place != std::prev(inBlock.rend()); ++place)
-            text_.insert(*place, "InBlock");
-        if (copies) text_.insert(end, copied);
-        text_.insert(instanceEnd, "InBlock");
+            if (isLeft(use.name)) inserted_[use.end] = "InBlock";
+        inserted_[tokens_[instanceAt + 3].end] = ' ' + name + ' ' + instance + "Copied() { " + name + " copied; " +
+                                                 body + "return copied; } " + name + ' ' + instance + " = " + instance +
+                                                 "Copied();";
     }
 
-    void copyParameters(const Tokens& tokens, std::size_t first)
+    void copyParameters(std::size_t first)
     {
         std::string fields, values;
         std::size_t close = first;
-        while (close < tokens.size() && tokens.text(close) != "}") ++close;
-        const std::string instance(tokens.text(close + 1));
-        if (instance.empty() || tokens.text(close + 2) != ";") return;
+        while (close < tokens_.size() && tokens_.text(close) != "}") ++close;
+        const std::string instance(tokens_.text(close + 1));
+        if (instance.empty() || tokens_.text(close + 2) != ";") return;
         for (std::size_t at = first; at < close; at += 3) {
-            if (tokens.text(at + 2) != ";") return;  // An array, or something else.
-            const std::string field(tokens.text(at + 1));
-            fields += ' ' + std::string(tokens.text(at)) + ' ' + field + ';';
+            if (tokens_.text(at + 2) != ";") return;  // An array, or something else.
+            const std::string field(tokens_.text(at + 1));
+            fields += ' ' + std::string(tokens_.text(at)) + ' ' + field + ';';
             values += (values.empty() ? "" : ", ") + instance + "InBlock." + field;
         }
         const std::string type = "CopiedParameters";
-        text_.insert(tokens[close + 2].end, " struct " + type + " {" + fields + " }; " + type + ' ' + instance + " = " +
-                                                type + '(' + values + ");");
-        text_.insert(tokens[close + 1].end, "InBlock");
+        inserted_[tokens_[close + 1].end] = "InBlock";
+        inserted_[tokens_[close + 2].end] =
+            " struct " + type + " {" + fields + " }; " + type + ' ' + instance + " = " + type + '(' + values + ");";
     }
 
-    std::string text_;
+    const std::string& text_;
+    const Tokens tokens_;
     Structs structs_;
+    std::map<std::size_t, std::string> inserted_;  ///< By the byte of the text before which it stands.
 };
 
 }  // namespace
