@@ -1,5 +1,6 @@
 #include "exhibits/hall/hall_model.h"
 
+#include "exhibits/hall/hall_scene.h"
 #include "exhibits/hall/wall_frame.h"
 #include "render/failure.h"
 #include "render/files/assets.h"
@@ -55,6 +56,18 @@ render::MeshInstance withTangents(render::MeshInstance part, const HallMaterial&
     return part;
 }
 
+std::shared_ptr<const std::vector<glm::vec3>> sampledCorners(std::span<const render::MeshInstance> parts)
+{
+    auto corners = std::make_shared<std::vector<glm::vec3>>();
+    for (const render::MeshInstance& part : parts) {
+        if (isFloor(part)) continue;
+        const std::vector<std::uint32_t>& indices = part.mesh->indices;
+        for (std::size_t i = 0; i < indices.size(); i += 3 * render::Pass::trianglesPerSample)
+            corners->push_back(part.modelFromPart * glm::dvec4(part.mesh->vertices[indices[i]].position, 1));
+    }
+    return corners;
+}
+
 Json readAsset(const char* relative)
 {
     return render::readJson(render::asset(relative)).root();
@@ -76,6 +89,7 @@ HallModel::HallModel()
     }
     const render::Model model = geometry.get();
     sortParts(model);
+    samples_ = sampledCorners(walls_);
     sortMarkers(model);
     furniture_ = furnitureOf(*this);
     for (auto& [number, place] : places_) {

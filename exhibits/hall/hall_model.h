@@ -54,6 +54,8 @@ public:
     [[nodiscard]] const HallSurfaces& surfaces() const { return *surfaces_; }
 
     [[nodiscard]] const std::vector<render::MeshInstance>& walls() const { return walls_; }
+    /// Returns a corner of every `render::Pass::trianglesPerSample`-th triangle of the walls, world space.
+    [[nodiscard]] const std::shared_ptr<const std::vector<glm::vec3>>& triangleSamples() const { return samples_; }
     [[nodiscard]] const Place* place(int number) const;
     [[nodiscard]] const std::map<int, Place>& places() const { return places_; }
     [[nodiscard]] const std::vector<Collider>& colliders() const { return colliders_; }
@@ -78,6 +80,7 @@ private:
 
     std::unique_ptr<const HallSurfaces> surfaces_;  // Always set after construction.
     std::vector<render::MeshInstance> walls_;
+    std::shared_ptr<const std::vector<glm::vec3>> samples_;
     std::map<int, Place> places_;
     std::vector<Collider> colliders_;
     std::vector<Occluder> occluders_;

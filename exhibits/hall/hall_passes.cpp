@@ -125,27 +125,6 @@ void planTurningShadow(const HallScene& scene, const Pass& still, const std::vec
     for (Pass* pass : {&copy, &restore, &hangings}) plan.add(std::move(*pass));
 }
 
-/// Returns whether the walls are shaded faster in two steps: many small triangles are in view, so that most of the
-/// pixels for which a shader runs are beside its triangle. Looks at every sixteenth triangle, in the whole picture.
-/// With llvmpipe, one step is faster in views with no whole triangle, such as those of the works in the walls.
-bool haveManyTriangles(const HallModel& model, const render::View& view)
-{
-    constexpr std::size_t step = 16;
-    constexpr std::size_t many = 200;
-    std::size_t found = 0;
-    for (const MeshInstance& part : model.walls()) {
-        if (isFloor(part)) continue;
-        const glm::mat4 viewFromModel(view.viewFromWorld * part.modelFromPart);
-        const std::vector<std::uint32_t>& indices = part.mesh->indices;
-        for (std::size_t i = 0; i < indices.size(); i += 3 * step) {
-            const glm::dvec3 corner(viewFromModel * glm::vec4(part.mesh->vertices[indices[i]].position, 1));
-            const glm::dvec2 offAxis = glm::abs(glm::dvec2(corner) + view.tanShift * corner.z);
-            if (glm::all(glm::lessThanEqual(offAxis, view.tanHalfFov * -corner.z))) found += step;
-        }
-    }
-    return found > many;
-}
-
 /// Returns whether the pass shades opaque triangles of the picture and discards no fragment: each fragment nearer than
 /// those before it is shaded.
 bool isOpaqueSurface(const Pass& pass)
@@ -264,7 +243,7 @@ void planWalls(const HallScene& scene, const SceneLighting& light, const Channel
 {
     Pass walls = surfacePass("hall/walls", "the hall is around the visitor", light, channels,
                              {"BASE_COLOR_MAP", "NORMAL_MAP", "SURFACE_MAP"}, render::Load::clear);
-    walls.deferrable = haveManyTriangles(scene.model, plan.view);
+    walls.triangleSamples = scene.model.triangleSamples();
     if (scene.values[scene.table.bakedLight]) bindLightmaps(scene, light, walls);
     (void)plan.includeIfEffective(walls, {"hall/lamps", light.lampLight});
     for (const MeshInstance& part : scene.model.walls())

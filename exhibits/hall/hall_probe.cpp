@@ -183,7 +183,7 @@ void planFace(const HallScene& scene, const SceneLighting& hallLight, const Surr
     bindLightmaps(scene, hallLight, walls);
     hallLight.bindLighting(walls);
     walls.shaded.inView = true;
-    walls.deferrable = true;
+    walls.triangleSamples = scene.model.triangleSamples();
     plan.add(std::move(walls));
     things.draws = around.things;
     hallLight.bindLighting(things);

@@ -414,9 +414,7 @@ FrameReport Renderer::draw(const FramePlan& given)
 {
     State& s = *state_;
     std::optional<FramePlan> deferred;
-    if (s.info.software &&
-        std::any_of(given.passes().begin(), given.passes().end(), [](const Pass& pass) { return pass.deferrable; }))
-        deferred = given.withDeferredShading();
+    if (s.info.software) deferred = given.withDeferredShading();
     const FramePlan& plan = deferred ? *deferred : given;
     if (std::this_thread::get_id() != s.thread)
         throw std::logic_error("a renderer draws on the thread that made it, and on no other");

@@ -44,20 +44,40 @@ Pass lightingOf(const Pass& surfaces)
     return light;
 }
 
+/// Returns whether the pass is faster in two steps: many of its triangles are in view (a corner is, without regard to
+/// the part of the picture that is drawn), so that most of the pixels for which a shader runs are beside its triangle.
+/// With llvmpipe, one step is faster in views with no whole triangle, such as those of the works in the walls.
+bool hasManyTriangles(const Pass& pass, const View& planView)
+{
+    if (!pass.triangleSamples) return false;
+    constexpr std::size_t many = 200;
+    const View& view = pass.view ? *pass.view : planView;
+    const auto inView = [&](const glm::vec3& corner) {
+        const glm::dvec3 seen(view.viewFromWorld * glm::dvec4(corner, 1));
+        const glm::dvec2 offAxis = glm::abs(glm::dvec2(seen) + view.tanShift * seen.z);
+        return glm::all(glm::lessThanEqual(offAxis, view.tanHalfFov * -seen.z));
+    };
+    const auto found = std::count_if(pass.triangleSamples->begin(), pass.triangleSamples->end(), inView);
+    return static_cast<std::size_t>(found) * Pass::trianglesPerSample > many;
+}
+
 }  // namespace
 
-FramePlan FramePlan::withDeferredShading() const
+std::optional<FramePlan> FramePlan::withDeferredShading() const
 {
+    std::vector<bool> split;
+    for (const Pass& pass : passes_) split.push_back(hasManyTriangles(pass, view));
+    if (std::find(split.begin(), split.end(), true) == split.end()) return {};
     FramePlan plan = *this;
     std::vector<Pass> passes;
-    for (Pass& pass : plan.passes_) {
-        Pass& first = passes.emplace_back(std::move(pass));
-        if (!first.deferrable) continue;
+    for (std::size_t i = 0; i < split.size(); ++i) {
+        Pass& first = passes.emplace_back(std::move(plan.passes_[i]));
+        if (!split[i]) continue;
         Pass light = lightingOf(first);
         first.shader.defines.push_back("STORE_SURFACE " + std::to_string(first.colors.size()));
-        for (std::size_t i = 0; i < std::size(storedUnits); ++i) {
+        for (std::size_t k = 0; k < std::size(storedUnits); ++k) {
             ImageInfo stored = images_.at(first.colors.front().image);
-            stored.name = storedImage(first, i);
+            stored.name = storedImage(first, k);
             stored.format = Format::rgba32f;
             stored.type = TextureType::flat;
             stored.layers = stored.levels = 1;

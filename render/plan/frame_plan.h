@@ -162,9 +162,11 @@ struct Pass {
     /// what that time depends on, other than the moment and the camera.
     std::optional<std::uint64_t> unbounded;
     std::vector<Draw> draws;
-    /// It draws opaque surfaces, at level 0, with a fragment shader that has the permutations of
-    /// shaders/kit/stored_surface.glsl: `FramePlan::withDeferredShading` splits it.
-    bool deferrable = false;
+    /// Set: it draws opaque surfaces, at level 0, with a fragment shader that has the permutations of
+    /// shaders/kit/stored_surface.glsl, and `FramePlan::withDeferredShading` may split it. A corner of every
+    /// `trianglesPerSample`-th of its triangles, world space.
+    std::shared_ptr<const std::vector<glm::vec3>> triangleSamples;
+    static constexpr std::size_t trianglesPerSample = 16;
     std::optional<DepthOnly> depthOnly;  ///< Depth-only variant. Unset: the pass's own program also draws the depth.
     glm::ivec3 groups{1};                ///< Compute pass: number of work groups.
     std::vector<std::string> mipmaps;    ///< Images whose lower mip levels are made from level 0 after the pass.
@@ -248,10 +250,11 @@ public:
     /// these passes must be declared in the plan.
     [[nodiscard]] FramePlan withPassesFirst(std::vector<Pass>) const;
 
-    /// Returns a copy of the pruned plan whose deferrable passes are drawn in two steps (deferred shading): the first
-    /// stores the surface of each pixel, the second computes its light. With small triangles, drivers run a fragment
-    /// shader several times for each pixel: software renderers for whole blocks of 4 × 2 pixels.
-    [[nodiscard]] FramePlan withDeferredShading() const;
+    /// Returns a copy of the pruned plan in which passes with many small triangles in view are drawn in two steps
+    /// (deferred shading): the first stores the surface of each pixel, the second computes its light. With small
+    /// triangles, drivers run a fragment shader several times for each pixel: software renderers for whole blocks of
+    /// 4 × 2 pixels. Returns nothing if there is no such pass.
+    [[nodiscard]] std::optional<FramePlan> withDeferredShading() const;
 
     /// Sorts the passes by phase. Drops every pass that no output depends on, and those whose persistent outputs are up
     /// to date under `kept`. A dropped pass moves to `skipped()` with its reason.

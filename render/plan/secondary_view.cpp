@@ -79,7 +79,7 @@ bool keepDepth(Pass& pass)
     const bool writes = pass.depth && (pass.state.depthWrite || pass.depth->load == Load::clear);
     if (!writes || pass.phase > PassPhase::opaque) return false;
     pass.colors.clear();
-    pass.deferrable = false;
+    pass.triangleSamples = nullptr;
     if (!pass.depthOnly) return true;
     pass.shader = pass.depthOnly->shader;
     pass.inputs = pass.depthOnly->inputs;

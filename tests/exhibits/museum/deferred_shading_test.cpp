@@ -22,7 +22,7 @@ render::FramePlan inOneStep(const render::FramePlan& plan)
     for (const auto& [name, image] : plan.images()) copy.image(image);
     for (const auto& [name, buffer] : plan.buffers()) copy.buffer(buffer);
     for (render::Pass pass : plan.passes()) {
-        pass.deferrable = false;
+        pass.triangleSamples = nullptr;
         pass.localLights = nullptr;  // They are in its block.
         copy.add(std::move(pass));
     }
@@ -73,7 +73,7 @@ TEST_F(DeferredWalls, AreLitInOneStepWhereNoSmallTriangleIsInView)
     const render::FramePlan plan =
         test::planned(gallery().museum, state, request, gallery().renderer.persistentState());
     ASSERT_NE(plan.find("hall/walls"), nullptr);
-    EXPECT_FALSE(plan.find("hall/walls")->deferrable);
+    EXPECT_FALSE(plan.withDeferredShading());
 }
 
 }  // namespace

@@ -94,7 +94,7 @@ TEST(LongPlansOfPresets, DrawWithProgramsThatTheReferenceCompilerAccepts)
     std::set<ProgramTexts> programs;
     for (const bool everything : {false, true})
         for (const auto& [name, plan] : plansOfPresets(everything))
-            for (const render::FramePlan& drawn : {plan, plan.withDeferredShading()})
+            for (const render::FramePlan& drawn : {plan, plan.withDeferredShading().value_or(plan)})
                 for (const render::Pass& pass : drawn.passes()) addProgram(pass.shader, source, programs);
     ASSERT_GE(programs.size(), 100U);
     glslang::InitializeProcess();

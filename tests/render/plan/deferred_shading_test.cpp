@@ -8,9 +8,11 @@
 namespace vitrine::render {
 namespace {
 
-FramePlan planOf(bool deferrable)
+/// A plan with a pass of 16 triangles for each sample.
+FramePlan planOf(const std::vector<glm::vec3>& samples)
 {
     FramePlan plan;
+    plan.view = makeView({{0, 0, 0}, {0, 0, -1}, 1}, {.size = {8, 6}});
     plan.image({.name = "picture", .format = Format::rgba16f, .size = {8, 6}, .persistent = true});
     plan.image({.name = "normals", .format = Format::rgba16f, .size = {8, 6}});
     plan.image({.name = "depth", .format = Format::depth32f, .size = {8, 6}});
@@ -24,7 +26,7 @@ FramePlan planOf(bool deferrable)
     pass.inputs = {{UNIT_PROBE, std::string("picture")}};
     pass.blocks[BLOCK_LIGHT] = Bytes(16);
     pass.draws.resize(3);
-    pass.deferrable = deferrable;
+    pass.triangleSamples = std::make_shared<std::vector<glm::vec3>>(samples);
     pass.contentHash = 7;
     plan.add(pass);
     Pass next;
@@ -40,9 +42,11 @@ bool has(const std::vector<std::string>& defines, const std::string& define)
     return std::find(defines.begin(), defines.end(), define) != defines.end();
 }
 
+const std::vector<glm::vec3> inView(13, {0, 0, -1});
+
 TEST(DeferredShading, StoresSurfacesThenLightsThem)
 {
-    const FramePlan plan = planOf(true).withDeferredShading();
+    const FramePlan plan = planOf(inView).withDeferredShading().value();
     EXPECT_EQ(toString(plan), "walls > walls/light > next");
     EXPECT_TRUE(plan.errors().empty()) << plan.errors().front();
 
@@ -80,11 +84,13 @@ TEST(DeferredShading, StoresSurfacesThenLightsThem)
     }
 }
 
-TEST(DeferredShading, LeavesOtherPassesAsTheyAre)
+TEST(DeferredShading, LeavesPassesWithFewTrianglesInViewAsTheyAre)
 {
-    const FramePlan plan = planOf(false);
-    EXPECT_EQ(toString(plan.withDeferredShading()), toString(plan));
-    EXPECT_EQ(plan.withDeferredShading().images().size(), plan.images().size());
+    ASSERT_TRUE(planOf(inView).withDeferredShading());
+    EXPECT_FALSE(planOf({}).withDeferredShading());
+    EXPECT_FALSE(planOf({12, {0, 0, -1}}).withDeferredShading());
+    EXPECT_FALSE(planOf({100, {0, 0, 1}}).withDeferredShading()) << "behind the eye";
+    EXPECT_FALSE(planOf({100, {9, 0, -1}}).withDeferredShading()) << "beside the picture";
 }
 
 }  // namespace

@@ -114,7 +114,7 @@ TEST(SecondaryView, CanBeItsDepthAlone)
     marched.state.depthWrite = true;
     marched.inputs = {{0, std::string("shadow")}, {1, std::string("cones")}};
     marched.draws = {{.inputs = {{2, std::string("shadow")}}}};
-    marched.deferrable = true;
+    marched.triangleSamples = std::make_shared<std::vector<glm::vec3>>(100);
     marched.depthOnly = {{.vertex = "box.vert", .fragment = "depth.frag"}, {{1, std::string("cones")}}};
     seen.add(std::move(marched));
     for (const PassPhase phase : {PassPhase::opaque, PassPhase::transparent}) {
@@ -133,7 +133,7 @@ TEST(SecondaryView, CanBeItsDepthAlone)
                   {"blocks", "lamp.blocks"}, {"cones", "lamp.cones"}, {"depth", "lamp.depth"}}));
     EXPECT_TRUE(plan.errors().empty());
     const Pass* cheap = plan.find("lamp/marched");
-    EXPECT_FALSE(cheap->deferrable) << "a depth has no light";
+    EXPECT_FALSE(cheap->triangleSamples) << "a depth has no light";
     ASSERT_TRUE(cheap);
     EXPECT_TRUE(cheap->colors.empty() && cheap->draws[0].inputs.empty());
     EXPECT_EQ(cheap->shader.fragment, "depth.frag");
