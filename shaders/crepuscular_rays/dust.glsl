@@ -3,7 +3,7 @@
 // Interval of the ray inside the air: entry and exit. Empty if exit < entry.
 vec2 airStretch(vec3 eye, vec3 direction)
 {
-    vec2 inside = airBox(eye, direction, rays.airLow, rays.airHigh);
+    vec2 inside = lineBox(eye, direction, rays.airLow, rays.airHigh);
     return vec2(max(inside.x, 0.0), inside.y);
 }
 

@@ -1,6 +1,7 @@
 // Light scattered by air towards the eye: dust in a box, whose density decreases with height.
 //
-// This file is GLSL 4.50 and C++ (exhibits/crepuscular_rays/rays_cpu.h); needs lib/numerics.glsl.
+// This file is GLSL 4.50 and C++ (exhibits/crepuscular_rays/rays_cpu.h); needs lib/numerics.glsl and
+// lib/ray_box.glsl.
 
 // Meters: upper limit of the length of a ray in the air, also for infinite rays.
 const float AIR_FARTHEST = 1.0e9;
@@ -39,21 +40,7 @@ float airScattered(float through, float throughEnd)
     return max(through - throughEnd, 0.0);
 }
 
-// Entry and exit of a ray in the box, as distances along it; exit < entry if it misses. The faces are inside. Without
-// branches, because software renderers execute both sides.
-vec2 airBox(vec3 origin, vec3 direction, vec3 low, vec3 high)
-{
-    bvec3 parallel = lessThan(abs(direction), vec3(1.0e-12));
-    vec3 perDirection = 1.0 / mix(direction, vec3(1.0), parallel);
-    vec3 a = (low - origin) * perDirection;
-    vec3 b = (high - origin) * perDirection;
-    vec3 without = mix(vec3(-1.0e30), vec3(1.0e30), lessThan(min(origin - low, high - origin), vec3(0.0)));
-    vec3 entry = mix(min(a, b), without, parallel);
-    vec3 exit = mix(max(a, b), -without, parallel);
-    return vec2(max(entry.x, max(entry.y, entry.z)), min(exit.x, min(exit.y, exit.z)));
-}
-
-// The same for the beam of parallel light through an opening: the opening's rectangle, flat along `axis` at `plane`,
+// Entry and exit of a ray in the beam of parallel light through an opening, as lineBox: the opening's rectangle, flat along `axis` at `plane`,
 // swept along the light. `along` is the light's direction, scaled so that `axis` changes by 1. When every point is
 // projected along the light onto the plane, the beam becomes a box. Parts outside `roomLow` to `roomHigh` are excluded.
 vec2 airBeam(vec3 origin, vec3 direction, vec3 low, vec3 high, int axis, float plane, vec3 along, vec3 roomLow,
@@ -67,7 +54,7 @@ vec2 airBeam(vec3 origin, vec3 direction, vec3 low, vec3 high, int axis, float p
     vec3 flatHigh = high;
     flatLow[axis] = -1.0;
     flatHigh[axis] = 1.0;
-    vec2 beam = airBox(slidOrigin, slidDirection, flatLow, flatHigh);
-    vec2 room = airBox(origin, direction, roomLow, roomHigh);
+    vec2 beam = lineBox(slidOrigin, slidDirection, flatLow, flatHigh);
+    vec2 room = lineBox(origin, direction, roomLow, roomHigh);
     return vec2(max(beam.x, room.x), min(beam.y, room.y));
 }

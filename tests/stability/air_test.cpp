@@ -247,7 +247,7 @@ Scalar marched(const Vec3& eye, const Vec3& direction, Scalar end, const Box& bo
     return sum;
 }
 
-TEST(AirBox, RaysOfNoLengthWithoutEndAndAlongFacesAreDefined)
+TEST(LineBox, RaysOfNoLengthWithoutEndAndAlongFacesAreDefined)
 {
     // The slab test with plain division gives 0/0 on a face and along it. Rays without a surface have infinite depth.
     const auto naive = [](float origin, float direction, float low) { return (low - origin) / direction; };
@@ -258,22 +258,22 @@ TEST(AirBox, RaysOfNoLengthWithoutEndAndAlongFacesAreDefined)
     };
     EXPECT_TRUE(std::isnan(naiveDepth(0.3, 0, infinity)));
 
-    EXPECT_EQ(r64::airBox({0, 0, -5}, {0, 0, 1}, dvec3(-1), dvec3(1)), dvec2(4, 6));
-    const dvec2 beside = r64::airBox({2, 0, -5}, {0, 0, 1}, dvec3(-1), dvec3(1));
+    EXPECT_EQ(r64::lineBox({0, 0, -5}, {0, 0, 1}, dvec3(-1), dvec3(1)), dvec2(4, 6));
+    const dvec2 beside = r64::lineBox({2, 0, -5}, {0, 0, 1}, dvec3(-1), dvec3(1));
     EXPECT_LT(beside.y, beside.x);
     for (const double face : {-1.0, 1.0})
         for (const double zero : {0.0, -0.0, 1e-13, -1e-13}) {
-            EXPECT_EQ(r64::airBox({face, 0, -5}, {zero, 0, 1}, dvec3(-1), dvec3(1)), dvec2(4, 6))
+            EXPECT_EQ(r64::lineBox({face, 0, -5}, {zero, 0, 1}, dvec3(-1), dvec3(1)), dvec2(4, 6))
                 << face << ' ' << zero;  // In the face.
-            EXPECT_EQ(r64::airBox({face, face, -5}, {zero, zero, 1}, dvec3(-1), dvec3(1)), dvec2(4, 6))
+            EXPECT_EQ(r64::lineBox({face, face, -5}, {zero, zero, 1}, dvec3(-1), dvec3(1)), dvec2(4, 6))
                 << face << ' ' << zero;  // Along the edge.
         }
 
     const auto ours = [](const dvec3& eye, const dvec3& direction, double end) {
-        const double wide = marched<double>(eye, direction, end, r64::airBox, r64::airOpticalDepth, r64::airScattered);
+        const double wide = marched<double>(eye, direction, end, r64::lineBox, r64::airOpticalDepth, r64::airScattered);
         const auto narrow =
             static_cast<double>(marched<float>(glm::vec3(eye), glm::vec3(direction), static_cast<float>(end),
-                                               r32::airBox, r32::airOpticalDepth, r32::airScattered));
+                                               r32::lineBox, r32::airOpticalDepth, r32::airScattered));
         EXPECT_NEAR(narrow, wide, 1e-5);
         return wide;
     };

@@ -54,7 +54,7 @@ TEST_F(Rays, OfTheVolumeAreTheClosedFormOfALitSlabForAnyNumberOfSteps)
             const double end = p.depth(x, y) * glm::length(inView);
             const dvec3 eye = p.view.eye;
             const auto depthTo = [&](double t) {
-                const dvec2 air = glsl::airBox(eye, direction, room.low, room.high);
+                const dvec2 air = glsl::lineBox(eye, direction, room.low, room.high);
                 const double begin = std::max(air.x, 0.0);
                 return glsl::airOpticalDepth(eye.y + direction.y * begin, direction.y, std::min(air.y, t) - begin, 0.09,
                                              shot.rays()[raysTable().densityFalloff]);

@@ -41,7 +41,7 @@ TEST_F(LongDustyAir, FillsTheHallAndEndsAtItsWalls)
         beams(test::building().openings(), room, hall::sunOf(hallTable(), shot.hall()).towards());
     ASSERT_FALSE(found.empty());
     const auto hiddenIn = [&](const render::Box& air, const dvec3& direction, double end) {
-        const dvec2 inside = glsl::airBox(p.view.eye, direction, air.low, air.high);
+        const dvec2 inside = glsl::lineBox(p.view.eye, direction, air.low, air.high);
         const double begin = std::max(inside.x, 0.0);
         return -std::expm1(-glsl::airOpticalDepth(p.view.eye.y + direction.y * begin, direction.y,
                                                   std::min(inside.y, end) - begin, 0.08, falloff));
