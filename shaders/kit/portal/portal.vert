@@ -1,4 +1,5 @@
 // Draws the opening; with ALONE, the whole picture.
+#include "lib/covering_triangle.glsl"
 #include "lib/frame.glsl"
 #include "kit/portal/portal_block.glsl"
 
@@ -13,7 +14,7 @@ layout(location = 0) in vec3 position;
 void main()
 {
 #ifdef ALONE
-    gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);
+    gl_Position = coveringPosition();
 #else
     gl_Position = frame.clipFromWorld * (portal.worldFromOpening * vec4(position, 1.0));
 #endif
