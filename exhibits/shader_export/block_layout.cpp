@@ -2,6 +2,7 @@
 
 #include "exhibits/shader_export/code_rewriter.h"
 #include "exhibits/your_shader/reading.h"
+#include "render/glsl/block_fields.h"
 #include "render/glsl/lexer.h"
 #include "render/text/trimmed.h"
 
@@ -72,16 +73,15 @@ std::size_t roundedUp(std::size_t x, std::size_t to)
 
 std::vector<BlockField> fieldsOfMacro(const std::string& text, const GlslMacros& macros)
 {
-    // FIELD(type, name) and ARRAY(type, name, count), each with a comment behind it.
+    constexpr std::size_t first =
+        8;  // # define X_FIELDS(FIELD, ARRAY), then the fields, each with a comment behind it.
     const render::Tokens tokens(text);
     std::vector<BlockField> fields;
-    for (std::size_t i = 4; i + 5 < tokens.size() + 1; ++i) {
-        const bool isArray = tokens.text(i) == "ARRAY";
-        if ((tokens.text(i) != "FIELD" && !isArray) || tokens.text(i + 1) != "(" || tokens.text(i + 3) != ",") continue;
-        BlockField field{std::string(tokens.text(i + 2)), std::string(tokens.text(i + 4))};
-        if (isArray) field.count = wholeNumber(macros, std::string(tokens.text(i + 6)));
-        const std::size_t last = i + (isArray ? 7 : 5), end = tokens[std::min(last, tokens.size() - 1)].end;
-        const std::size_t next = last + 1 < tokens.size() ? tokens[last + 1].begin : text.size();
+    for (const render::ListedField& listed : render::listedFields(tokens, first)) {
+        BlockField field{std::string(listed.type), std::string(listed.name)};
+        if (!listed.count.empty()) field.count = wholeNumber(macros, std::string(listed.count));
+        const std::size_t end = tokens[std::min(listed.last, tokens.size() - 1)].end;
+        const std::size_t next = listed.last + 1 < tokens.size() ? tokens[listed.last + 1].begin : text.size();
         field.comment = commentIn(std::string_view(text).substr(end, next - end));
         fields.push_back(std::move(field));
     }

@@ -1,5 +1,6 @@
 #include "render/glsl/block_copies.h"
 
+#include "render/glsl/block_fields.h"
 #include "render/glsl/lexer.h"
 
 #include <algorithm>
@@ -11,33 +12,17 @@
 namespace vitrine::render {
 namespace {
 
-struct Member {
-    std::string type, name;
-    bool isArray = false;
-};
-using Structs = std::map<std::string, std::vector<Member>, std::less<>>;
-
-/// Reads `FIELD(type, name)` and `ARRAY(type, name, count)`, one behind the other.
-std::vector<Member> membersOf(const Tokens& tokens, std::size_t i)
-{
-    std::vector<Member> members;
-    for (; tokens.text(i) == "FIELD" || tokens.text(i) == "ARRAY"; ++i) {
-        members.push_back(
-            {std::string(tokens.text(i + 2)), std::string(tokens.text(i + 4)), tokens.text(i) == "ARRAY"});
-        while (i < tokens.size() && tokens.text(i) != ")") ++i;
-    }
-    return members;
-}
+using Structs = std::map<std::string, std::vector<ListedField>, std::less<>>;
 
 /// Reads the structs that are declared by BLOCK_STRUCT.
 Structs structsOf(const Tokens& tokens)
 {
-    std::map<std::string_view, std::vector<Member>> macros;
+    std::map<std::string_view, std::vector<ListedField>> macros;
     Structs structs;
     for (std::size_t i = 0; i < tokens.size(); ++i) {
         // #define X_FIELDS(FIELD, ARRAY) ...; BLOCK_STRUCT(X, X_FIELDS)
         if (tokens.text(i) == "define" && tokens.text(i + 3) == "FIELD" && tokens.text(i + 5) == "ARRAY")
-            macros[tokens.text(i + 1)] = membersOf(tokens, i + 7);
+            macros[tokens.text(i + 1)] = listedFields(tokens, i + 7);
         else if (tokens.text(i) == "BLOCK_STRUCT" && tokens[i].directive == 0)
             structs[std::string(tokens.text(i + 2))] = macros[tokens.text(i + 4)];
     }
@@ -99,21 +84,24 @@ public:
 
 private:
     /// Whether all its members can be copied by assignments.
-    [[nodiscard]] bool isPlain(const std::string& type) const
+    [[nodiscard]] bool isPlain(std::string_view type) const
     {
         const auto found = structs_.find(type);
-        return found == structs_.end() || std::all_of(found->second.begin(), found->second.end(),
-                                                      [&](const Member& m) { return !m.isArray && isPlain(m.type); });
+        return found == structs_.end() ||
+               std::all_of(found->second.begin(), found->second.end(),
+                           [&](const ListedField& m) { return m.count.empty() && isPlain(m.type); });
     }
 
     /// Assignments of all numbers: `to.a = from.a; ...`.
-    [[nodiscard]] std::string assigned(const std::string& type, const std::string& to, const std::string& from) const
+    [[nodiscard]] std::string assigned(std::string_view type, const std::string& to, const std::string& from) const
     {
         const auto found = structs_.find(type);
         if (found == structs_.end()) return to + " = " + from + "; ";
         std::string text;
-        for (const Member& m : found->second)
-            if (!m.isArray) text += assigned(m.type, to + '.' + m.name, from + '.' + m.name);
+        for (const ListedField& m : found->second) {
+            const std::string member = '.' + std::string(m.name);
+            if (m.count.empty()) text += assigned(m.type, to + member, from + member);
+        }
         return text;
     }
 
@@ -135,24 +123,24 @@ private:
         const std::vector<Use> uses = usesOf(tokens_, instanceAt + 3, instance);
         const auto isLeft = [&, &all = members](std::string_view member) {
             const auto m =
-                std::find_if(all.begin(), all.end(), [&](const Member& each) { return each.name == member; });
-            if (m == all.end() || !m->isArray) return false;
+                std::find_if(all.begin(), all.end(), [&](const ListedField& each) { return each.name == member; });
+            if (m == all.end() || m->count.empty()) return false;
             const auto isOf = [&](const Use& use) { return use.name == member; };
             return std::none_of(uses.begin(), uses.end(), isOf) || !isPlain(m->type) ||
                    std::any_of(uses.begin(), uses.end(), [&](const Use& u) { return isOf(u) && u.index.empty(); });
         };
-        const bool canCopy =
-            std::all_of(members.begin(), members.end(), [&](const Member& m) { return m.isArray || isPlain(m.type); });
+        const bool canCopy = std::all_of(members.begin(), members.end(),
+                                         [&](const ListedField& m) { return !m.count.empty() || isPlain(m.type); });
         const bool asWhole = std::any_of(uses.begin(), uses.end(), [](const Use& use) { return use.name.empty(); });
         const bool copies = canCopy && !(asWhole && std::any_of(members.begin(), members.end(),
-                                                                [&](const Member& m) { return isLeft(m.name); }));
+                                                                [&](const ListedField& m) { return isLeft(m.name); }));
         std::string body;
-        for (const Member& m : members) {
-            const std::string member = '.' + m.name;
-            if (!m.isArray) body += assigned(m.type, "copied" + member, block + member);
+        for (const ListedField& m : members) {
+            const std::string member = '.' + std::string(m.name);
+            if (m.count.empty()) body += assigned(m.type, "copied" + member, block + member);
             std::map<std::string_view, std::string> elements;
             for (const Use& use : uses) {
-                if (!m.isArray || use.name != m.name || isLeft(m.name)) continue;
+                if (m.count.empty() || use.name != m.name || isLeft(m.name)) continue;
                 const std::string element = member + '[' + std::string(use.index) + ']';
                 elements[use.index] = assigned(m.type, "copied" + element, block + element);
             }

@@ -1,11 +1,11 @@
 // The local lights of a frame. GLSL and C++: render/glsl/std140.h.
 #define MOST_LOCAL_LIGHTS 32
 
-// Cells of the grid that tells where lights may reach: along x, y, z, and altogether.
+// Cells of the grid that tells where lights may reach: along x, y and z, and all of them, by four.
 #define LIGHT_CELLS_X 16
 #define LIGHT_CELLS_Y 4
 #define LIGHT_CELLS_Z 8
-#define LIGHT_CELLS 512
+#define LIGHT_CELL_FOURS 128
 
 // One local light: a point, or a sphere of uniform radiance.
 #define LOCAL_LIGHT_FIELDS(FIELD, ARRAY) \
@@ -26,6 +26,6 @@ BLOCK_STRUCT(LocalLightEntry, LOCAL_LIGHT_FIELDS)
     FIELD(vec3, cellsLow)       /* corner of the grid, world space; cells at its faces extend beyond it */ \
     FIELD(int, count) \
     FIELD(vec3, cellsPerMeter)  /* 0: one cell for all places */ \
-    ARRAY(ivec4, cells, LIGHT_CELLS / 4)  /* by x, then y, then z: bit i of a cell: light i may reach a place in it */ \
+    ARRAY(ivec4, cells, LIGHT_CELL_FOURS)  /* by x, then y, then z: bit i of a cell: light i may reach a place in it */ \
     ARRAY(LocalLightEntry, lights, MOST_LOCAL_LIGHTS)  /* only the first `count` are used */
 BLOCK_STRUCT(LocalLightsBlock, LOCAL_LIGHTS_FIELDS)

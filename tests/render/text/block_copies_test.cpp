@@ -15,7 +15,7 @@ constexpr const char* shader = R"(#version 450 core
     FIELD(float, radius)
 BLOCK_STRUCT(Layer, LAYER_FIELDS)
 #define SHAPE_FIELDS(FIELD, ARRAY) \
-    ARRAY(Layer, layers, 2) \
+    ARRAY(Layer, layers, FOUR / 2) \
     ARRAY(Layer, candies, 10) \
     FIELD(Layer, plinth) \
     FIELD(int, parts)
