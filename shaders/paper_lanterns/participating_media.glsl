@@ -115,11 +115,11 @@ vec4 farLanterns(LanternRay ray, float end)
         float tall = coneWidth(ray, at).y + abs(ray.direction.y) * (next - t);
         float y = ray.origin.y + ray.direction.y * at;
         float covered = 1.0 - exp(-density * (next - t) * overlap(y - middle, middle, tall));
-        vec3 light = glow;
+        vec3 arriving = glow;
 #if SHOW == SHOW_PICTURE
-        light = mix(mistLight(), glow, mistLeft(ray.origin, ray.direction, at));
+        arriving = mix(mistLight(), glow, mistLeft(ray.origin, ray.direction, at));
 #endif
-        seen.rgb += seen.a * covered * light;
+        seen.rgb += seen.a * covered * arriving;
         seen.a *= 1.0 - covered;
         t = next;
     }

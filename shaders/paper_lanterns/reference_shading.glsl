@@ -27,10 +27,10 @@ Lit referenceLantern(LanternWalk walk, vec3 localNormal, vec3 worldNormal, vec3 
     vec3 l = to * inversesqrt(squared);
     float facing = dot(n, l);
     vec3 candle = lake.candle * (walk.lantern.light * 0.2);
-    vec3 light = candle * ((paper ? abs(facing) : max(facing, 0.0)) / squared);
+    vec3 arriving = candle * ((paper ? abs(facing) : max(facing, 0.0)) / squared);
     float gloss = paper ? 0.0 : pow(max(dot(reflect(-l, n), -localView), 0.0), 20.0);
     Lit lit;
-    lit.radiance = albedo * light + candle * (0.3 * gloss / squared);
+    lit.radiance = albedo * arriving + candle * (0.3 * gloss / squared);
     lit.byMoon = albedo * lake.moonLight * max(dot(worldNormal, lake.towardsMoon), 0.0);
     return lit;
 }

@@ -111,25 +111,25 @@ Lit litFrame(LanternWalk walk, vec3 n, vec3 d, vec3 outer, vec3 moon, float widt
         albedo *= (1.0 + 0.45 * grain.value * fade) * mix(0.45, 1.0, gap);
     }
     vec3 candle = lake.candle * max(walk.lantern.light, 0.0);
-    vec3 light;
+    vec3 arriving;
     vec3 mirrored = vec3(0.0);
     if (r < lake.paperRadius && p.y > 0.0) {
         vec3 to = vec3(0.0, lake.flameHeight, 0.0) - p;
         float squared = max(dot(to, to), 0.01);
         vec3 l = to * inversesqrt(squared);
-        light = candle * (max(dot(n, l), 0.0) / squared + wallIndirect(0.5));
+        arriving = candle * (max(dot(n, l), 0.0) / squared + wallIndirect(0.5));
         vec3 h = safeNormalize(l - d, n);
         mirrored = candle * (wood ? 0.02 : 0.5) * pow(max(dot(n, h), 0.0), 60.0) / squared;
     } else {
         // Irradiance from the glowing paper next to the shaded point.
         float sideways = wood ? max(n.y, 0.0) + 0.3 * max(1.0 - abs(n.y), 0.0) * step(0.0, p.y) : 1.0;
-        light = PI * walk.lantern.glow * tubeFactor(r, max(p.y, 0.0)) * sideways;
+        arriving = PI * walk.lantern.glow * tubeFactor(r, max(p.y, 0.0)) * sideways;
         vec2 out2 = p.xz / max(r, 1e-4);
         float glance = max(dot(reflect(d, n), vec3(-out2.x, 0.0, -out2.y)), 0.0);
         mirrored = walk.lantern.glow * (wood ? 0.03 : 0.25) * glance * glance;
     }
     Lit lit;
-    lit.radiance = albedo * (light + outer) / PI + mirrored;
+    lit.radiance = albedo * (arriving + outer) / PI + mirrored;
     vec3 h = safeNormalize(moon - d, n);
     float gloss = (wood ? 0.04 : 0.4) * pow(max(dot(n, h), 0.0), 40.0);
     lit.byMoon = lake.moonLight * max(dot(n, moon), 0.0) * (albedo / PI + gloss);
