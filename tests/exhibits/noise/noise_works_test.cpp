@@ -361,6 +361,22 @@ TEST_F(NoiseWorks, OfBakedCloudsComeNearerToTheEvaluatedOnesTheFinerTheVolumeIs)
     EXPECT_LT(last, 0.05);
 }
 
+// The steps towards the sun are those of one integral: its integrand does not depend on their number.
+TEST_F(NoiseWorks, OfCloudsHaveTheSameLightInFewStepsTowardsTheSun)
+{
+    WorkShot shot(NoiseWork::clouds);
+    shot.request.frame.raster.size = {96, 60};
+    shot.values().set(noiseTable().bakeSize, 64);
+    shot.values().set(noiseTable().jitter, false);
+    const auto with = [&](int count) {
+        shot.values().set(noiseTable().lightSteps, count);
+        return shot.take();
+    };
+    const double fine = with(64).mean();
+    EXPECT_NEAR(with(8).mean() / fine, 1, 0.025);
+    EXPECT_GT(with(2).mean() / fine, 1.05) << "control";
+}
+
 // A driver that ends all loops of a group of pixels after so many iterations must not leave the clouds out.
 TEST_F(NoiseWorks, OfCloudsHaveThemWithTheMostStepsToo)
 {
