@@ -40,9 +40,10 @@ float airScattered(float through, float throughEnd)
     return max(through - throughEnd, 0.0);
 }
 
-// Entry and exit of a ray in the beam of parallel light through an opening, as lineBox: the opening's rectangle, flat along `axis` at `plane`,
-// swept along the light. `along` is the light's direction, scaled so that `axis` changes by 1. When every point is
-// projected along the light onto the plane, the beam becomes a box. Parts outside `roomLow` to `roomHigh` are excluded.
+// Entry and exit of a ray in the beam of parallel light through an opening, as lineBox: the opening's rectangle, flat
+// along `axis` at `plane`, swept along the light. `along` is the light's direction, scaled so that `axis` changes by
+// 1. When every point is projected along the light onto the plane, the beam becomes a box. Parts outside `roomLow` to
+// `roomHigh` are excluded.
 vec2 airBeam(vec3 origin, vec3 direction, vec3 low, vec3 high, int axis, float plane, vec3 along, vec3 roomLow,
              vec3 roomHigh)
 {

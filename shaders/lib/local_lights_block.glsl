@@ -26,6 +26,6 @@ BLOCK_STRUCT(LocalLightEntry, LOCAL_LIGHT_FIELDS)
     FIELD(vec3, cellsLow)       /* corner of the grid, world space; cells at its faces extend beyond it */ \
     FIELD(int, count) \
     FIELD(vec3, cellsPerMeter)  /* 0: one cell for all places */ \
-    ARRAY(ivec4, cells, LIGHT_CELL_FOURS)  /* by x, then y, then z: bit i of a cell: light i may reach a place in it */ \
+    ARRAY(ivec4, cells, LIGHT_CELL_FOURS)  /* by x, then y, then z: bit i: light i may reach a place in the cell */ \
     ARRAY(LocalLightEntry, lights, MOST_LOCAL_LIGHTS)  /* only the first `count` are used */
 BLOCK_STRUCT(LocalLightsBlock, LOCAL_LIGHTS_FIELDS)
