@@ -73,8 +73,8 @@ std::size_t roundedUp(std::size_t x, std::size_t to)
 
 std::vector<BlockField> fieldsOfMacro(const std::string& text, const GlslMacros& macros)
 {
-    constexpr std::size_t first =
-        8;  // # define X_FIELDS(FIELD, ARRAY), then the fields, each with a comment behind it.
+    // `# define X_FIELDS(FIELD, ARRAY)` has eight tokens; then the fields follow, each with a comment behind it.
+    constexpr std::size_t first = 8;
     const render::Tokens tokens(text);
     std::vector<BlockField> fields;
     for (const render::ListedField& listed : render::listedFields(tokens, first)) {

@@ -45,8 +45,8 @@ int affordableSteps(int loops)
 #endif
 }
 
-// The steps towards the sun, of which each takes `loops` iterations (two of five have two fine lookups). The first points of a ray, which hide those
-// behind them, are given the most.
+// The steps towards the sun, of which each takes `loops` iterations (two of five have two fine lookups). The first
+// points of a ray, which hide those behind them, are given the most.
 int affordableLightSteps(int loops)
 {
 #ifdef LOOP_LIMIT
