@@ -76,7 +76,7 @@ documents()
 # The window's list shows the thumbnails: their sum says which ones it showed.
 window()
 {
-    LIBGL_ALWAYS_SOFTWARE=1 QT_QPA_PLATFORM=xcb QT_FONT_DPI=96 xvfb-run -a -s "-screen 0 1600x1000x24" \
+    LIBGL_ALWAYS_SOFTWARE=1 QT_QPA_PLATFORM=xcb QT_FONT_DPI=96 xvfb-run -a -s "-screen 0 1600x1000x24 -noreset" \
         build/release/tests/show_window $pictures documents
     cat assets/thumbnails/*.png | sha256sum | cut -d ' ' -f 1 > $pictures/window.sha256
 }

@@ -13,6 +13,18 @@ file(MAKE_DIRECTORY ${vitrine_program_caches})
 # Environment of what draws.
 set(vitrine_drawing LIBGL_ALWAYS_SOFTWARE=1 XDG_CACHE_HOME=${vitrine_program_caches})
 
+# vitrine_under_x(<variable> <width>x<height> [<command>...]): the command that runs another one on an X server of its own, with a
+# screen of this size; empty without xvfb-run. By default an X server starts anew when its last client has gone, and then also
+# cuts off a program that connects at that moment.
+find_program(XVFB_RUN xvfb-run)
+function(vitrine_under_x variable size)
+    if(XVFB_RUN)
+        set(${variable} ${XVFB_RUN} -a -s "-screen 0 ${size}x24 -noreset" ${ARGN} PARENT_SCOPE)
+    else()
+        set(${variable} PARENT_SCOPE)
+    endif()
+endfunction()
+
 # Precompiled headers of other libraries for most tests: one set for all programs, and one for those with OPTIMIZED.
 file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/headers.cpp "")
 foreach(headers vitrine_test_headers vitrine_optimized_test_headers)

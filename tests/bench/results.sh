@@ -7,6 +7,8 @@ set -e
 cd "$(dirname "$0")/../.."
 results=tests/bench/results
 bench=build/release/tests/benchmarks
+# An X server that does not start anew when its last client has gone: the next program would wait for it.
+display='xvfb-run -a -s "-screen 0 1600x1000x24 -noreset"'
 
 entries() {
     cat <<END
@@ -14,10 +16,10 @@ sdf_evaluations cpu $bench sdf_evaluations
 interlacing cpu $bench interlacing
 large_print cpu $bench large_print
 hall_costs gl $bench hall_costs
-window_start gl xvfb-run -a $bench window_start
+window_start gl $display $bench window_start
 your_shader gl $bench your_shader
-portable gl xvfb-run -a $bench portable
-window_latency gl xvfb-run -a -s -screen\ 0\ 1600x1000x24 $bench window_latency
+portable gl $display $bench portable
+window_latency gl $display $bench window_latency
 web_hall gl sh tests/bench/web_hall/run.sh
 isf_renderers gl sh tests/exhibits/your_shader/compare_renderers.sh "\$ISF_FILES" 2
 stability_suite gl env VITRINE_SCAN_PRESETS=100 ctest --test-dir build/release -L stability -j 2

@@ -1,7 +1,7 @@
 // Response time of the window to input, and its processor time while idle. Starts the program on a display, sends real
 // events (XTEST), and reads the screen until it shows the response. A display without a window manager gets openbox.
 // Another build can be measured beside this one:
-//   xvfb-run -a -s "-screen 0 1600x1000x24" benchmarks window_latency [--program NAME=PATH]...
+//   xvfb-run -a -s "-screen 0 1600x1000x24 -noreset" benchmarks window_latency [--program NAME=PATH]...
 
 #include "tests/bench/bench.h"
 

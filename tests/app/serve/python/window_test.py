@@ -3,6 +3,8 @@
 import os
 import pathlib
 import shutil
+import socket
+import struct
 import subprocess
 import sys
 import tempfile
@@ -58,6 +60,8 @@ class WindowTest(unittest.TestCase):
         return subprocess.Popen([os.environ["VITRINE_PROGRAM"], "--serve", str(self.socket)])
 
     def find(self):
+        if self.program.poll() is not None:
+            raise AssertionError(f"the program ended with {self.program.returncode}")
         words = ["xdotool", "search", "--onlyvisible", "--pid", str(self.program.pid), "--name", "Vitrine"]
         found = subprocess.run(words, capture_output=True, text=True)
         return found.stdout.strip() if found.returncode == 0 else ""
@@ -146,6 +150,19 @@ class WindowTest(unittest.TestCase):
         self.assertEqual(second.returncode, 2)
         self.assertIn("another server answers there", second.stderr)
         self.morph()
+
+
+class DisplayTest(unittest.TestCase):
+    def test_who_connects_as_the_last_client_goes_is_answered(self):
+        number = os.environ["DISPLAY"].partition(":")[2].partition(".")[0]
+        with socket.socket(socket.AF_UNIX) as first:
+            first.settimeout(PATIENCE)
+            first.connect(f"/tmp/.X11-unix/X{number}")
+            time.sleep(0.2)
+            xdotool("getmouselocation")  # Another client connects and goes.
+            time.sleep(0.2)
+            first.send(struct.pack("<BxHHHHxx", ord("l"), 11, 0, 0, 0))  # Version 11 of the protocol, without authorization.
+            self.assertNotEqual(first.recv(8), b"")
 
 
 if __name__ == "__main__":
