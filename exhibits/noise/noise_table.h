@@ -174,7 +174,7 @@ struct NoiseTable final : Parameters {
     Count cloudSteps =
         count("cloudSteps", 64, {1, 512, logarithmic},
               "Number of steps of a ray through the clouds: few are noisy, many cost more.", quality(512), inClouds);
-    Count lightSteps = count("lightSteps", 5, {1, 64, logarithmic},
+    Count lightSteps = count("lightSteps", 10, {1, 64, logarithmic},
                              "Number of steps towards the sun from each point in a cloud.", quality(64), inClouds);
     Count cloudOctaves =
         count("cloudOctaves", 3, {1, 6}, "Number of octaves of the clouds' noise: each adds finer detail.", quality(6),

@@ -1,5 +1,5 @@
 // Clouds: marches rays through a layer of noise, lit by the sun through the cloud itself and by the sky. Permutations:
-// BAKED; JITTER; REFERENCE; EVEN_STEPS (no empty-space skipping, plain sums).
+// BAKED; JITTER; REFERENCE; EVEN_STEPS (equal steps, plain sums).
 #define COPY_BLOCKS
 #include "noise/work.glsl"
 #include "noise/cloud_noise.glsl"
@@ -189,10 +189,14 @@ PortalSeen ourClouds(PortalRay ray)
     int steps = affordableSteps(1 + parameters.scatterings + 2 * lumpLoops + 2 * fineLoops);
     // Up to three times as many, because steps inside clouds are shorter.
     for (int i = 0; i < 3 * steps && through > 0.01 && t < end; ++i) {
-        // A stride of twice the root of the distance would cover the whole ray in that many steps. Shorter ones miss
-        // fewer thin clouds; inside a cloud they are about a third.
-        float stretch = max(1.6 * sqrt((end - first) * (t - first)), 50.0) / float(steps) + 4.0;
-        if (fineLeft > 0.0) stretch *= 0.35;
+#ifdef EVEN_STEPS
+        float stretch = (end - first) / float(steps);
+#else
+        // Equally long on most rays, because clouds are equally thick everywhere; longer at a distance, so that no ray
+        // in clear air needs twice as many; shorter where the layer is crossed soon. Half as long inside a cloud.
+        float stretch = min(5000.0 + 1.25 * (t - first), 1.25 * (end - first)) / float(steps);
+        if (fineLeft > 0.0) stretch *= 0.5;
+#endif
         stretch = min(stretch * begun, end - t);
         float at = t + stretch;
         vec3 p = ray.origin + d * at;

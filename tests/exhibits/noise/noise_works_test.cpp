@@ -1,6 +1,7 @@
 // Pictures of the works behind the noise frame, compared with the same noise at float64 and with each other.
 
 #include "exhibits/noise/noise_scene.h"
+#include "exhibits/study/study_picture.h"
 #include "render/glsl/cpu.h"
 #include "tests/support/gallery.h"
 
@@ -347,7 +348,6 @@ TEST_F(NoiseWorks, OfBakedCloudsComeNearerToTheEvaluatedOnesTheFinerTheVolumeIs)
 {
     WorkShot shot(NoiseWork::clouds);
     shot.request.frame.raster.size = {48, 30};
-    shot.values().set(noiseTable().cloudSteps, 32);
     shot.values().set(noiseTable().cloudNoise, NoiseLookup::evaluated);
     const Picture evaluated = shot.take();
     shot.values().set(noiseTable().cloudNoise, NoiseLookup::baked);
@@ -375,6 +375,26 @@ TEST_F(NoiseWorks, OfCloudsHaveTheSameLightInFewStepsTowardsTheSun)
     const double fine = with(64).mean();
     EXPECT_NEAR(with(8).mean() / fine, 1, 0.025);
     EXPECT_GT(with(2).mean() / fine, 1.05) << "control";
+}
+
+// For the same error, strides that are short in clouds and long between them take less than half of the lookups.
+TEST_F(NoiseWorks, OfCloudsCostLessThanHalfOfEqualSteps)
+{
+    WorkShot shot(NoiseWork::clouds);
+    shot.request.frame.raster.size = {160, 90};
+    shot.request.frame.channels.evaluations = true;
+    shot.values().set(noiseTable().bakeSize, 64);
+    const auto with = [&](NoiseMarch march, int steps) {
+        shot.values().set(noiseTable().march, march);
+        shot.values().set(noiseTable().cloudSteps, steps);
+        return shot.take();
+    };
+    shot.values().set(noiseTable().jitter, false);
+    const Picture fine = with(NoiseMarch::bounded, 512);
+    shot.values().set(noiseTable().jitter, true);
+    const Picture bounded = with(NoiseMarch::bounded, 80), equal = with(NoiseMarch::halved, 256);
+    EXPECT_LE(colorDifference(bounded, fine), colorDifference(equal, fine));
+    EXPECT_LT(study::channelTotal(bounded.image, "evaluations"), study::channelTotal(equal.image, "evaluations") / 2);
 }
 
 // A driver that ends all loops of a group of pixels after so many iterations must not leave the clouds out.
