@@ -162,11 +162,6 @@ void planScreenMirror(const HallScene& scene, bool hasProbe, Pass floor, render:
 
 }  // namespace
 
-bool isFloor(const render::MeshInstance& part)
-{
-    return part.material && part.material->name == "terrazzo";
-}
-
 void planContactShadows(const HallScene& scene, render::FramePlan& plan)
 {
     if (!scene.values[scene.table.contactShadows]) {

@@ -1,10 +1,10 @@
 #include "exhibits/hall/hall_model.h"
 
-#include "exhibits/hall/hall_scene.h"
 #include "exhibits/hall/wall_frame.h"
 #include "render/failure.h"
 #include "render/files/assets.h"
 #include "render/files/strict_json.h"
+#include "render/plan/frame_plan.h"
 #include "render/scene/gltf.h"
 #include "render/scene/mesh_shading.h"
 
@@ -74,6 +74,11 @@ Json readAsset(const char* relative)
 }
 
 }  // namespace
+
+bool isFloor(const render::MeshInstance& part)
+{
+    return part.material && part.material->name == "terrazzo";
+}
 
 HallModel::HallModel()
 {

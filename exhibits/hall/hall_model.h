@@ -42,6 +42,9 @@ struct Occluder {
     glm::dvec3 center{0}, halfU{0}, halfV{0};
 };
 
+/// Returns whether this part of the walls is the floor, which has a pass of its own.
+[[nodiscard]] bool isFloor(const render::MeshInstance&);
+
 /// The building as read from assets/models: geometry, places, openings for light, and obstacles. Named nodes of
 /// hall.glb give places and sizes; assets/models/hall.py writes them. Wall frames for further places come from
 /// assets/models/frames.json, so they need neither a new model nor a new bake.

@@ -179,8 +179,6 @@ void planPlaques(const HallScene&, const SceneLighting&, const Channels&, render
 void planContactShadows(const HallScene&, render::FramePlan&);
 /// Plans the floor of polished stone, which reflects what stands on it, after the other walls.
 void planFloor(const HallScene&, const SceneLighting&, const Channels&, render::FramePlan&);
-/// Returns whether the floor's own pass draws this part of the walls.
-[[nodiscard]] bool isFloor(const render::MeshInstance&);
 
 // The following functions are defined in hall_probe.cpp.
 

@@ -51,14 +51,15 @@ bool hasManyTriangles(const Pass& pass, const View& planView)
 {
     if (!pass.triangleSamples) return false;
     constexpr std::size_t many = 200;
+    std::size_t missing = many / Pass::trianglesPerSample + 1;
     const View& view = pass.view ? *pass.view : planView;
     const auto inView = [&](const glm::vec3& corner) {
         const glm::dvec3 seen(view.viewFromWorld * glm::dvec4(corner, 1));
         const glm::dvec2 offAxis = glm::abs(glm::dvec2(seen) + view.tanShift * seen.z);
         return glm::all(glm::lessThanEqual(offAxis, view.tanHalfFov * -seen.z));
     };
-    const auto found = std::count_if(pass.triangleSamples->begin(), pass.triangleSamples->end(), inView);
-    return static_cast<std::size_t>(found) * Pass::trianglesPerSample > many;
+    return std::any_of(pass.triangleSamples->begin(), pass.triangleSamples->end(),
+                       [&](const glm::vec3& corner) { return inView(corner) && --missing == 0; });
 }
 
 }  // namespace
