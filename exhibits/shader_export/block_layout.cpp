@@ -98,8 +98,10 @@ std::vector<BlockField> fieldsInBraces(const std::string& text, const GlslMacros
         BlockField field{std::string(tokens.text(i)), std::string(tokens.text(i + 1))};
         i += 2;
         if (tokens.text(i) == "[") {
-            field.count = wholeNumber(macros, std::string(tokens.text(i + 1)));
-            i += 3;
+            const std::size_t count = tokens[i + 1].begin;
+            while (i + 1 < tokens.size() && tokens.text(i) != "]") ++i;
+            field.count = wholeNumber(macros, text.substr(count, tokens[i - 1].end - count));
+            ++i;
         }
         ++i;
         fields.push_back(std::move(field));

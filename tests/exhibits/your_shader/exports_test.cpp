@@ -1,5 +1,6 @@
 // Shaders that are exported show the same picture: read back by this program, and on a page in Chromium.
 
+#include "exhibits/shader_export/block_layout.h"
 #include "exhibits/shader_export/code_rewriter.h"
 #include "exhibits/shader_export/exported_shader.h"
 #include "exhibits/shader_export/scene_shader.h"
@@ -580,6 +581,26 @@ TEST_F(LongShaderPages, ShowTheNoise)
     original.set("chop", 0.3);
     original.set("moment", 5.0);
     EXPECT_LE(between(original.shot.take().image, shown.pictures[1]).rmse, 1);
+}
+
+TEST(BlocksOfExports, HaveTheLengthsOfTheirArrays)
+{
+    const guest::GlslMacros macros{{"COUNT", "12"}};
+    const auto listed = [&](const std::string& length) {
+        return guest::fieldsOfMacro("#define X_FIELDS(FIELD, ARRAY) FIELD(int, a) ARRAY(vec4, b, " + length + ")",
+                                    macros);
+    };
+    const auto inBraces = [&](const std::string& length) {
+        return guest::fieldsInBraces("uniform X { int a; vec4 b[ " + length + " ]; };", macros);
+    };
+    for (const auto& fields : {listed("COUNT"), inBraces("COUNT")}) {
+        ASSERT_EQ(fields.size(), 2U);
+        EXPECT_EQ(fields[0].count, 0);
+        EXPECT_EQ(fields[1].name, "b");
+        EXPECT_EQ(fields[1].count, 12);
+    }
+    EXPECT_THROW(listed("COUNT / 4"), Failure);
+    EXPECT_THROW(inBraces("COUNT / 4"), Failure);
 }
 
 TEST(CodeOfShaders, IsRenamedAndStrippedAsNeeded)
