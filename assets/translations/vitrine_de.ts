@@ -11249,6 +11249,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Höchstzahl der Schritte eines Strahls; zu einem Licht hin höchstens 128.</translation>
     </message>
     <message>
+        <location filename="exhibits/study/study_table.h"/>
+        <source>Largest number of timed frames per setting and view. Six are taken where its times are far from all others.</source>
+        <translation>Größte Zahl der gestoppten Bilder je Einstellung und Ansicht. Es sind sechs, wo ihre Zeiten weit von allen anderen entfernt sind.</translation>
+    </message>
+    <message>
         <location filename="exhibits/your_shader/your_shader_table.h"/>
         <source>Largest width and height of a picture of the hall or of another exhibit that an input shows, in pixels: low is fast and coarse. It is drawn with one sample per pixel.</source>
         <extracomment>tables</extracomment>
@@ -13917,11 +13922,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Number of the model's animation to play, in the order of its file; 0 is none. Numbers above the last one play the last one.</source>
         <extracomment>tables</extracomment>
         <translation>Nummer der Animation des Modells, die abgespielt wird, in der Reihenfolge seiner Datei; 0 ist keine. Nummern über der letzten spielen die letzte ab.</translation>
-    </message>
-    <message>
-        <location filename="exhibits/study/study_table.h"/>
-        <source>Number of timed frames per setting and view.</source>
-        <translation>Zahl der gestoppten Bilder je Einstellung und Ansicht.</translation>
     </message>
     <message>
         <location filename="exhibits/jobs/comparison/comparison_table.h"/>

@@ -531,6 +531,7 @@ void Study::addTimes()
                 "run " + std::to_string(run + 1) + " of " + std::to_string(request_.runs),
                 [this, point, times = StudyMeasure{}]() mutable -> std::optional<StudyMeasure> {
                     const std::size_t view = times.milliseconds.size();
+                    if (view == 0 && isRanked(result_.points, point)) return times;
                     const SceneState sceneState = lookAt(valuesOf(result_.points[point].setting), view);
                     const render::FrameReport report = drawTimed(sceneState, view);
                     times.milliseconds.push_back(report.milliseconds * pictureRequest(sceneState, view).samples);

@@ -43,6 +43,21 @@ std::optional<render::Summary> timeOf(const StudyPoint& point)
     return means.empty() ? std::nullopt : std::optional(render::summarize(means));
 }
 
+bool isRanked(const std::vector<StudyPoint>& points, std::size_t point)
+{
+    const std::optional<render::Summary>& time = points[point].time;
+    if (!time || time->interval.confidence < 0.95) return false;
+    std::size_t others = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const std::optional<render::Summary>& other = points[i].time;
+        if (i == point || !other) continue;
+        ++others;
+        const double apart = std::max(time->low - other->high, other->low - time->high);
+        if (apart <= std::max(time->high - time->low, other->high - other->low)) return false;
+    }
+    return others > 0;
+}
+
 bool studiesMotion(const StudyRequest& request)
 {
     return std::any_of(request.axes.begin(), request.axes.end(), [&](const StudyAxis& axis) {

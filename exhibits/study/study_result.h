@@ -43,8 +43,8 @@ struct StudyRequest {
     SceneState sceneState;        ///< Settings of everything that is not varied.
     std::vector<StudyAxis> axes;  ///< One: a curve. Two: a surface. More: the front is searched for.
     glm::ivec2 size{320, 180};
-    int views = 3;                                 ///< Largest number of views, spread over those of the exhibit.
-    int runs = 7;                                  ///< Timed frames per setting and view, after one that is not timed.
+    int views = 3;  ///< Largest number of views, spread over those of the exhibit.
+    int runs = 7;   ///< Most timed frames per setting and view, after one that is not timed.
     render::Metric metric = render::Metric::rmse;  ///< For fronts and choices; never psnr, which is rmse in decibels.
     double pixelsPerDegree = 67;                   ///< For FLIP.
     bool alone = false;       ///< Without the hall, in the environment's light; not for the hall itself.

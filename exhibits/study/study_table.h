@@ -50,7 +50,9 @@ struct StudyTable final : Parameters {
     Toggle modelError = toggle(
         "modelError", true, "Compare with a second reference, too, in which all parameters are at their most exact.");
     Count runs =
-        count("runs", 7, Range{1, 1000, logarithmic}.soft(1, 50), "Number of timed frames per setting and view.");
+        count("runs", 7, Range{1, 1000, logarithmic}.soft(1, 50),
+              "Largest number of timed frames per setting and view. Six are taken where its times are far from "
+              "all others.");
 
     Group findGroup = group("Choice");
     Choice<StudyFind> choosing = choice("find", StudyFind::nothing, {"nothing", "cheapest", "best"},

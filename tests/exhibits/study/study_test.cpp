@@ -75,11 +75,28 @@ TEST(Study, MeasuresTheErrorAndTheWorkThatTheLawSays)
                     1000 * difficulties * (1 + 0.1 * steps + 0.3 * 4) * 0.6, 3)
             << steps;
         ASSERT_TRUE(point.time);
-        EXPECT_EQ(point.time->runs, 7U);
+        EXPECT_EQ(point.time->runs, 6U) << "their times differ";
         EXPECT_NEAR(point.time->median, difficulties / 3 * (1 + 0.1 * steps + 0.3 * 4) * 0.6, 0.01) << steps;
         EXPECT_EQ(point.counters.count("images"), 0U) << "what the renderer holds is no work";
     }
     EXPECT_EQ(result.clock, "the law");
+}
+
+TEST(Study, TimesASettingNoMoreOnceItsRankIsCertain)
+{
+    KnownLaw law = sumOfParts();
+    law.cost = [](const KnownTable& t, const ParameterValues& v, double) { return 1.0 + std::min(v[t.steps], 8); };
+    SceneObject subject(law);
+    StudyRequest request = subject.request({"steps"});
+    request.runs = 12;
+    for (const double noise : {0.0, 0.01}) {
+        subject.backend.timeNoise = noise;
+        for (const StudyPoint& point : subject.run(request).points)
+            EXPECT_EQ(point.time->runs, valueOf(request, point) < 8 ? 6U : 12U) << valueOf(request, point);
+    }
+    // Much noise hides every rank.
+    subject.backend.timeNoise = 1.5;
+    for (const StudyPoint& point : subject.run(request).points) EXPECT_EQ(point.time->runs, 12U);
 }
 
 TEST(Study, TellsNumericalErrorFromModelError)
