@@ -30,15 +30,18 @@ int fineLoops = parameters.cloudOctaves;
 int loopsLeft = 0;  // for steps towards the sun
 #endif
 
-// The steps along a ray, of which each takes `loops` iterations without those towards the sun, and is followed by up to
-// two shorter ones. A driver that ends all loops of a group of pixels after so many iterations would leave out the rest
-// of the clouds. Neighboring pixels differ, so at most three eighths of them are for these steps, and a quarter of what
-// is left for those towards the sun.
+// A ray of CLOUD_FARTHEST that never leaves the clouds, where strides are half as long, takes this many times `steps`.
+const int MOST_STEPS = 4;
+
+// The steps along a ray, of which each takes `loops` iterations without those towards the sun, and MOST_STEPS times as
+// many may be taken. A driver that ends all loops of a group of pixels after so many iterations would leave out the rest
+// of the clouds. Neighboring pixels differ, so at most half of them are for these steps, and a quarter of what is left
+// for those towards the sun.
 int affordableSteps(int loops)
 {
 #ifdef LOOP_LIMIT
     int steps = min(parameters.cloudSteps, LOOP_LIMIT / (8 * loops));
-    loopsLeft = (LOOP_LIMIT - 3 * steps * loops) / 4;
+    loopsLeft = (LOOP_LIMIT - MOST_STEPS * steps * loops) / 4;
     return steps;
 #else
     return parameters.cloudSteps;
@@ -187,8 +190,7 @@ PortalSeen ourClouds(PortalRay ray)
     float begun = shift;
     // Two lookups of lumps and two of fine ones.
     int steps = affordableSteps(1 + parameters.scatterings + 2 * lumpLoops + 2 * fineLoops);
-    // Up to three times as many, because steps inside clouds are shorter.
-    for (int i = 0; i < 3 * steps && through > 0.01 && t < end; ++i) {
+    for (int i = 0; i < MOST_STEPS * steps && through > 0.01 && t < end; ++i) {
 #ifdef EVEN_STEPS
         float stretch = (end - first) / float(steps);
 #else
