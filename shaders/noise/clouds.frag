@@ -35,13 +35,15 @@ const int MOST_STEPS = 4;
 
 // The steps along a ray, of which each takes `loops` iterations without those towards the sun, and MOST_STEPS times as
 // many may be taken. A driver that ends all loops of a group of pixels after so many iterations would leave out the rest
-// of the clouds. Neighboring pixels differ, so at most half of them are for these steps, and a quarter of what is left
-// for those towards the sun.
+// of the clouds. At most half of them are for these steps. If what is left is too little for all steps towards the sun,
+// a quarter of it is for those of one pixel, because neighboring pixels differ.
 int affordableSteps(int loops)
 {
 #ifdef LOOP_LIMIT
     int steps = min(parameters.cloudSteps, LOOP_LIMIT / (8 * loops));
-    loopsLeft = (LOOP_LIMIT - MOST_STEPS * steps * loops) / 4;
+    int left = LOOP_LIMIT - MOST_STEPS * steps * loops;
+    bool enough = MOST_STEPS * steps * parameters.lightSteps * (1 + lumpLoops + fineLoops) <= left;
+    loopsLeft = enough ? 1 << 30 : left / 4;
     return steps;
 #else
     return parameters.cloudSteps;
