@@ -2167,6 +2167,11 @@ Zeiten nach: %2.</translation>
         <translation>ein Bereich sind zwei Zahlen, die kleinere zuerst: [0, 1]</translation>
     </message>
     <message>
+        <location filename="exhibits/noise/noise.cpp"/>
+        <source>a ray is marched through every pixel</source>
+        <translation>durch jedes Pixel geht ein Strahl</translation>
+    </message>
+    <message>
         <location filename="exhibits/sdf_scenes/solid_kinds.cpp"/>
         <source>A rectangle in the xy plane, infinite along z; use it in extrude or revolve.</source>
         <translation>Ein Rechteck in der xy-Ebene, unendlich entlang z; zum Strecken (extrude) oder Drehen (revolve).</translation>
@@ -5562,6 +5567,12 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <location filename="exhibits/noise/noise_table.h"/>
+        <source>Cloud tolerance</source>
+        <extracomment>tables</extracomment>
+        <translation>Toleranz der Wolken</translation>
+    </message>
+    <message>
+        <location filename="exhibits/noise/noise_table.h"/>
         <source>Clouds</source>
         <extracomment>tables</extracomment>
         <translation>Wolken</translation>
@@ -5571,6 +5582,11 @@ Zeiten nach: %2.</translation>
         <source>clouds</source>
         <extracomment>tables</extracomment>
         <translation>Wolken</translation>
+    </message>
+    <message>
+        <location filename="exhibits/noise/noise.cpp"/>
+        <source>clouds are smooth in most places, so a quarter of the rays is enough there</source>
+        <translation>Wolken sind an den meisten Stellen glatt, dort genügt ein Viertel der Strahlen</translation>
     </message>
     <message>
         <location filename="exhibits/fur/fur_table.h"/>
@@ -11149,6 +11165,12 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>Largest angle by which the tips lag behind the rotation of their body; the reference allows 30 degrees.</source>
         <extracomment>tables</extracomment>
         <translation>Größter Winkel, um den die Spitzen hinter der Drehung ihres Körpers zurückbleiben; die Referenz erlaubt 30 Grad.</translation>
+    </message>
+    <message>
+        <location filename="exhibits/noise/noise_table.h"/>
+        <source>Largest difference between neighboring pixels of a picture of half the size up to which the clouds between them are interpolated, as a share of white: 0 marches a ray through every pixel.</source>
+        <extracomment>tables</extracomment>
+        <translation>Größter Unterschied zwischen benachbarten Pixeln eines halb so großen Bildes, bis zu dem die Wolken dazwischen interpoliert werden, als Anteil von Weiß: 0 schickt einen Strahl durch jedes Pixel.</translation>
     </message>
     <message>
         <location filename="exhibits/fur/fur_table.h"/>

@@ -2,6 +2,7 @@
 
 #include "exhibits/kit/blue_noise.h"
 #include "exhibits/kit/exhibit_pass.h"
+#include "exhibits/kit/pixel_blocks.h"
 #include "exhibits/kit/portal.h"
 #include "exhibits/noise/noise_charts.h"
 #include "exhibits/noise/noise_scene.h"
@@ -100,6 +101,13 @@ std::optional<Choice<NoiseLookup>> bakedBy(const NoiseTable& t, const ParameterV
     return values[lookup] == NoiseLookup::baked ? std::optional(lookup) : std::nullopt;
 }
 
+/// Returns whether clouds are interpolated between the rays of a picture of half the size where they are smooth.
+bool isInterpolated(const NoiseTable& t, const ParameterValues& values)
+{
+    return values[t.work] == NoiseWork::clouds && values[t.look] == NoiseLook::physical &&
+           values[t.march] == NoiseMarch::bounded && values[t.cloudTolerance] > 0;
+}
+
 /// Returns whether steps through clouds are shifted by blue noise.
 bool isJittered(const NoiseTable& t, const ParameterValues& values)
 {
@@ -117,6 +125,7 @@ void addPermutation(const NoiseTable& t, const ParameterValues& values, render::
     if (halved && work == NoiseWork::sea) define("HEIGHT_STEPS");
     if (halved && work == NoiseWork::clouds) define("EVEN_STEPS");
     if (isJittered(t, values)) define("JITTER");
+    if (bakedBy(t, values)) define("BAKED");
     if (work != NoiseWork::field && work != NoiseWork::fractal) return;
     const bool fractal = work == NoiseWork::fractal;
     define(kindDefine(t, values));
@@ -125,6 +134,52 @@ void addPermutation(const NoiseTable& t, const ParameterValues& values, render::
     if (fractal && values[t.warp] > 0) define("WARP");
     if (halved) define("HALVED");
     if (values[t.normals] == NoiseNormal::derivative) define("DERIVATIVE");
+}
+
+/// Blocks of pixels of which each has a ray, with those of the neighbors that pixels at the tile's edge need.
+PixelBlocks halfBlocks(const render::Raster& raster)
+{
+    return {raster, 2, 1};
+}
+
+/// Sets the position of the picture of half the size in the tile.
+void setHalf(const render::Raster& raster, NoiseBlock& block)
+{
+    const PixelBlocks blocks = halfBlocks(raster);
+    const glm::dvec2 origin(blocks.side * blocks.first - raster.offset);
+    const glm::dvec2 covered(blocks.side * blocks.count);
+    block.halfOrigin = glm::vec2(origin);
+    block.halfFromTile =
+        glm::vec4(glm::dvec2(raster.drawn()) / covered, (glm::dvec2(raster.drawn()) - 2.0 * origin) / covered - 1.0);
+}
+
+/// Plans the picture of half the size, and lets `pass`, which draws the clouds, interpolate between its rays.
+void planHalf(const NoiseTable& t, const PlanContext& context, render::Pass& pass, render::FramePlan& plan)
+{
+    render::Pass half =
+        exhibitPass("noise/clouds/half", "clouds are smooth in most places, so a quarter of the rays is enough there",
+                    context.values, "noise/clouds_half.vert", "noise/clouds_half.frag");
+    half.phase = render::PassPhase::prepare;
+    half.blocks = pass.blocks;
+    half.inputs = pass.inputs;
+    half.draws = pass.draws;
+    half.state.cull = pass.state.cull;
+    if (context.alone) half.shader.defines.emplace_back("ALONE");
+    addPermutation(t, context.values, half);
+    const glm::ivec2 size = halfBlocks(plan.view.raster).count;
+    const auto target = [&](const char* name, render::Format format, int unit, const glm::vec4& clear) {
+        const render::ResourceId image = plan.image({.name = name, .format = format, .size = size, .nearest = true});
+        half.colors.push_back(render::Attachment::cleared(image, clear));
+        pass.inputs.push_back({unit, image});
+    };
+    target("noise.half", render::Format::rgba16f, UNIT_EXHIBIT_C, {0, 0, 0, -1});
+    pass.shader.defines.emplace_back("INTERPOLATE");
+    if (context.alone || context.channels.evaluations) {
+        target("noise.halfDistance", render::Format::rgba32f, UNIT_SOURCE, glm::vec4(0));
+        half.shader.defines.emplace_back("WITH_DISTANCE");
+        pass.shader.defines.emplace_back("WITH_DISTANCE");
+    }
+    plan.add(std::move(half));
 }
 
 }  // namespace
@@ -178,7 +233,10 @@ ParameterValues Noise::standAloneValues(const ParameterValues& values) const
         refuseToStandAlone(title(), values.rows()[lookup->row], static_cast<double>(NoiseLookup::baked),
                            static_cast<double>(NoiseLookup::evaluated));
     if (isJittered(table_, values)) refuseToStandAlone(title(), values.rows()[table_.jitter.row], 1, 0);
-    return values;
+    ParameterValues alone = values;
+    // A shader that stands alone draws in one pass.
+    alone.set(table_.cloudTolerance, 0.0);
+    return alone;
 }
 
 StandAloneNumbers Noise::standAloneNumbers(const ParameterValues& values) const
@@ -202,17 +260,21 @@ void Noise::plan(const PlanContext& context, render::FramePlan& plan) const
     NoiseBlock block = noiseBlock(t, values, noiseTime(t, values, context.time), light.towards, plan.sample);
     const std::shared_ptr<const SkyView> sky = noiseSky(t, values, light);
     lightBy(*sky, light, values[t.brightness], block);
+    setHalf(plan.view.raster, block);
     pass.blocks[BLOCK_EXHIBIT] = render::std140Bytes(block);
     pass.inputs.push_back({UNIT_ENVIRONMENT, sky->radiance});
     addPermutation(t, values, pass);
     if (isJittered(t, values)) pass.inputs.push_back({UNIT_EXHIBIT_B, blueNoise()});
     if (baked) {
-        pass.shader.defines.emplace_back("BAKED");
         pass.inputs.push_back(
             {UNIT_EXHIBIT_A, clouds ? planCloudBake(t, values, plan) : planFieldBake(t, values, plan)});
     } else {
         plan.skip("noise/bake", "no work uses baked noise", render::Work::compute);
     }
+    if (isInterpolated(t, values))
+        planHalf(t, context, pass, plan);
+    else
+        plan.skip("noise/clouds/half", clouds ? "a ray is marched through every pixel" : "another work is shown");
     plan.add(std::move(pass));
 }
 

@@ -191,6 +191,12 @@ struct NoiseTable final : Parameters {
                            "then look like grain, not like shells.",
                            quality(1), inClouds and physical);
 
+    Real cloudTolerance =
+        real("cloudTolerance", 0.08, none, Range{0, 1}.soft(0, 0.2),
+             "Largest difference between neighboring pixels of a picture of half the size up to which the clouds "
+             "between them are interpolated, as a share of white: 0 marches a ray through every pixel.",
+             exactAt(0), inClouds and physical and when(march, NoiseMarch::bounded));
+
     StudiedParameters studied{*this,
                               {{.name = "march", .lifted = {"boundShare"}},
                                {.name = "stepLimit", .settles = "Rays end before they have taken this many steps."},

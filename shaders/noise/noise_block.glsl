@@ -32,6 +32,8 @@
     FIELD(float, seaTop)           /* SEA_HIGHEST standard deviations of the height of these waves, meters */ \
     FIELD(float, hiddenSlopes)     /* mean square slope of waves finer than the last one */ \
     FIELD(float, sampleShift)      /* offset of the steps for this supersample, 0 to 1 */ \
+    FIELD(vec4, halfFromTile)      /* from the tile to the picture of half the size, -1 to 1: factor, shift */ \
+    FIELD(vec2, halfOrigin)        /* lower left corner of that picture in the tile, pixels of the tile */ \
     ARRAY(ivec4, cells, NOISE_OCTAVES)  /* origin in the lattice of each octave, the last for the warp: cell ... */ \
     ARRAY(vec4, places, NOISE_OCTAVES)  /* ... and place in it */ \
     ARRAY(vec4, wave, SEA_WAVES)        /* wave vector, radians per meter; amplitude, meters; phase, radians */ \

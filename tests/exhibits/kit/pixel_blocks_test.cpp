@@ -26,6 +26,9 @@ TEST(PixelBlocks, HoldEveryPixelOfTheTileAndNoBlockBesideIt)
                 const int first = offset[axis], last = offset[axis] + size[axis] - 1;
                 EXPECT_EQ(blocks.first[axis], first / side);
                 EXPECT_EQ(blocks.first[axis] + blocks.count[axis] - 1, last / side);
+                const PixelBlocks wider(tileAt(offset, size), side, 1);
+                EXPECT_EQ(wider.first[axis], blocks.first[axis] - 1);
+                EXPECT_EQ(wider.count[axis], blocks.count[axis] + 2);
             }
         }
 }

@@ -109,8 +109,8 @@ TEST_F(LongFrameReports, AnEffectThatIsOffHasNoPassNoProgramAndNoTexture)
     // shadow on it. With the mask and the running sum, screen-space rays are three passes and two images; the air is
     // two and one. Shadows of the hall are the map of static objects, its copy, and two passes for hanging and turning
     // objects. Without them there are no shadows of exhibits: clearing their map, and the two that the sun reaches.
-    // For a floor that mirrors the picture, the picture is copied with its depth, and what the floor shows of it is
-    // found.
+    // Clouds have a picture of half the size besides their volume, of two images. For a floor that mirrors the picture,
+    // the picture is copied with its depth, and what the floor shows of it is found.
     const Switch switches[] = {
         {"sdf_morph", "conePrepass", 1.0, 0.0, true, "sdf_morph/cone", "sdf_morph.cone", 1, 1, 1},
         {"sdf_morph", "shownAs", mesh, field, true, "sdf_morph/mesh", "", 1, 0, -1, 0},
@@ -121,7 +121,7 @@ TEST_F(LongFrameReports, AnEffectThatIsOffHasNoPassNoProgramAndNoTexture)
         {"crepuscular_rays", "technique", volume, none, false, "crepuscular_rays/", "crepuscular_rays.", 2, 2, 1},
         {"ice_cream", "conePrepass", 1.0, 0.0, true, "ice_cream/cone", "ice_cream.cone", 1, 1, 1},
         {"paper_lanterns", "crowding", 0.8, 0.0, true, "paper_lanterns/float", "paper_lanterns.afloat", 1, 1, 1},
-        {"noise", "work", clouds, sea, true, "noise/bake", "noise.", 1, 1, 1},
+        {"noise", "work", clouds, sea, true, "noise/bake", "noise.", 1, 1, 3, 1},
         {"pixel_art", "shadows", 1.0, 0.0, true, "pixel_art/sun", "pixel_art.shadow", 1, 1, 1},
         {"pixel_art", "smoothing", 2.0, 0.0, true, "pixel_art/smooth", "pixel_art.facets", 1, 1, 1},
         // The depth view has neither normals nor shadows.

@@ -158,11 +158,11 @@ bool noLightAtAll(const Skipped& s)
     return s.sun().strength == 0 && (s.alone() || s.ofHall("skyStrength") == 0);
 }
 
-/// Claims that another work is shown: false for "noise/clouds" while the clouds are shown.
+/// Claims that another work is shown: false for passes of the clouds while they are shown.
 bool anotherWork(const Skipped& s)
 {
     const char* works[] = {"noise/field", "noise/fractal", "noise/sea", "noise/clouds"};
-    return s.step.name != works[static_cast<std::size_t>(s.number("work"))];
+    return !s.step.name.starts_with(works[static_cast<std::size_t>(s.number("work"))]);
 }
 
 bool nothingLookedUp(const Skipped& s)
@@ -352,6 +352,10 @@ const std::map<std::string, Claim>& claims()
         // Reasons of the noise.
         {"another work is shown", anotherWork},
         {"no work uses baked noise", nothingLookedUp},
+        {"a ray is marched through every pixel",
+         [](const Skipped& s) {
+             return s.number("look") != 0 || s.number("march") != 1 || s.number("cloudTolerance") == 0;
+         }},
         // Reasons of the pixel art.
         {"no shown view has shadows", [](const Skipped& s) { return !shows(s, 0); }},
         {"shadows are off", isZero("shadows")},

@@ -377,24 +377,101 @@ TEST_F(NoiseWorks, OfCloudsHaveTheSameLightInFewStepsTowardsTheSun)
     EXPECT_GT(with(2).mean() / fine, 1.05) << "control";
 }
 
-// For the same error, strides that are short in clouds and long between them take less than half of the lookups.
-TEST_F(NoiseWorks, OfCloudsCostLessThanHalfOfEqualSteps)
+/// Clouds with counted lookups of noise.
+struct CloudShot : WorkShot {
+    CloudShot() : WorkShot(NoiseWork::clouds) { request.frame.channels.evaluations = true; }
+    Picture with(NoiseMarch march, int steps, double tolerance)
+    {
+        set(table().march, march).set(table().cloudSteps, steps).set(table().cloudTolerance, tolerance);
+        return take();
+    }
+    Picture exact()
+    {
+        set(table().jitter, false).set(table().lightSteps, 64);
+        const Picture picture = with(NoiseMarch::bounded, 512, 0);
+        set(table().jitter, true).set(table().lightSteps, table().initial()[table().lightSteps]);
+        return picture;
+    }
+};
+
+/// Returns the difference of a pixel of two pictures as a share of white.
+glm::dvec3 shownDifference(const Picture& a, const Picture& b, int x, int y)
 {
-    WorkShot shot(NoiseWork::clouds);
-    shot.request.frame.raster.size = {160, 90};
-    shot.request.frame.channels.evaluations = true;
-    shot.values().set(noiseTable().bakeSize, 64);
-    const auto with = [&](NoiseMarch march, int steps) {
-        shot.values().set(noiseTable().march, march);
-        shot.values().set(noiseTable().cloudSteps, steps);
-        return shot.take();
+    const auto shown = [](const glm::dvec3& radiance) { return radiance / (1.0 + radiance); };
+    return shown(a.color(x, y)) - shown(b.color(x, y));
+}
+
+/// Returns the root of the mean of its square.
+double shownError(const Picture& a, const Picture& b)
+{
+    double sum = 0;
+    a.each([&](int x, int y) {
+        const glm::dvec3 away = shownDifference(a, b, x, y);
+        sum += glm::dot(away, away) / 3;
+    });
+    return std::sqrt(sum / (a.width() * a.height()));
+}
+
+std::int64_t lookups(const Picture& picture)
+{
+    return study::channelTotal(picture.image, "evaluations");
+}
+
+// For the same error, strides that are short in clouds and long between them take less than half of the lookups of
+// equal steps; interpolation where clouds are smooth leaves less than a fifth of them.
+TEST_F(NoiseWorks, OfCloudsCostLessThanAFifthOfEqualSteps)
+{
+    CloudShot shot;
+    shot.size(640, 360);
+    const ParameterValues initial = noiseTable().initial();
+    const int steps = initial[noiseTable().cloudSteps];
+    const Picture fine = shot.exact();
+    const Picture equal = shot.with(NoiseMarch::halved, 4 * steps, 0);
+    const Picture marched = shot.with(NoiseMarch::bounded, 5 * steps / 4, 0);
+    const Picture interpolated = shot.with(NoiseMarch::bounded, 5 * steps / 4, initial[noiseTable().cloudTolerance]);
+    const double error = shownError(equal, fine);
+    EXPECT_LE(shownError(marched, fine), error);
+    EXPECT_LE(shownError(interpolated, fine), error);
+    EXPECT_LT(lookups(marched), lookups(equal) / 2);
+    EXPECT_LT(lookups(interpolated), lookups(equal) / 5);
+}
+
+// Clouds that are interpolated between rays differ from marched ones by less than the tolerance.
+TEST_F(NoiseWorks, OfCloudsBetweenRaysStayWithinTheTolerance)
+{
+    CloudShot shot;
+    shot.size(320, 180);
+    shot.set(noiseTable().jitter, false);
+    const auto shareBeyond = [&](double tolerance, const Picture& other) {
+        int beyond = 0;
+        const Picture marched = shot.with(NoiseMarch::bounded, 64, 0);
+        marched.each([&](int x, int y) {
+            const glm::dvec3 away = glm::abs(shownDifference(marched, other, x, y));
+            beyond += std::max({away.r, away.g, away.b}) > tolerance;
+        });
+        return beyond / (320.0 * 180.0);
     };
-    shot.values().set(noiseTable().jitter, false);
-    const Picture fine = with(NoiseMarch::bounded, 512);
-    shot.values().set(noiseTable().jitter, true);
-    const Picture bounded = with(NoiseMarch::bounded, 80), equal = with(NoiseMarch::halved, 256);
-    EXPECT_LE(colorDifference(bounded, fine), colorDifference(equal, fine));
-    EXPECT_LT(study::channelTotal(bounded.image, "evaluations"), study::channelTotal(equal.image, "evaluations") / 2);
+    const Picture some = shot.with(NoiseMarch::bounded, 64, 0.08), all = shot.with(NoiseMarch::bounded, 64, 1);
+    EXPECT_LT(shareBeyond(0.08, some), 1e-3);
+    EXPECT_GT(shareBeyond(0.08, all), 2e-3) << "control";
+    EXPECT_LT(lookups(all), lookups(some));
+    EXPECT_LT(3 * lookups(some) / 2, lookups(shot.with(NoiseMarch::bounded, 64, 0)));
+}
+
+// The blocks of pixels that share a ray lie on the grid of the whole picture.
+TEST_F(NoiseWorks, OfCloudsAreTheSameInTiles)
+{
+    for (const bool inHall : {false, true}) {
+        WorkShot shot(NoiseWork::clouds);
+        shot.size(61, 45);
+        shot.request.samples = 2;
+        if (inHall) shot.inHall();
+        const Picture whole = shot.take();
+        shot.request.largestTile = 17;
+        const Picture tiled = shot.take();
+        // Walls beside the frame are rounded differently.
+        EXPECT_LE(largestDifference(whole.image, tiled.image), inHall ? 1e-5 : 0);
+    }
 }
 
 // A driver that ends all loops of a group of pixels after so many iterations must not leave the clouds out.
