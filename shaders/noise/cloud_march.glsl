@@ -23,8 +23,11 @@ const int fineLoops = 0;
 int lumpLoops = 2 * parameters.cloudOctaves + 1;
 int fineLoops = parameters.cloudOctaves;
 #endif
+// Iterations of a step towards the sun; two of five have two fine lookups.
+#define LIGHT_STEP_LOOPS (1 + lumpLoops + fineLoops)
 
 #ifdef LOOP_LIMIT
+const int ANY_NUMBER = 1 << 30;
 int loopsLeft = 0;  // for steps towards the sun
 #endif
 
@@ -40,16 +43,16 @@ int affordableSteps(int loops)
 #ifdef LOOP_LIMIT
     int steps = min(parameters.cloudSteps, LOOP_LIMIT / (8 * loops));
     int left = LOOP_LIMIT - MOST_STEPS * steps * loops;
-    bool enough = MOST_STEPS * steps * parameters.lightSteps * (1 + lumpLoops + fineLoops) <= left;
-    loopsLeft = enough ? 1 << 30 : left / 4;
+    bool enough = MOST_STEPS * steps * parameters.lightSteps * LIGHT_STEP_LOOPS <= left;
+    loopsLeft = enough ? ANY_NUMBER : left / 4;
     return steps;
 #else
     return parameters.cloudSteps;
 #endif
 }
 
-// The steps towards the sun, of which each takes `loops` iterations (two of five have two fine lookups). The first
-// points of a ray, which hide those behind them, are given the most.
+// The steps towards the sun, of which each takes `loops` iterations. The first points of a ray, which hide those behind
+// them, are given the most.
 int affordableLightSteps(int loops)
 {
 #ifdef LOOP_LIMIT
@@ -193,7 +196,7 @@ CloudLight marchedClouds(PortalRay ray, float wanted)
         bool back = density > 0.0 && fineLeft == 0.0;
         fineLeft = density > 0.0 ? 5.0 : max(fineLeft - 1.0, 0.0);
 #endif
-        float toSun = depthToSun(p, weather, shift, density > 0.0 && !back ? affordableLightSteps(1 + lumpLoops + fineLoops) : 0);
+        float toSun = depthToSun(p, weather, shift, density > 0.0 && !back ? affordableLightSteps(LIGHT_STEP_LOOPS) : 0);
         if (back) {
             begun = max(shift, 0.05);
             continue;

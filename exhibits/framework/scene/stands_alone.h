@@ -41,7 +41,8 @@ class StandsAlone {
 public:
     virtual ~StandsAlone() = default;
     /// Returns the values with which the exhibit is drawn by one shader without buffers, such as the evaluation of all
-    /// shapes. Throws Failure if that would change the picture (`refuseToStandAlone`).
+    /// shapes. Throws Failure if that would change the picture (`refuseToStandAlone`) by more than an accuracy
+    /// parameter allows.
     [[nodiscard]] virtual ParameterValues standAloneValues(const ParameterValues&) const = 0;
     [[nodiscard]] virtual StandAloneNumbers standAloneNumbers(const ParameterValues&) const = 0;
 };
