@@ -198,7 +198,7 @@ struct NoiseTable final : Parameters {
              exactAt(0), inClouds and physical and when(march, NoiseMarch::bounded));
 
     StudiedParameters studied{*this,
-                              {{.name = "march", .lifted = {"boundShare"}},
+                              {{.name = "march", .lifted = {"boundShare"}, .exactInReference = {"cloudTolerance"}},
                                {.name = "stepLimit", .settles = "Rays end before they have taken this many steps."},
                                {.name = "hitTolerance", .lifted = {"stepLimit", "seaSteps"}},
                                {.name = "seaSteps", .settles = "Rays find the water in fewer steps."},

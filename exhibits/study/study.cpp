@@ -114,9 +114,9 @@ SceneState Study::lookAt(const std::vector<double>& axisValues, std::size_t view
     return sceneState;
 }
 
-SceneState Study::referenceLook(std::size_t view) const
+SceneState Study::referenceLook(const std::vector<double>& axisValues, std::size_t view) const
 {
-    SceneState sceneState = lookAt(result_.exact, view);
+    SceneState sceneState = lookAt(axisValues, view);
     for (const StudyParameter& row : situation_.exact) {
         ParameterValues& values = sceneState.values[row.subject];
         values.setParameter(row.row, *values.rows()[row.row].qualityReference);
@@ -406,7 +406,7 @@ std::optional<Setting> Study::settingShownBy(const std::vector<double>& axisValu
 void Study::addReference(std::size_t view, bool withNeighbors)
 {
     if (views_[view].heldOut && phase_ != Phase::choice) return;
-    const SceneState exact = referenceLook(view);
+    const SceneState exact = referenceLook(result_.exact, view);
     const std::string place = std::to_string(view) + "_" + std::to_string(doublings_);
     addPicture({"reference_" + place, "reference of " + views_[view].view.name, exact, referenceRequest(exact, view)},
                [this, view](StudyMeasure measure) {
@@ -424,7 +424,7 @@ void Study::addNeighbors(std::size_t view)
 {
     int number = 0;
     for (const std::vector<double>& neighbor : neighborsOf(request_.sceneState, request_.axes, doublings_)) {
-        const SceneState near = lookAt(neighbor, view);
+        const SceneState near = referenceLook(neighbor, view);
         if (const std::optional<Setting> shown = settingShownBy(neighbor, view, near)) {
             views_[view].neighborSettings.push_back(*shown);
             continue;

@@ -81,8 +81,9 @@ private:
     void findJob();
     void keepColors();
     [[nodiscard]] SceneState lookAt(const std::vector<double>& axisValues, std::size_t view) const;
-    /// Returns the scene state of the reference picture from which errors of this view are measured.
-    [[nodiscard]] SceneState referenceLook(std::size_t view) const;
+    /// Returns the scene state of a reference picture of this view: these values, and the parameters that are exact in
+    /// references only.
+    [[nodiscard]] SceneState referenceLook(const std::vector<double>& axisValues, std::size_t view) const;
     [[nodiscard]] std::vector<double> valuesOf(const Setting&) const;
     [[nodiscard]] PictureRequest pictureRequest(const SceneState&, std::size_t view) const;
     /// Returns the request of the reference: like that of any setting, but converged if pictures in motion are studied.

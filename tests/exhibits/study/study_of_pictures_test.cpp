@@ -130,6 +130,25 @@ TEST_F(StudyOfPictures, AWiderToleranceCostsFewerEvaluationsAndMoreError)
     EXPECT_LT(result.overheadMilliseconds, 0.02 * result.points[0].time->median);
 }
 
+// A reference is checked with another value of what is studied. What is exact in references only is exact there, too:
+// otherwise its error, here that of interpolated clouds, would be taken for a doubt about the reference.
+TEST_F(StudyOfPictures, OfAReferenceAndItsCheckTheSameIsExact)
+{
+    const std::size_t noise = gallery().museum.find("noise").value();
+    const Parameters& table = gallery().museum.subject(noise).parameters();
+    StudyRequest request = requestFor(noise, "march", {0, 1});
+    request.subject = noise;
+    request.axes.push_back({noise, table.find("cloudSteps").value(), {64, 512}});
+    request.sceneState.values[noise].setParameter(table.find("work").value(), 3.0);
+    request.sceneState.values[noise].setParameter(table.find("bakeSize").value(), 32.0);
+    request.views = 1;
+    const StudyResult result = run(request);
+    ASSERT_EQ(result.exactInReference.size(), 1U);
+    const double interpolated = result.points.back().error;
+    EXPECT_GT(interpolated, 1e-3);
+    EXPECT_LT(result.uncertainty, 0.5 * interpolated);
+}
+
 TEST_F(StudyOfPictures, WhatIsKeptBetweenFramesIsDrawnAnewWhereItIsStudied)
 {
     // If later frames reused it, a shadow map would seem to cost nothing, whatever its size.
