@@ -3,10 +3,11 @@
 # this system's:
 #   sh app/install/portable.sh BUILD FOLDER ARCHIVE [PROGRAM...]     programs of the build tree to lie beside vitrine
 # FOLDER/vitrine starts the program. ARCHIVE ends in .tar.xz; "-" makes none. A FOLDER that this script made is replaced.
-# Needs patchelf and the compiler.
+# Needs patchelf, optipng and the compiler.
 #
-# lib             Libraries of the program. A library of a file format that Vitrine does not use is replaced by a placeholder of
-#                 the same name, whose functions return 0: OpenImageIO, FFmpeg and ICU name 200 MB of libraries.
+# lib             Libraries of the program. A library of a file format or protocol that Vitrine does not use is replaced by a
+#                 placeholder of the same name, whose functions return 0: OpenImageIO, FFmpeg, ICU and GnuTLS, which computes
+#                 qpdf's checksums, name 200 MB of libraries.
 # lib/fallback    Libraries that the graphics driver or the display may use as well. Each is used only where the system has none
 #                 or an older one: two versions in one process would not agree.
 # Left out are the C library and the graphics driver: they belong to the machine.
@@ -19,15 +20,17 @@ if [ -e "$folder" ] && [ ! -e "$folder/bin/qt.conf" ]; then
     echo "portable.sh: $folder is there and is no portable folder; name another one." >&2
     exit 2
 fi
-command -v patchelf >/dev/null 2>&1 || { echo "portable.sh: patchelf is missing; install the package of that name." >&2; exit 2; }
+for tool in patchelf optipng; do
+    command -v $tool >/dev/null 2>&1 || { echo "portable.sh: $tool is missing; install the package of that name." >&2; exit 2; }
+done
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 machine='^(ld-linux-x86-64|lib(c|m|dl|rt|pthread|resolv|util|GL|GLX|EGL|GLdispatch|GLESv2|gbm|vulkan|cuda[^.]*|nvidia[^.]*))\.so'
 shared='^lib(OpenGL|stdc\+\+|gcc_s|z|zstd|lzma|bz2|expat|drm|X11|X11-xcb|xcb|xcb-[a-z0-9]+|Xau|Xdmcp|Xext|Xfixes|Xrender|bsd|md|wayland-[a-z]+|ffi|fontconfig|freetype|brotli[a-z]+|harfbuzz|graphite2|glib-2|pcre2-8|dbus-1|systemd|gcrypt|gpg-error|cap|lz4|uuid|udev)[.0-9-]*\.so'
 # Libraries whose dependencies become placeholders, and the dependencies that do not.
-greedy='^(lib(OpenImageIO|OpenImageIO_Util|av[a-z]+|sw[a-z]+|tiff|SDL2-2\.0|icuuc|icui18n)\.so)'
-wanted='^lib(OpenImageIO_Util|av(codec|filter|format|util)|sw(scale|resample)|OpenEXR|OpenEXRCore|Iex|IlmThread|Imath|tbb|boost_thread|tiff|webp|webpmux|webpdemux|jpeg|png16|deflate|jbig|Lerc|x264|openh264|vpx|fmt|icuuc|icui18n)[.0-9_d-]*\.so'
+greedy='^(lib(OpenImageIO|OpenImageIO_Util|av[a-z]+|sw[a-z]+|tiff|SDL2-2\.0|icuuc|icui18n|gnutls)\.so)'
+wanted='^lib(OpenImageIO_Util|av(codec|filter|format|util)|sw(scale|resample)|OpenEXR|OpenEXRCore|Iex|IlmThread|Imath|tbb|boost_thread|tiff|webp|webpmux|webpdemux|jpeg|png16|deflate|jbig|Lerc|x264|openh264|vpx|fmt|icuuc|icui18n|nettle|hogweed|gmp|tasn1)[.0-9_d-]*\.so'
 
 rm -rf "$folder"
 cmake --install "$build" --prefix "$folder" >"$work/log" 2>&1 || { cat "$work/log" >&2; exit 1; }
@@ -132,5 +135,8 @@ cp "$(dirname "$0")/portable_benchmarks.sh" "$folder/run-benchmarks"
 [ -e "$folder/bin/benchmarks" ] || rm "$folder/run-benchmarks"
 cp "$(dirname "$0")/portable.txt" "$folder/README.txt"
 chmod 755 "$folder/vitrine" "$folder"/run-* 2>/dev/null || true
-[ "$archive" = - ] || tar --create --directory "$(dirname "$folder")" --owner=0 --group=0 "$(basename "$folder")" | xz -9 -T0 >"$archive"
-du -sm --apparent-size "$folder" $([ "$archive" = - ] || echo "$archive") | sed 's/\t/ MB /' >&2
+# The program writes PNG fast. These files stay closed at the start, so that smaller ones, with the same pixels, delay nothing.
+find "$folder/share/vitrine/pages" "$folder/share/vitrine/presets" -name '*.png' -exec optipng -quiet -o1 {} +
+[ "$archive" = - ] || tar --create --sort=name --directory "$(dirname "$folder")" --owner=0 --group=0 "$(basename "$folder")" |
+    xz --x86 --lzma2=preset=9e,dict=192MiB >"$archive"
+du -s --apparent-size --block-size=1MB "$folder" $([ "$archive" = - ] || echo "$archive") | sed 's/\t/ MB /' >&2
