@@ -33,7 +33,7 @@ constexpr rlim_t mostMemory = rlim_t{512} << 20U;
 
 void limitMemory()
 {
-#if !defined(__SANITIZE_ADDRESS__)  // AddressSanitizer reserves terabytes of addresses.
+#if !defined(VITRINE_SANITIZED)  // AddressSanitizer reserves terabytes of addresses.
     const rlimit memory{mostMemory, mostMemory};
     ::setrlimit(RLIMIT_AS, &memory);
 #endif
