@@ -83,6 +83,8 @@ def main():
     boxes, styles = [], {}
     for style, (name, chars) in STYLES.items():
         path = os.path.join(FOLDER, name)
+        if not os.path.exists(path):
+            sys.exit(f"font_atlas.py: {path} is missing; install fonts-ebgaramond, or name the folder that holds it")
         font = ImageFont.truetype(path, em)
         glyphs = styles[style] = {}
         for c in ["\u0020", "\u00a0"] + exists(path, chars):
