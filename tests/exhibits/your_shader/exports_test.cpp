@@ -597,17 +597,17 @@ TEST(BlocksOfExports, HaveTheLengthsOfTheirArrays)
         return guest::fieldsOfMacro("#define X_FIELDS(FIELD, ARRAY) FIELD(int, a) ARRAY(vec4, b, " + length + ")",
                                     macros);
     };
-    const auto inBraces = [&](const std::string& length) {
+    const auto declared = [&](const std::string& length) {
         return guest::fieldsInBraces("uniform X { int a; vec4 b[ " + length + " ]; };", macros);
     };
-    for (const auto& fields : {listed("COUNT"), inBraces("COUNT")}) {
+    for (const auto& fields : {listed("COUNT"), declared("COUNT")}) {
         ASSERT_EQ(fields.size(), 2U);
         EXPECT_EQ(fields[0].count, 0);
         EXPECT_EQ(fields[1].name, "b");
         EXPECT_EQ(fields[1].count, 12);
     }
     EXPECT_THROW(listed("COUNT / 4"), Failure);
-    EXPECT_THROW(inBraces("COUNT / 4"), Failure);
+    EXPECT_THROW(declared("COUNT / 4"), Failure);
 }
 
 TEST(CodeOfShaders, IsRenamedAndStrippedAsNeeded)
