@@ -101,17 +101,21 @@ std::optional<Choice<NoiseLookup>> bakedBy(const NoiseTable& t, const ParameterV
     return values[lookup] == NoiseLookup::baked ? std::optional(lookup) : std::nullopt;
 }
 
+bool hasPhysicalClouds(const NoiseTable& t, const ParameterValues& values)
+{
+    return values[t.work] == NoiseWork::clouds && values[t.look] == NoiseLook::physical;
+}
+
 /// Returns whether clouds are interpolated between the rays of a picture of half the size where they are smooth.
 bool isInterpolated(const NoiseTable& t, const ParameterValues& values)
 {
-    return values[t.work] == NoiseWork::clouds && values[t.look] == NoiseLook::physical &&
-           values[t.march] == NoiseMarch::bounded && values[t.cloudTolerance] > 0;
+    return hasPhysicalClouds(t, values) && values[t.march] == NoiseMarch::bounded && values[t.cloudTolerance] > 0;
 }
 
 /// Returns whether steps through clouds are shifted by blue noise.
 bool isJittered(const NoiseTable& t, const ParameterValues& values)
 {
-    return values[t.work] == NoiseWork::clouds && values[t.look] == NoiseLook::physical && values[t.jitter];
+    return hasPhysicalClouds(t, values) && values[t.jitter];
 }
 
 /// Adds the defines that save the shader decisions at every step.
@@ -136,16 +140,9 @@ void addPermutation(const NoiseTable& t, const ParameterValues& values, render::
     if (values[t.normals] == NoiseNormal::derivative) define("DERIVATIVE");
 }
 
-/// Blocks of pixels of which each has a ray, with those of the neighbors that pixels at the tile's edge need.
-PixelBlocks halfBlocks(const render::Raster& raster)
-{
-    return {raster, 2, 1};
-}
-
 /// Sets the position of the picture of half the size in the tile.
-void setHalf(const render::Raster& raster, NoiseBlock& block)
+void setHalf(const PixelBlocks& blocks, const render::Raster& raster, NoiseBlock& block)
 {
-    const PixelBlocks blocks = halfBlocks(raster);
     const glm::dvec2 origin(blocks.side * blocks.first - raster.offset);
     const glm::dvec2 covered(blocks.side * blocks.count);
     block.halfOrigin = glm::vec2(origin);
@@ -153,8 +150,9 @@ void setHalf(const render::Raster& raster, NoiseBlock& block)
         glm::vec4(glm::dvec2(raster.drawn()) / covered, (glm::dvec2(raster.drawn()) - 2.0 * origin) / covered - 1.0);
 }
 
-/// Plans the picture of half the size, and lets `pass`, which draws the clouds, interpolate between its rays.
-void planHalf(const NoiseTable& t, const PlanContext& context, render::Pass& pass, render::FramePlan& plan)
+/// Plans the picture of half the size, of `size` rays, and lets `pass`, which draws the clouds, interpolate between them.
+void planHalf(const NoiseTable& t, const PlanContext& context, const glm::ivec2& size, render::Pass& pass,
+              render::FramePlan& plan)
 {
     render::Pass half =
         exhibitPass("noise/clouds/half", "clouds are smooth in most places, so a quarter of the rays is enough there",
@@ -166,7 +164,6 @@ void planHalf(const NoiseTable& t, const PlanContext& context, render::Pass& pas
     half.state.cull = pass.state.cull;
     if (context.alone) half.shader.defines.emplace_back("ALONE");
     addPermutation(t, context.values, half);
-    const glm::ivec2 size = halfBlocks(plan.view.raster).count;
     const auto target = [&](const char* name, render::Format format, int unit, const glm::vec4& clear) {
         const render::ResourceId image = plan.image({.name = name, .format = format, .size = size, .nearest = true});
         half.colors.push_back(render::Attachment::cleared(image, clear));
@@ -260,7 +257,10 @@ void Noise::plan(const PlanContext& context, render::FramePlan& plan) const
     NoiseBlock block = noiseBlock(t, values, noiseTime(t, values, context.time), light.towards, plan.sample);
     const std::shared_ptr<const SkyView> sky = noiseSky(t, values, light);
     lightBy(*sky, light, values[t.brightness], block);
-    setHalf(plan.view.raster, block);
+    // Each block of pixels has a ray, as have those of the neighbors that pixels at the tile's edge need.
+    const PixelBlocks blocks{plan.view.raster, 2, 1};
+    const bool interpolated = isInterpolated(t, values);
+    if (interpolated) setHalf(blocks, plan.view.raster, block);
     pass.blocks[BLOCK_EXHIBIT] = render::std140Bytes(block);
     pass.inputs.push_back({UNIT_ENVIRONMENT, sky->radiance});
     addPermutation(t, values, pass);
@@ -271,8 +271,8 @@ void Noise::plan(const PlanContext& context, render::FramePlan& plan) const
     } else {
         plan.skip("noise/bake", "no work uses baked noise", render::Work::compute);
     }
-    if (isInterpolated(t, values))
-        planHalf(t, context, pass, plan);
+    if (interpolated)
+        planHalf(t, context, blocks.count, pass, plan);
     else
         plan.skip("noise/clouds/half", clouds ? "a ray is marched through every pixel" : "another work is shown");
     plan.add(std::move(pass));

@@ -142,9 +142,9 @@ struct CloudLight {
     float distance;  // mean distance of that light, weighted by how much of it is seen; 0 if there is none
 };
 
-// `wanted`: 1, or 0 for a ray that takes no steps. A loop that ends at once costs less than a branch, whose both sides
-// some drivers execute.
-CloudLight marchedClouds(PortalRay ray, float wanted)
+// A ray that is not wanted takes no steps: a loop that ends at once costs less than a branch, whose both sides some drivers
+// execute.
+CloudLight marchedClouds(PortalRay ray, bool isWanted)
 {
     CloudLight seen = CloudLight(vec3(0.0), 1.0, 0.0);
     vec3 d = ray.direction;
@@ -152,7 +152,7 @@ CloudLight marchedClouds(PortalRay ray, float wanted)
     float a = -ray.origin.y / rise;
     float b = (CLOUD_TOP - ray.origin.y) / rise;
     float first = max(max(min(a, b), ray.start), 0.0);
-    float end = wanted * min(max(a, b), CLOUD_FARTHEST);
+    float end = isWanted ? min(max(a, b), CLOUD_FARTHEST) : 0.0;
     if (!(end > first)) return seen;
 
     float cosine = dot(d, work.sunDirection);

@@ -39,11 +39,11 @@ PortalSeen ourClouds(PortalRay ray)
 #ifdef INTERPOLATE
     CloudLight between;
     bool isSmooth = interpolatedClouds(behind, between);
-    CloudLight clouds = marchedClouds(ray, isSmooth ? 0.0 : 1.0);
+    CloudLight clouds = marchedClouds(ray, !isSmooth);
     if (isSmooth) clouds = between;
     evaluations += 0.25 * evaluationsOfHalf();
 #else
-    CloudLight clouds = marchedClouds(ray, 1.0);
+    CloudLight clouds = marchedClouds(ray, true);
 #endif
     if (clouds.through < 0.5) seen.distance = clouds.distance;
     seen.radiance = clouds.light + behind * clouds.through;

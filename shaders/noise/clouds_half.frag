@@ -31,7 +31,7 @@ void main()
     bool meets = meetsOpening(frameRay(center));
     PortalRay ray = portalRay(center);
     ray.pixel *= 0.5;  // Neighboring rays have neighboring values of the blue noise.
-    CloudLight clouds = marchedClouds(ray, meets ? 1.0 : 0.0);
+    CloudLight clouds = marchedClouds(ray, meets);
     lightOut = vec4(min(clouds.light, vec3(6e4)), meets ? clouds.through : -1.0);
 #ifdef WITH_DISTANCE
     distanceOut = vec4(clouds.distance, evaluations, 0.0, 1.0);
