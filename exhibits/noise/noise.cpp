@@ -150,7 +150,8 @@ void setHalf(const PixelBlocks& blocks, const render::Raster& raster, NoiseBlock
         glm::vec4(glm::dvec2(raster.drawn()) / covered, (glm::dvec2(raster.drawn()) - 2.0 * origin) / covered - 1.0);
 }
 
-/// Plans the picture of half the size, of `size` rays, and lets `pass`, which draws the clouds, interpolate between them.
+/// Plans the picture of half the size, of `size` rays, and lets `pass`, which draws the clouds, interpolate between
+/// them.
 void planHalf(const NoiseTable& t, const PlanContext& context, const glm::ivec2& size, render::Pass& pass,
               render::FramePlan& plan)
 {
