@@ -45,16 +45,18 @@ class WindowTest(unittest.TestCase):
             os.environ[name] = str(self.folder / name)
         os.environ["LC_ALL"] = "C.UTF-8"
         self.program = self.open()
+        self.code = None  # With which the window ends by itself.
         until(self.socket.exists, "the window serves")
         self.window = until(self.find, "there is a window").split()[0]
         self.v = vitrine.Session(socket=str(self.socket), timeout=240)
 
     def tearDown(self):
         self.v.close()
-        if self.program.poll() is None:
-            self.program.terminate()
+        ended = self.program.poll()
+        self.program.terminate()
         self.program.wait()
         self.temporary.cleanup()
+        self.assertEqual(ended, self.code, "the code with which the window ended during the test")
 
     def open(self):
         return subprocess.Popen([os.environ["VITRINE_PROGRAM"], "--serve", str(self.socket)])
@@ -140,6 +142,7 @@ class WindowTest(unittest.TestCase):
         # The window may be gone before the key is released, which xdotool calls an error.
         subprocess.run(["xdotool", "key", "--window", self.window, "ctrl+q"], capture_output=True, text=True)
         self.assertEqual(self.program.wait(PATIENCE), 0)
+        self.code = 0
         self.assertFalse(self.socket.exists())
         with self.assertRaises(vitrine.Error):
             self.morph()
