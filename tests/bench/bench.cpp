@@ -5,6 +5,7 @@
 
 #include "tests/bench/bench.h"
 
+#include "render/failure.h"
 #include "render/gl/context.h"
 #include "render/measure/clock.h"
 
@@ -97,10 +98,8 @@ int run(int argc, char** argv)
     app.add_option("--minutes", options.minutes, "Longest time of the case portable")->check(CLI::Range(0.5, 60.0));
     app.add_option("--program", programs, "Further programs for window_latency, as NAME=PATH");
     CLI11_PARSE(app, argc, argv);
-    if (!size.empty() && std::sscanf(size.c_str(), "%dx%d", &options.size.x, &options.size.y) != 2) {
-        std::fprintf(stderr, "benchmarks: --size %s: give width and height, as 640x360\n", size.c_str());
-        return 2;
-    }
+    if (!size.empty() && std::sscanf(size.c_str(), "%dx%d", &options.size.x, &options.size.y) != 2)
+        throw Failure(ErrorKind::usage, message("--size {1}: give width and height, as 640x360", size));
     for (const std::string& program : programs)
         options.programs.emplace_back(program.substr(0, program.find('=')), program.substr(program.find('=') + 1));
     if (name.empty())
@@ -108,13 +107,10 @@ int run(int argc, char** argv)
             std::printf("%s\t%s\t%s\n", each.name.c_str(), each.draws ? "gl" : "cpu", each.question.c_str());
     if (name == "machine") printMachine();
     if (name.empty() || name == "machine") return 0;
-    const auto found =
-        std::find_if(cases().begin(), cases().end(), [&](const Case& each) { return each.name == name; });
-    if (found == cases().end()) {
-        std::fprintf(stderr, "benchmarks: there is no case \"%s\"; without arguments, benchmarks lists them\n",
-                     name.c_str());
-        return 2;
-    }
+    const auto found = std::ranges::find(cases(), name, &Case::name);
+    if (found == cases().end())
+        throw Failure(ErrorKind::usage,
+                      message("There is no case {1}; without arguments, benchmarks lists them", name));
     return found->run(options) ? 0 : 1;
 }
 
@@ -122,6 +118,9 @@ int run(int argc, char** argv)
 }  // namespace vitrine::bench
 
 int main(int argc, char** argv)
-{
+try {
     return vitrine::bench::run(argc, argv);
+} catch (const vitrine::Failure& failure) {
+    std::fprintf(stderr, "benchmarks: %s\n", failure.what());
+    return failure.exitCode();
 }

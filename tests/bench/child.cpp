@@ -61,7 +61,7 @@ Run runProgram(const std::vector<std::string>& arguments, const std::map<std::st
     };
     run.cpuSeconds = seconds(used.ru_utime) + seconds(used.ru_stime);
     run.peakMegabytes = static_cast<double>(used.ru_maxrss) * 1024 / 1e6;
-    run.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    run.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     return run;
 }
 

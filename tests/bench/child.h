@@ -8,7 +8,7 @@ namespace vitrine::bench {
 
 /// Result of a run of the program.
 struct Run {
-    int code = -1;       ///< Exit code; -1 if a signal or the time limit ended the run.
+    int code = -1;       ///< Exit code; 128 + its number if a signal ended the run, SIGALRM if that was the limit.
     double started = 0;  ///< Time of the start (render::wallSeconds).
     double wallSeconds = 0;
     double cpuSeconds = 0;     ///< Processor time of all threads, user and system.

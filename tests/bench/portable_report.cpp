@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <thread>
@@ -195,7 +196,7 @@ void printRun(const std::string& name, const std::vector<std::string>& arguments
         return;
     }
     Run run = runProgram(arguments, {}, seconds);
-    const std::string result = run.code == -1 ? "ended after its time" : "exit code " + std::to_string(run.code);
+    const std::string result = run.code == 128 + SIGALRM ? "out of time" : "exit code " + std::to_string(run.code);
     std::printf("| %s | %s | %.1f | %.0f |\n", name.c_str(), result.c_str(), run.wallSeconds, run.peakMegabytes);
     std::fflush(stdout);
     if (out) *out = std::move(run.out);
