@@ -12,12 +12,23 @@
 namespace vitrine::printing::kernels {
 namespace {
 
-/// `pairs` is that of every span, or 0 if they differ. A constant count avoids mispredicted branches.
-template <int pairs>
-VITRINE_AVX2 void filterLensesOf(const LensPlan& plan, const std::uint16_t* const* rows, LensPlan::Lenses lenses,
-                                 float* slots)
+[[gnu::always_inline]] VITRINE_AVX2 inline __m256 weighted(const std::uint16_t* pair, __m256 weights)
 {
-    const __m256i oddFirst = _mm256_setr_epi32(3, 4, 5, 6, 7, 7, 7, 7);
+    const __m256i wide = _mm256_cvtepu16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(pair)));
+    return _mm256_mul_ps(_mm256_cvtepi32_ps(wide), weights);
+}
+
+/// Adds the sums of the even columns and of the odd ones.
+[[gnu::always_inline]] VITRINE_AVX2 inline void store(__m256 sum, float* out)
+{
+    const __m256 odd = _mm256_permutevar8x32_ps(sum, _mm256_setr_epi32(3, 4, 5, 6, 7, 7, 7, 7));
+    _mm_storeu_ps(out, _mm_add_ps(_mm256_castps256_ps128(sum), _mm256_castps256_ps128(odd)));
+}
+
+/// For views of different widths, or of many columns per lens.
+VITRINE_AVX2 void filterEach(const LensPlan& plan, const std::uint16_t* const* rows, LensPlan::Lenses lenses,
+                             float* slots)
+{
     for (std::size_t lens = lenses.first; lens < lenses.last; ++lens) {
         float* out = slots + lens * plan.views * 3;
         for (std::size_t slot = 0; slot < plan.views; ++slot, out += 3) {
@@ -26,27 +37,50 @@ VITRINE_AVX2 void filterLensesOf(const LensPlan& plan, const std::uint16_t* cons
             __builtin_prefetch(at + ahead);
             const float* w = plan.weights.data() + span.first;
             __m256 sum = _mm256_setzero_ps();
-            const int all = pairs > 0 ? pairs : span.pairs;
-            for (int pair = 0; pair < all; ++pair, at += 6, w += 8) {
-                const __m256i wide = _mm256_cvtepu16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(at)));
-                sum = _mm256_add_ps(sum, _mm256_mul_ps(_mm256_cvtepi32_ps(wide), _mm256_loadu_ps(w)));
-            }
-            const __m256 odd = _mm256_permutevar8x32_ps(sum, oddFirst);
-            _mm_storeu_ps(out, _mm_add_ps(_mm256_castps256_ps128(sum), _mm256_castps256_ps128(odd)));
+            for (int pair = 0; pair < span.pairs; ++pair, at += 6, w += 8)
+                sum = _mm256_add_ps(sum, weighted(at, _mm256_loadu_ps(w)));
+            store(sum, out);
+        }
+    }
+}
+
+/// For views of one width: each lens has one span, whose weights stay in registers.
+template <std::size_t pairs>
+VITRINE_AVX2 void filterAlike(const LensPlan& plan, const std::uint16_t* const* rows, LensPlan::Lenses lenses,
+                              float* slots)
+{
+    float* out = slots + lenses.first * plan.views * 3;
+    for (std::size_t lens = lenses.first; lens < lenses.last; ++lens) {
+        const LensPlan::Span span = plan.spans[lens];
+        const std::size_t column = static_cast<std::size_t>(span.column) * 3;
+        __m256 weights[pairs];
+        for (std::size_t pair = 0; pair < pairs; ++pair)
+            weights[pair] = _mm256_loadu_ps(plan.weights.data() + span.first + pair * 8);
+        for (std::size_t slot = 0; slot < plan.views; ++slot, out += 3) {
+            const std::uint16_t* at = rows[slot] + column;
+            __builtin_prefetch(at + ahead);
+            __m256 sum = weighted(at, weights[0]);
+            for (std::size_t pair = 1; pair < pairs; ++pair)
+                sum = _mm256_add_ps(sum, weighted(at + pair * 6, weights[pair]));
+            store(sum, out);
         }
     }
 }
 
 void filterLenses(const LensPlan& plan, const std::uint16_t* const* rows, LensPlan::Lenses lenses, float* slots)
 {
-    const auto alike = [&](const LensPlan::Span& span) { return span.pairs == plan.spans[0].pairs; };
-    switch (std::all_of(plan.spans.begin(), plan.spans.end(), alike) ? plan.spans[0].pairs : 0) {
-    case 1: return filterLensesOf<1>(plan, rows, lenses, slots);
-    case 2: return filterLensesOf<2>(plan, rows, lenses, slots);
-    case 3: return filterLensesOf<3>(plan, rows, lenses, slots);
-    case 4: return filterLensesOf<4>(plan, rows, lenses, slots);
-    default: return filterLensesOf<0>(plan, rows, lenses, slots);
+    const int pairs = plan.spans[0].pairs;
+    const auto alike = [&](const LensPlan::Span& span) { return span.pairs == pairs; };
+    if (plan.spans.size() == plan.lenses && std::all_of(plan.spans.begin(), plan.spans.end(), alike)) {
+        switch (pairs) {
+        case 1: return filterAlike<1>(plan, rows, lenses, slots);
+        case 2: return filterAlike<2>(plan, rows, lenses, slots);
+        case 3: return filterAlike<3>(plan, rows, lenses, slots);
+        case 4: return filterAlike<4>(plan, rows, lenses, slots);
+        default: break;
+        }
     }
+    filterEach(plan, rows, lenses, slots);
 }
 
 /// `taps` is that of every column, or 0 if they differ.
