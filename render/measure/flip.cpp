@@ -1,5 +1,7 @@
 #include "render/measure/flip.h"
 
+#include "render/parallel.h"
+
 #include <glm/glm.hpp>
 
 #include <algorithm>
@@ -73,23 +75,44 @@ double hyab(const glm::dvec3& a, const glm::dvec3& b)
     return std::abs(a.x - b.x) + std::hypot(a.y - b.y, a.z - b.z);
 }
 
+/// Sets to[x] to the sum of kernel[k] * taps[k][x], added in the order of k. Several columns are summed at once, so
+/// that the compiler uses vectors.
+void sumTaps(const std::vector<const double*>& taps, const Kernel& kernel, std::size_t count, double* to)
+{
+    constexpr std::size_t together = 8;
+    std::size_t x = 0;
+    for (; x + together <= count; x += together) {
+        double sums[together] = {};
+        for (std::size_t k = 0; k < taps.size(); ++k)
+            for (std::size_t i = 0; i < together; ++i) sums[i] += kernel[k] * taps[k][x + i];
+        std::copy_n(sums, together, to + x);
+    }
+    for (; x < count; ++x) {
+        to[x] = 0;
+        for (std::size_t k = 0; k < taps.size(); ++k) to[x] += kernel[k] * taps[k][x];
+    }
+}
+
+/// Filters along a row or a column; beyond the border, its pixels are repeated.
 Plane filteredAlong(const Plane& plane, Size size, const Kernel& kernel, bool alongX)
 {
-    const int radius = static_cast<int>(kernel.size() / 2);
+    const auto width = static_cast<std::size_t>(size.width);
+    const std::size_t radius = kernel.size() / 2;
+    const auto row = [&](int y) { return plane.data() + static_cast<std::size_t>(y) * width; };
     Plane result(plane.size());
+    Plane padded(width + 2 * radius);
+    std::vector<const double*> taps(kernel.size());
     for (int y = 0; y < size.height; ++y) {
-        for (int x = 0; x < size.width; ++x) {
-            double sum = 0;
-            for (int k = -radius; k <= radius; ++k) {
-                const int sx = alongX ? std::clamp(x + k, 0, size.width - 1) : x;
-                const int sy = alongX ? y : std::clamp(y + k, 0, size.height - 1);
-                sum += kernel[static_cast<std::size_t>(k + radius)] *
-                       plane[static_cast<std::size_t>(sy) * static_cast<std::size_t>(size.width) +
-                             static_cast<std::size_t>(sx)];
-            }
-            result[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x)] =
-                sum;
+        if (alongX) {
+            std::copy_n(row(y), width, padded.data() + radius);
+            std::fill_n(padded.data(), radius, row(y)[0]);
+            std::fill_n(padded.data() + radius + width, radius, row(y)[width - 1]);
         }
+        for (std::size_t k = 0; k < taps.size(); ++k) {
+            const int v = std::clamp(y + static_cast<int>(k) - static_cast<int>(radius), 0, size.height - 1);
+            taps[k] = alongX ? padded.data() + k : row(v);
+        }
+        sumTaps(taps, kernel, width, result.data() + static_cast<std::size_t>(y) * width);
     }
     return result;
 }
@@ -234,8 +257,8 @@ double colorError(double difference)
 Image flipMap(const Image& reference, const Image& test, double pixelsPerDegree)
 {
     assert(reference.width == test.width && reference.height == test.height && pixelsPerDegree > 0);
-    const Seen a = look(reference, pixelsPerDegree);
-    const Seen b = look(test, pixelsPerDegree);
+    Seen a, b;
+    onThreads(2, [&](std::size_t i) { (i == 0 ? a : b) = look(i == 0 ? reference : test, pixelsPerDegree); });
     Image map(reference.width, reference.height, 1);
     for (std::size_t i = 0; i < map.pixels.size(); ++i) {
         const double feature = std::max(std::abs(a.features.edges[i] - b.features.edges[i]),
