@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Paints the hall's tileable textures and writes materials.json: python3 textures.py [NAME ...]
 
-<name>_color.png is sRGB, <name>_normal.png OpenGL style (+Y up; none for what is ground flat), <name>_orm.png holds
-occlusion, roughness and metalness. Every color map averages to the albedo that hall_materials.py states."""
+<name>_color.png is sRGB. <name>_surface.png holds what a shader looks up at once: x and y of the normal (OpenGL style, +Y
+up), roughness and, as alpha, occlusion. Every color map averages to the albedo that hall_materials.py states."""
 import json
 import os
 import sys
@@ -62,17 +62,17 @@ def save(name, color, height, occlusion, roughness, size=None, tile=None):
     folder = os.path.join(HERE, "textures")
     os.makedirs(folder, exist_ok=True)
     nrm = normals(height, spec["tile"]) * 0.5 + 0.5
-    orm = np.stack([np.broadcast_to(occlusion, height.shape), np.broadcast_to(roughness, height.shape),
-                    np.full(height.shape, spec["metalness"])], -1)
-    for kind, data in (("color", to_srgb(color)), ("normal", nrm), ("orm", orm)):
-        if kind == "normal" and spec.get("polished"):
-            continue
-        image = Image.fromarray((np.clip(data, 0, 1) * 255 + 0.5).astype(np.uint8), "RGB")
-        if size and size.get(kind, image.size[0]) != image.size[0]:
-            image = image.resize((size[kind],) * 2, Image.BOX)
+    surface = np.stack([nrm[..., 0], nrm[..., 1], np.broadcast_to(roughness, height.shape),
+                        np.broadcast_to(occlusion, height.shape)], -1)
+    for kind, data in (("color", to_srgb(color)), ("surface", surface)):
+        codes = (np.clip(data, 0, 1) * 255 + 0.5).astype(np.uint8)
+        if size and size.get(kind, len(codes)) != len(codes):
+            # Each channel alone: a resized RGBA picture would be weighted by its alpha.
+            codes = np.stack([np.asarray(Image.fromarray(codes[..., c]).resize((size[kind],) * 2, Image.BOX))
+                              for c in range(codes.shape[-1])], -1)
         path = os.path.join(folder, f"{name}_{kind}.png")
-        save_png(path, np.asarray(image))
-        print(f"{path}: {image.size[0]} px, {os.path.getsize(path) // 1024} KiB")
+        save_png(path, codes)
+        print(f"{path}: {len(codes)} px, {os.path.getsize(path) // 1024} KiB")
 
 
 def mix(a, b, t):
@@ -111,7 +111,7 @@ def terrazzo(n=1024):
         hard = np.maximum(hard, mask)
     # Ground and polished flat: the chips take it best, the cement between them less; nothing varies over more than chips.
     rough = np.clip(0.155 + 0.012 * noise(n, 60, 12, 2) - 0.03 * hard, 0.12, 0.22)
-    save("terrazzo", color, np.zeros((n, n)), 1.0, rough, {"orm": 512})
+    save("terrazzo", color, np.zeros((n, n)), 1.0, rough, {"surface": 512})
 
 
 def plaster(n=1024):
@@ -138,7 +138,7 @@ def plaster(n=1024):
     color = np.array(MATERIALS["plaster"]["color"]) * tone[..., None]
     color[..., 2] *= 1 - 0.012 * noise(n, 3, 26, 3)
     save("plaster", color, height, 1.0, np.clip(0.86 - 0.05 * sheen + 0.02 * noise(n, 40, 27, 2), 0.7, 0.97),
-         {"normal": 512, "orm": 512})
+         {"surface": 512})
 
 
 def travertine(n=512):
@@ -216,7 +216,7 @@ def cloth(n=512):
     weave = np.where(over, round_x * (1 + 0.15 * slub_y), round_y * (1 + 0.15 * slub_x))
     tone = 0.84 + 0.2 * weave + 0.045 * np.where(over, slub_y, slub_x) + 0.03 * noise(n, 4, 75, 3)
     color = np.array(MATERIALS["cloth"]["color"]) * tone[..., None]
-    save("cloth", color, 0.00022 * blur(weave, 0.6), np.clip(0.7 + 0.3 * weave, 0, 1), 0.95, {"orm": 256})
+    save("cloth", color, 0.00022 * blur(weave, 0.6), np.clip(0.7 + 0.3 * weave, 0, 1), 0.95)
 
 
 def materials_json():
@@ -225,9 +225,7 @@ def materials_json():
         entry = {}
         if "tile" in spec:
             entry = {"tile": spec["tile"], "color": f"textures/{name}_color.png",
-                     "normal": f"textures/{name}_normal.png", "orm": f"textures/{name}_orm.png"}
-            if spec.get("polished"):
-                del entry["normal"]
+                     "surface": f"textures/{name}_surface.png", "hasNormals": not spec.get("polished", False)}
         flat = "tile" not in spec
         entry["baseColor"] = list(spec["color"]) if flat else [1.0, 1.0, 1.0]
         entry["roughness"] = spec["roughness"] if flat else 1.0

@@ -1,11 +1,11 @@
 #include "exhibits/hall/hall_surfaces.h"
 
+#include "exhibits/hall/baked_picture.h"
 #include "render/failure.h"
 #include "render/files/assets.h"
 #include "render/files/strict_json.h"
 #include "render/image/image_io.h"
 
-#include <cmath>
 #include <utility>
 
 namespace vitrine::hall {
@@ -30,56 +30,9 @@ TextureInTheMaking map(const Json& row, const char* key, bool sRgb)
     });
 }
 
-/// Value of a channel between the texels of a texture that repeats. `x` and `y` are in texels.
-double between(const render::Texture& texture, double x, double y, int channel)
-{
-    const double left = std::floor(x), low = std::floor(y);
-    const auto at = [&](int dx, int dy) {
-        const int column = (static_cast<int>(left) + dx + texture.width) % texture.width;
-        const int row = (static_cast<int>(low) + dy + texture.height) % texture.height;
-        return static_cast<double>(
-            texture.bytes[static_cast<std::size_t>((row * texture.width + column) * texture.channels + channel)]);
-    };
-    const double u = x - left, v = y - low;
-    return (1 - v) * ((1 - u) * at(0, 0) + u * at(1, 0)) + v * ((1 - u) * at(0, 1) + u * at(1, 1));
-}
-
-/// Returns Material::surfaceMap from a normal map, if there is one, and a map of occlusion, roughness and metalness.
-std::shared_ptr<const render::Texture> surfaceMap(const render::Texture* normal, const render::Texture& orm)
-{
-    auto map = std::make_shared<render::Texture>();
-    map->name = orm.name;
-    const render::Texture& size = normal ? *normal : orm;
-    map->width = size.width;
-    map->height = size.height;
-    map->bytes.reserve(std::size_t{4} * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
-    const double across = double(orm.width) / size.width, up = double(orm.height) / size.height;
-    for (int y = 0; y < size.height; ++y) {
-        for (int x = 0; x < size.width; ++x) {
-            const auto texel = static_cast<std::size_t>((y * size.width + x) * size.channels);
-            for (std::size_t c = 0; c < 2; ++c) map->bytes.push_back(normal ? normal->bytes[texel + c] : 128);
-            for (const int c : {1, 0})
-                map->bytes.push_back(
-                    static_cast<std::uint8_t>(0.5 + between(orm, (x + 0.5) * across - 0.5, (y + 0.5) * up - 0.5, c)));
-        }
-    }
-    return map;
-}
-
 std::shared_ptr<const render::Texture> made(TextureInTheMaking& texture)
 {
     return texture.valid() ? texture.get() : nullptr;
-}
-
-/// Makes the surface map of a material on another thread, from the two maps that the table names.
-TextureInTheMaking surface(const Json& row)
-{
-    TextureInTheMaking normal = map(row, "normal", false), orm = map(row, "orm", false);
-    if (!orm.valid()) return {};
-    return std::async(std::launch::async, [normal = std::move(normal), orm = std::move(orm)]() mutable {
-        const std::shared_ptr<const render::Texture> slopes = made(normal);
-        return surfaceMap(slopes.get(), *orm.get());
-    });
 }
 
 /// Returns the materials with the textures that the table names.
@@ -89,7 +42,7 @@ std::map<std::string, HallMaterial> textured(std::map<std::string, HallMaterial>
         TextureInTheMaking baseColor, surface;
     };
     std::map<std::string, Maps> maps;
-    for (const auto& [name, row] : table.items()) maps[name] = {map(row, "color", true), surface(row)};
+    for (const auto& [name, row] : table.items()) maps[name] = {map(row, "color", true), map(row, "surface", false)};
     for (auto& [name, making] : maps) {
         render::Material& material = materials.at(name).material;
         material.baseColorMap = made(making.baseColor);
@@ -101,11 +54,10 @@ std::map<std::string, HallMaterial> textured(std::map<std::string, HallMaterial>
 HallLightmaps readLightmaps(const std::string& skyFile)
 {
     try {
-        auto sky =
-            std::make_shared<render::Texture>(*render::loadTexture(render::asset("models/" + skyFile), false, false));
-        sky->mipmaps = false;
-        return {std::move(sky), SunTransfer(readTable("models/hall_bounce.json")),
-                LampLight(readTable("models/hall_lamps.json"))};
+        std::future<BakedPicture> sky = startReadingBaked(skyFile);
+        SunTransfer sun(readTable("models/hall_bounce.json"));
+        LampLight lamps(readTable("models/hall_lamps.json"));
+        return {sky.get(), std::move(sun), std::move(lamps)};
     } catch (const Json::exception& error) {
         throw Failure(ErrorKind::file,
                       "assets/models/hall_bounce.json or hall_lamps.json: " + std::string(error.what()) +
@@ -121,7 +73,7 @@ HallSurfaces::HallSurfaces()
     for (const auto& [name, row] : materials.items()) {
         HallMaterial entry;
         entry.tile = row.value("tile", 1.0);
-        entry.hasNormalMap = row.contains("normal") && row["normal"].is_string();
+        entry.hasNormalMap = row.value("hasNormals", false);
         entry.material.name = name;
         entry.material.roughness = row.value("roughness", 0.7F);
         if (const auto color = row.find("baseColor"); color != row.end())

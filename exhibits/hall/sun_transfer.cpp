@@ -1,8 +1,7 @@
 #include "exhibits/hall/sun_transfer.h"
 
+#include "exhibits/hall/baked_picture.h"
 #include "render/failure.h"
-#include "render/files/assets.h"
-#include "render/image/image_io.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,12 +28,15 @@ glm::dvec3 vectorOf(const Json& numbers)
     return {numbers.at(0).get<double>(), numbers.at(1).get<double>(), numbers.at(2).get<double>()};
 }
 
-std::shared_ptr<const render::Texture> pictureOf(const Json& row, int channels)
+std::future<BakedPicture> pictureOf(const Json& row)
 {
-    auto picture = std::make_shared<render::Texture>(
-        *render::loadTexture(render::asset("models/" + row.at("file").get<std::string>()), false, false));
+    return startReadingBaked(row.at("file").get<std::string>());
+}
+
+BakedPicture checked(std::future<BakedPicture>& reading, int channels)
+{
+    BakedPicture picture = reading.get();
     demand(picture->channels == channels && !picture->bytes.empty(), "a picture has other channels");
-    picture->mipmaps = false;
     return picture;
 }
 
@@ -46,13 +48,15 @@ SunTransfer::SunTransfer(const Json& table)
     demand(elevations_.size() > 1 && std::is_sorted(elevations_.begin(), elevations_.end()),
            "its elevations do not rise");
     azimuths_ = static_cast<std::size_t>(std::lround(360 / table.at("azimuthStep").get<double>()));
-    suns_ = pictureOf(table.at("suns"), 1);
+    const Json& air = table.at("air");
+    std::future<BakedPicture> picture = pictureOf(air), suns = pictureOf(table.at("suns")),
+                              surfaces = pictureOf(table.at("surfaces"));
+    suns_ = checked(suns, 1);
     sunScale_ = table.at("suns").at("scale").get<double>();
-    surfaces_ = pictureOf(table.at("surfaces"), 3);
+    surfaces_ = checked(surfaces, 3);
     surfaceScale_ = table.at("surfaces").at("scale").get<double>();
 
-    const Json& air = table.at("air");
-    picture_ = pictureOf(air, 1);
+    picture_ = checked(picture, 1);
     scales_ = air.at("scales").get<std::vector<double>>();
     grid_ = {{vectorOf(air.at("low")), vectorOf(air.at("high"))}, glm::ivec3(vectorOf(air.at("size")))};
     demand(scales_.size() > 6 && static_cast<std::size_t>(picture_->height) == scales_.size() &&

@@ -1,9 +1,8 @@
 #include "exhibits/hall/vault_lamps.h"
 
 #include "exhibits/framework/scene/scene_lighting.h"
+#include "exhibits/hall/baked_picture.h"
 #include "exhibits/hall/sun.h"
-#include "render/files/assets.h"
-#include "render/image/image_io.h"
 
 #include <algorithm>
 
@@ -40,10 +39,7 @@ VaultLamps vaultLampsOf(const HallTable& table, const ParameterValues& values)
 
 LampLight::LampLight(const render::Json& table)
 {
-    auto picture = std::make_shared<render::Texture>(
-        *render::loadTexture(render::asset("models/" + table.at("air").at("file").get<std::string>()), false, false));
-    picture->mipmaps = false;
-    air_ = picture;
+    air_ = startReadingBaked(table.at("air").at("file").get<std::string>()).get();
     airScale_ = table.at("air").at("scale").get<double>();
     surfaceScale_ = table.at("surfaces").get<double>();
 }

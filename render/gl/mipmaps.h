@@ -5,8 +5,8 @@
 
 namespace vitrine::render::gl {
 
-/// Generates the mip levels of an image from its level 0. Half-float cube maps with a power of two as size are
-/// downsampled by this project's own program, which stays in the program cache on disk. A software driver would
+/// Generates the mip levels of an image from its level 0. Half-float pictures and cube maps whose sides halve exactly
+/// are downsampled by this project's own program, which stays in the program cache on disk. A software driver would
 /// recompile its built-in one at every start.
 void makeMipmaps(const Texture&, ProgramCache&);
 
