@@ -100,6 +100,7 @@ Plane filteredAlong(const Plane& plane, Size size, const Kernel& kernel, bool al
     const std::size_t radius = kernel.size() / 2;
     const auto row = [&](int y) { return plane.data() + static_cast<std::size_t>(y) * width; };
     Plane result(plane.size());
+    if (plane.empty()) return result;
     Plane padded(width + 2 * radius);
     std::vector<const double*> taps(kernel.size());
     for (int y = 0; y < size.height; ++y) {
