@@ -54,7 +54,14 @@ def to_srgb(c):
     return np.where(c <= 0.0031308, 12.92 * c, 1.055 * c ** (1 / 2.4) - 0.055)
 
 
-def save(name, color, height, occlusion, roughness, size=None, tile=None):
+def codes(data, size=None):
+    """data from 0 to 1 in 8 bits; one channel can be reduced to size x size."""
+    whole = (np.clip(data, 0, 1) * 255 + 0.5).astype(np.uint8)
+    return np.asarray(Image.fromarray(whole).resize((size, size), Image.BOX)) if size else whole
+
+
+def save(name, color, height, occlusion, roughness, surface_size=None):
+    """height in meters; surface_size in texels, if the surface map is smaller than the color map."""
     spec = MATERIALS[name]
     color = np.maximum(color, 0)
     for _ in range(4):
@@ -62,17 +69,14 @@ def save(name, color, height, occlusion, roughness, size=None, tile=None):
     folder = os.path.join(HERE, "textures")
     os.makedirs(folder, exist_ok=True)
     nrm = normals(height, spec["tile"]) * 0.5 + 0.5
-    surface = np.stack([nrm[..., 0], nrm[..., 1], np.broadcast_to(roughness, height.shape),
-                        np.broadcast_to(occlusion, height.shape)], -1)
-    for kind, data in (("color", to_srgb(color)), ("surface", surface)):
-        codes = (np.clip(data, 0, 1) * 255 + 0.5).astype(np.uint8)
-        if size and size.get(kind, len(codes)) != len(codes):
-            # Each channel alone: a resized RGBA picture would be weighted by its alpha.
-            codes = np.stack([np.asarray(Image.fromarray(codes[..., c]).resize((size[kind],) * 2, Image.BOX))
-                              for c in range(codes.shape[-1])], -1)
+    # Each channel is resized alone: a picture with alpha would be weighted by it.
+    surface = [codes(channel, surface_size) for channel in (nrm[..., 0], nrm[..., 1],
+                                                            np.broadcast_to(roughness, height.shape),
+                                                            np.broadcast_to(occlusion, height.shape))]
+    for kind, data in (("color", codes(to_srgb(color))), ("surface", np.stack(surface, -1))):
         path = os.path.join(folder, f"{name}_{kind}.png")
-        save_png(path, codes)
-        print(f"{path}: {len(codes)} px, {os.path.getsize(path) // 1024} KiB")
+        save_png(path, data)
+        print(f"{path}: {len(data)} px, {os.path.getsize(path) // 1024} KiB")
 
 
 def mix(a, b, t):
@@ -111,7 +115,7 @@ def terrazzo(n=1024):
         hard = np.maximum(hard, mask)
     # Ground and polished flat: the chips take it best, the cement between them less; nothing varies over more than chips.
     rough = np.clip(0.155 + 0.012 * noise(n, 60, 12, 2) - 0.03 * hard, 0.12, 0.22)
-    save("terrazzo", color, np.zeros((n, n)), 1.0, rough, {"surface": 512})
+    save("terrazzo", color, np.zeros((n, n)), 1.0, rough, 512)
 
 
 def plaster(n=1024):
@@ -137,8 +141,7 @@ def plaster(n=1024):
     tone = 1 + 0.022 * sheen + 0.02 * noise(n, 2, 24, 5) + 0.03 * edges + 0.012 * noise(n, 100, 25, 2) + 0.03 * sand
     color = np.array(MATERIALS["plaster"]["color"]) * tone[..., None]
     color[..., 2] *= 1 - 0.012 * noise(n, 3, 26, 3)
-    save("plaster", color, height, 1.0, np.clip(0.86 - 0.05 * sheen + 0.02 * noise(n, 40, 27, 2), 0.7, 0.97),
-         {"surface": 512})
+    save("plaster", color, height, 1.0, np.clip(0.86 - 0.05 * sheen + 0.02 * noise(n, 40, 27, 2), 0.7, 0.97), 512)
 
 
 def travertine(n=512):

@@ -53,7 +53,7 @@ int main(int argc, char** argv)
         return argc > 1 ? 2 : 0;
     }
     argv[1] = argv[0];
-    // Qt would write them at the end, into a home that was deleted.
+    // Qt would write its compiled shaders when the process ends, into a home that was deleted.
     QCoreApplication::setAttribute(Qt::AA_DisableShaderDiskCache);
     return found->second(argc - 1, argv + 1);
 }
