@@ -7,7 +7,7 @@ void makeMipmaps(const Texture& image, ProgramCache& programs)
     const bool isCube = image.type() == TextureType::cube;
     const glm::ivec2 smallest = image.size() >> (image.levels() - 1);
     const bool halves = (isCube || image.type() == TextureType::flat) && image.format() == Format::rgba16f &&
-                        smallest << (image.levels() - 1) == image.size();
+                        (smallest << (image.levels() - 1)) == image.size();
     if (!halves) return glGenerateTextureMipmap(image.name());
     ShaderKey shader{.compute = "lib/mipmap.comp"};
     if (isCube) shader.defines = {"CUBE"};
